@@ -1,0 +1,59 @@
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "playhouse/base/hash.h"
+#include "playhouse/base/nearest_word.h"
+#include "playhouse/base/result.h"
+#include "playhouse/base/rng.h"
+
+namespace playhouse {
+namespace {
+
+TEST(NearestWord, finds_a_slip_and_refuses_a_stranger) {
+  constexpr std::array<std::string_view, 3> words = {"position", "ranger", "fiducial"};
+  EXPECT_EQ(nearest_word("positoin", words), "position");
+  EXPECT_EQ(nearest_word("zzzzzz", words), "");
+  EXPECT_EQ(did_you_mean("rangr", words), " (did you mean \"ranger\"?)");
+}
+
+TEST(Result, holds_a_value_or_an_error) {
+  Result<int> good = 3;
+  Result<int> bad = Error{"a.world:2", "no such thing"};
+  EXPECT_EQ(*good, 3);
+  EXPECT_EQ(bad.error().line(), "a.world:2: no such thing");
+}
+
+TEST(Rng, depends_on_each_of_its_four_inputs_and_on_nothing_else) {
+  EXPECT_EQ(Rng(1, 2, 3, 4).bits(), Rng(1, 2, 3, 4).bits());
+  const std::uint64_t base = Rng(1, 2, 3, 4).bits();
+  EXPECT_NE(base, Rng(2, 2, 3, 4).bits());
+  EXPECT_NE(base, Rng(1, 3, 3, 4).bits());
+  EXPECT_NE(base, Rng(1, 2, 4, 4).bits());
+  EXPECT_NE(base, Rng(1, 2, 3, 5).bits());
+}
+
+TEST(Rng, gaussian_has_mean_zero_and_variance_one) {
+  Rng rng(1, 0, 0, 0);
+  constexpr int kDraws = 100000;
+  double sum = 0, squares = 0;
+  for (int i = 0; i < kDraws; ++i) {
+    const double value = rng.gaussian();
+    sum += value;
+    squares += value * value;
+  }
+  EXPECT_NEAR(sum / kDraws, 0.0, 0.02);
+  EXPECT_NEAR(squares / kDraws, 1.0, 0.02);
+}
+
+TEST(Hash, depends_on_order_and_not_on_the_sign_of_zero) {
+  Hash a, b, c, d;
+  a.add(1.0), a.add(2.0);
+  b.add(2.0), b.add(1.0);
+  c.add(0.0), d.add(-0.0);
+  EXPECT_NE(a.value(), b.value());
+  EXPECT_EQ(c.value(), d.value());
+}
+
+}  // namespace
+}  // namespace playhouse

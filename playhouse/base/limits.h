@@ -1,0 +1,36 @@
+#pragma once
+
+/// Every limit of the program that users can meet, by name.
+
+#include <cstddef>
+#include <cstdint>
+
+namespace playhouse::limits {
+
+// Wire (facts of the Player protocol).
+inline constexpr std::size_t kHeaderBytes = 40;
+inline constexpr std::size_t kBannerBytes = 32;
+inline constexpr std::size_t kMessageBytes = 33554432;            // header and body on the wire
+inline constexpr std::size_t kBodyBytes = kMessageBytes - kHeaderBytes;
+inline constexpr std::size_t kDevices = 4096;                     // entries of a device list
+inline constexpr std::size_t kDriverNameBytes = 64;               // with the final NUL
+
+// Server.
+inline constexpr std::size_t kSessions = 4096;
+inline constexpr std::size_t kSessionQueueMessages = 1024;        // data waiting for one client
+inline constexpr std::size_t kSessionQueueBytes = 64u << 20;      // the same in bytes, headers included
+inline constexpr std::size_t kSessionRules = 256;                 // replace rules of one client
+inline constexpr std::size_t kSessionAnswers = 4096;              // answers a client has not read yet; more close it
+inline constexpr std::size_t kRequestQueue = 4096;                // requests waiting for a tick
+inline constexpr std::size_t kSubscriptions = 8192;               // devices one client may hold open
+
+// Files.
+inline constexpr std::size_t kFileBytes = 16u << 20;
+inline constexpr int kIncludeDepth = 32;
+inline constexpr int kEntityDepth = 64;
+inline constexpr std::size_t kEntities = 1u << 20;                // after macro expansion
+inline constexpr std::size_t kBitmapPixels = 1u << 28;
+
+static_assert(kBodyBytes + kHeaderBytes == kMessageBytes);
+
+}  // namespace playhouse::limits

@@ -1,0 +1,88 @@
+#include "playhouse/geom/trig.h"
+
+#include <cmath>
+
+namespace playhouse::geom {
+namespace {
+
+// pi/2 in two parts: the first has 33 significant bits, so n * kHalfPiHigh is exact for |n| < 2^20.
+constexpr double kHalfPiHigh = 1.57079632673412561417e+00;
+constexpr double kHalfPiLow = 6.07710050650619224932e-11;
+
+/// sin on [-pi/4, pi/4]: Taylor to x^17, remainder below 1e-19.
+double sin_small(double x) {
+  const double z = x * x;
+  double p = 1.0 / 355687428096000.0;
+  p = p * z - 1.0 / 1307674368000.0;
+  p = p * z + 1.0 / 6227020800.0;
+  p = p * z - 1.0 / 39916800.0;
+  p = p * z + 1.0 / 362880.0;
+  p = p * z - 1.0 / 5040.0;
+  p = p * z + 1.0 / 120.0;
+  p = p * z - 1.0 / 6.0;
+  return x + x * z * p;
+}
+
+/// cos on [-pi/4, pi/4]: Taylor to x^18.
+double cos_small(double x) {
+  const double z = x * x;
+  double p = -1.0 / 6402373705728000.0;
+  p = p * z + 1.0 / 20922789888000.0;
+  p = p * z - 1.0 / 87178291200.0;
+  p = p * z + 1.0 / 479001600.0;
+  p = p * z - 1.0 / 3628800.0;
+  p = p * z + 1.0 / 40320.0;
+  p = p * z - 1.0 / 720.0;
+  p = p * z + 1.0 / 24.0;
+  return 1.0 - 0.5 * z + z * z * p;
+}
+
+/// atan on [0, tan(pi/16)]: alternating series to x^25, remainder below 1e-19.
+double atan_small(double x) {
+  const double z = x * x;
+  double p = 0.0;
+  for (int k = 25; k >= 3; k -= 2) p = (((k / 2) % 2 == 0 ? 1.0 : -1.0) / k + p) * z;
+  return x + x * p;
+}
+
+/// atan on [0, 1]: turned back by the nearest of 0, pi/8, pi/4, so that the series converges fast.
+double atan_unit(double x) {
+  constexpr double kTanSixteenth = 0.19891236737965800691;  // tan(pi/16)
+  constexpr double kTanThreeSixteenths = 0.66817863791929891999;
+  constexpr double kTanEighth = 0.41421356237309504880;  // tan(pi/8)
+  if (x <= kTanSixteenth) return atan_small(x);
+  const bool near_eighth = x <= kTanThreeSixteenths;
+  const double t = near_eighth ? kTanEighth : 1.0;
+  const double turned = (x - t) / (1.0 + x * t);
+  return (near_eighth ? kPi / 8.0 : kPi / 4.0) + (turned < 0 ? -atan_small(-turned) : atan_small(turned));
+}
+
+}  // namespace
+
+SinCos sincos(double angle) {
+  const double n = std::nearbyint(angle * (2.0 / kPi));
+  const double x = (angle - n * kHalfPiHigh) - n * kHalfPiLow;
+  const double s = sin_small(x), c = cos_small(x);
+  switch (static_cast<long long>(n) & 3) {
+    case 0: return {s, c};
+    case 1: return {c, -s};
+    case 2: return {-s, -c};
+    default: return {-c, s};
+  }
+}
+
+double atan2(double y, double x) {
+  const double ax = std::fabs(x), ay = std::fabs(y);
+  if (ax == 0.0 && ay == 0.0) return 0.0;
+  double angle = ay <= ax ? atan_unit(ay / ax) : kPi / 2.0 - atan_unit(ax / ay);
+  if (x < 0.0) angle = kPi - angle;
+  return y < 0.0 ? -angle : angle;
+}
+
+double normalize(double angle) {
+  if (angle > -kPi && angle <= kPi) return angle;
+  const double turned = angle - kTwoPi * std::floor((angle + kPi) / kTwoPi);
+  return turned <= -kPi ? turned + kTwoPi : turned;
+}
+
+}  // namespace playhouse::geom
