@@ -1,0 +1,24 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <string>
+
+namespace playhouse::device {
+
+/// A device as clients address it. `robot` is the TCP port whose name space the device lives in.
+struct Address {
+  std::uint32_t robot = 0;
+  std::uint16_t interf = 0;  // interface code, e.g. 4 = position2d
+  std::uint16_t index = 0;
+  friend constexpr auto operator<=>(const Address&, const Address&) = default;
+};
+
+/// A device's row in the DeviceTable; never reused while the server runs.
+struct DeviceId {
+  std::uint32_t row = 0xFFFFFFFFu;
+  constexpr bool valid() const { return row != 0xFFFFFFFFu; }
+  friend constexpr auto operator<=>(DeviceId, DeviceId) = default;
+};
+
+}  // namespace playhouse::device

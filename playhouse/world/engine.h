@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+
+#include "playhouse/world/world.h"
+
+namespace playhouse::world {
+
+/// What the bridge and the program see of an engine, whichever it is. Thread: the tick thread.
+class Engine {
+ public:
+  virtual ~Engine() = default;
+
+  /// One tick of scene().interval: ingest .. freeze (see the engine's step.cc).
+  virtual void step() = 0;
+
+  /// The state; change it only between steps, with the functions of world.h.
+  virtual World& world() = 0;
+
+  /// Rays cast since the start, for benches.
+  virtual std::uint64_t rays() const = 0;
+};
+
+}  // namespace playhouse::world

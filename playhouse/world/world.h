@@ -1,0 +1,143 @@
+#pragma once
+
+/// World: the state that both engines share, as tables of columns, and the few ways to change it from outside.
+/// An engine's step() turns commands and state N into state N+1; between steps everyone reads a const World.
+/// Rows are dense and keep the order of the scene's models. Thread: the tick thread, between steps.
+/// Frames: W world, P parent, M model, B body (M moved by the origin), O odometry.
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "playhouse/base/row.h"
+#include "playhouse/geom/pose.h"
+#include "playhouse/scene/scene_desc.h"
+
+namespace playhouse::world {
+
+using ModelRow = Row<struct ModelTable>;        // equals the row in SceneDesc::models
+using PositionRow = Row<struct PositionTable>;  // robots that move
+using RangerRow = Row<struct RangerTable>;
+using SensorRow = Row<struct SensorTable>;      // one transducer or scanner of a ranger
+using FiducialRow = Row<struct FiducialTable>;  // fiducial finders
+
+/// Every model of the scene (n rows).
+struct Models {
+  std::vector<geom::Pose> X_PM;                 // pose in the parent            [m, rad]  written by: move, set_pose
+  std::vector<geom::Pose> X_WM;                 // pose in the world             [m, rad]  written by: move, set_pose
+  std::vector<std::uint32_t> parent;            // model row or Row::kNone
+  std::vector<std::uint32_t> root;              // top of the tree; its own row for a top-level model
+  std::vector<scene::ModelKind> kind;
+  std::vector<std::uint32_t> part;              // row in the kind's own table, or Row::kNone
+  std::vector<std::uint32_t> subscribers;       // open devices and controllers   written by: subscribe, unsubscribe
+  std::vector<std::int32_t> fiducial_return;    // 0: unseen                      written by: set_fiducial_return
+  std::vector<std::int32_t> flags;              // tokens carried (source, sink)  written by: controllers
+  std::vector<scene::Color> color;              //                                written by: set_color
+  std::size_t size() const { return X_PM.size(); }
+};
+
+enum class ControlMode : std::uint8_t { kVelocity, kPosition, kAcceleration };
+
+/// Models that drive (position). A command stays in force until the next one replaces it.
+struct Positions {
+  std::vector<ModelRow> model;
+  std::vector<ControlMode> mode;                // written by: the command functions
+  std::vector<geom::Twist> command;             // kVelocity [m/s, rad/s], car: a is the steering angle [rad];
+                                                // kAcceleration [m/s^2, rad/s^2]
+  std::vector<geom::Pose> goal;                 // kPosition: target in the frame of X_OM
+  std::vector<geom::Twist> velocity;            // in the body frame, after bounds [m/s, rad/s]  written by: act
+  std::vector<geom::Pose> X_OM;                 // what the robot believes (gps or odometry)     written by: move
+  std::vector<geom::Pose> X_WO;                 // origin of the odometry frame in the world     written by: set_odometry
+  std::vector<geom::Twist> odom_error;          // fraction per axis
+  std::vector<std::uint8_t> stall;              // 1: the last motion was blocked                written by: move
+  std::vector<std::uint8_t> motor_on;           // 0: commands are kept but do not move it
+  std::size_t size() const { return model.size(); }
+};
+
+/// Models that measure ranges; sensor rows first_sensor .. first_sensor + sensor_count - 1 belong to a ranger.
+struct Rangers {
+  std::vector<ModelRow> model;
+  std::vector<std::uint32_t> first_sensor, sensor_count;
+  std::vector<std::uint64_t> measured_tick;     // tick of the newest scan; 0: none yet           written by: sense
+  std::size_t size() const { return model.size(); }
+};
+
+/// Transducers and scanners. Beam k of a sensor is at ranges[first_beam + k]; beam 0 is the rightmost.
+struct Sensors {
+  std::vector<RangerRow> ranger;
+  std::vector<std::uint32_t> first_beam, beam_count;
+  std::vector<float> ranges;                    // along the beam; range_max when nothing is hit  [m]  (beams)
+  std::vector<float> intensities;               // ranger_return of what was hit, else 0          [1]  (beams)
+  std::size_t size() const { return ranger.size(); }
+};
+
+struct FiducialHit {
+  ModelRow target;
+  std::int32_t id = 0;       // 0 beyond range_max_id
+  double range = 0;          // m, centre to centre
+  double bearing = 0;        // rad, in the finder's frame
+  double heading = 0;        // rad, target relative to the finder
+  geom::Size size;           // m, of the target
+};
+
+struct Fiducials {
+  std::vector<ModelRow> model;
+  std::vector<std::vector<FiducialHit>> hits;   // by target row; capacity is kept from tick to tick  written by: sense
+  std::vector<std::uint64_t> measured_tick;     // 0: none yet
+  std::size_t size() const { return model.size(); }
+};
+
+class World {
+ public:
+  /// Allocates every column for the scene and computes poses. The scene must outlive the world.
+  World(const scene::SceneDesc& scene, std::uint64_t seed);
+
+  const scene::SceneDesc& scene() const { return *scene_; }
+  const scene::ModelDesc& desc(ModelRow row) const { return scene_->models[row.index]; }
+  std::uint64_t seed() const { return seed_; }
+  std::uint64_t tick() const { return tick_; }
+  /// Simulated time. [s]
+  double time() const { return static_cast<double>(tick_) * scene_->interval; }
+
+  /// Look-up by name or default name; none if there is no such model. The last of equal names wins.
+  ModelRow find(std::string_view name) const;
+  std::span<const std::uint32_t> children(ModelRow row) const;
+
+  /// Hash of the whole state: every column that a later tick depends on, and the tick.
+  std::uint64_t hash() const;
+
+  Models models;
+  Positions positions;
+  Rangers rangers;
+  Sensors sensors;
+  Fiducials fiducials;
+
+  /// Set by set_pose(); the engine re-indexes what moved before its next tick and clears it.
+  std::vector<ModelRow> teleported;
+  std::uint64_t tick_ = 0;  // written by: freeze (the engine) alone
+
+ private:
+  const scene::SceneDesc* scene_;
+  std::uint64_t seed_;
+  std::map<std::string, ModelRow, std::less<>> by_name_;
+  std::vector<std::uint32_t> first_child_, child_rows_;  // children of row r: child_rows_[first_child_[r] .. first_child_[r+1])
+};
+
+// Ways to change the world between ticks. Non-finite numbers are refused (false), nothing changes then.
+
+bool command_velocity(World& world, PositionRow robot, const geom::Twist& velocity);
+bool command_position(World& world, PositionRow robot, const geom::Pose& goal_O);
+bool command_acceleration(World& world, PositionRow robot, const geom::Twist& acceleration);
+/// The robot believes from now on that it is at X_OM.
+bool set_odometry(World& world, PositionRow robot, const geom::Pose& X_OM);
+/// Puts a model somewhere in its parent's frame, without any collision check; children follow.
+bool set_pose(World& world, ModelRow model, const geom::Pose& X_PM);
+/// Sensors measure and robots move only while subscribed (or alwayson). Calls are counted.
+void subscribe(World& world, ModelRow model);
+/// The last unsubscribe of a robot stops it: its command and velocity become zero.
+void unsubscribe(World& world, ModelRow model);
+
+}  // namespace playhouse::world
