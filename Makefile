@@ -1,0 +1,66 @@
+# What to type: make build, make demo, make test. Each installs what is missing and does nothing twice.
+# Everything is left under build/ (and web/dist, web/node_modules).
+
+PROGRAM := build/playhouse
+WEB_SOURCES := $(shell find web -path web/node_modules -prune -o -path web/dist -prune -o -type f -print 2>/dev/null)
+PLAYER_PORT ?= 6665
+WEB_PORT ?= 8080
+WORLD ?= worlds/cave.world
+
+.PHONY: help setup setup-test build demo test fuzz bench clean web
+
+help:
+	@echo "make build   the release program, build/playhouse"
+	@echo "make demo    the same, then $(WORLD) with a web page on $(WEB_PORT) and Player clients on $(PLAYER_PORT)"
+	@echo "make test    every test: unit, law, compat, end to end, browser, fuzz smoke"
+	@echo "make bench   the benchmarks, one JSON line each"
+	@echo "make fuzz    one minute of each fuzzer (FUZZ_SECONDS=60)"
+	@echo "make clean   remove build/ and web/dist"
+
+setup:
+	@tools/setup.sh build
+
+setup-test:
+	@tools/setup.sh test
+
+web/node_modules/.installed: web/package-lock.json | setup
+	@echo "== installing the web page's packages"
+	cd web && npm ci --no-audit --no-fund --loglevel=error
+	@touch $@
+
+web/dist/index.html: web/node_modules/.installed $(WEB_SOURCES)
+	@echo "== building the web page"
+	cd web && npm run --silent build
+	@touch $@
+
+web: web/dist/index.html
+
+build: setup web
+	@echo "== building the program"
+	@cmake --preset release -Wno-dev > build/configure.log 2>&1 || (cat build/configure.log; exit 1)
+	@cmake --build --preset release --target playhouse
+	@echo "== $(PROGRAM) is ready"
+
+demo: build
+	@echo
+	@echo "  The robots of $(WORLD) are starting. While they run:"
+	@echo "    look      http://127.0.0.1:$(WEB_PORT)/"
+	@echo "    devices   $(PROGRAM) devices 127.0.0.1:$(PLAYER_PORT)"
+	@echo "    scan      $(PROGRAM) watch 127.0.0.1:$(PLAYER_PORT) laser:0"
+	@echo "    drive     $(PROGRAM) drive 127.0.0.1:$(PLAYER_PORT) position2d:0"
+	@echo "    program   python3 clients/python/examples/square.py 127.0.0.1:$(PLAYER_PORT) 0"
+	@echo "  Ctrl-C ends it."
+	@echo
+	@$(PROGRAM) run $(WORLD) --port $(PLAYER_PORT) --web $(WEB_PORT)
+
+test: setup-test build
+	@tools/test.sh
+
+fuzz: setup-test
+	@tools/fuzz.sh $${FUZZ_SECONDS:-60}
+
+bench: build
+	@tools/bench.sh
+
+clean:
+	rm -rf build web/dist

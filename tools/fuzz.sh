@@ -1,0 +1,24 @@
+#!/bin/sh
+# fuzz.sh SECONDS [TARGET]: runs each libFuzzer program (or one) for SECONDS from its checked-in corpus. New inputs go
+# under build/, so the checked-in corpus stays as it is; a crash leaves its input there and fails.
+set -eu
+cd "$(dirname "$0")/.."
+seconds=${1:?usage: fuzz.sh SECONDS [TARGET]}
+targets=${2:-$(find build/fuzz/playhouse -name '*_fuzz' -type f -perm -u+x -exec basename {} \; | sort)}
+
+for target in $targets; do
+  program=$(find build/fuzz/playhouse -name "$target" -type f -perm -u+x | head -1)
+  [ -n "$program" ] || { echo "fuzz.sh: no fuzzer $target under build/fuzz (cmake --build --preset fuzz)" >&2; exit 2; }
+  name=${target%_fuzz}
+  corpus=tests/fuzz/$name
+  found=build/fuzz/found/$name
+  mkdir -p "$found"
+  dictionary=
+  [ -f "$corpus.dict" ] && dictionary="-dict=$corpus.dict"
+  echo "== $target: $seconds s from $(find "$corpus" -type f | wc -l) inputs"
+  # shellcheck disable=SC2086
+  "$program" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -max_len=65536 -print_final_stats=1 \
+    $dictionary -artifact_prefix="$found/crash-" "$found" "$corpus" > "$found.log" 2>&1 \
+    || { tail -40 "$found.log"; echo "fuzz.sh: $target failed, see $found.log" >&2; exit 1; }
+  grep -E "stat::number_of_executed_units|stat::new_units_added" "$found.log"
+done

@@ -1,0 +1,37 @@
+#!/bin/sh
+# Installs the Debian packages that a goal needs and this machine lacks: setup.sh build|test
+set -eu
+
+build_packages="g++ cmake ninja-build python3 libboost1.81-dev libboost-json1.81-dev libcli11-dev libspdlog-dev
+  libfmt-dev libtbb-dev libstb-dev libpng-dev zlib1g-dev ca-certificates"
+test_packages="libgtest-dev libgmock-dev librapidcheck-dev clang libclang-rt-14-dev chromium procps"
+
+case "${1:-}" in
+  build) wanted=$build_packages ;;
+  test) wanted="$build_packages $test_packages" ;;
+  *) echo "usage: setup.sh build|test" >&2; exit 2 ;;
+esac
+
+missing=
+for package in $wanted; do
+  status=$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null || true)
+  [ "$status" = "install ok installed" ] || missing="$missing $package"
+done
+# Node.js may come from elsewhere than Debian's own packages.
+command -v node >/dev/null || missing="$missing nodejs"
+command -v npm >/dev/null || missing="$missing npm"
+[ -n "$missing" ] || exit 0
+
+echo "== installing:$missing"
+if [ "$(id -u)" -eq 0 ]; then
+  as_root=
+elif command -v sudo >/dev/null; then
+  as_root=sudo
+else
+  echo "setup.sh: needs root or sudo to run: apt-get install$missing" >&2
+  exit 1
+fi
+export DEBIAN_FRONTEND=noninteractive
+$as_root apt-get -qq update
+# shellcheck disable=SC2086
+$as_root apt-get -qq install -y --no-install-recommends $missing >/dev/null

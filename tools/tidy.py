@@ -1,0 +1,83 @@
+#!/usr/bin/env python3
+"""Checks the rules of the tree that a compiler does not: which module may include which, headers that compile alone,
+names that say nothing, and calls that would make a run depend on more than its seed. Prints file:line: what; exit 1."""
+
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+SOURCE = ROOT / "playhouse"
+
+# A module may include itself and every module of a lower rank (ARCHITECTURE.md).
+RANKS = [
+    {"base"}, {"geom"}, {"wire", "net", "scene"}, {"device", "world"}, {"replicate", "controllers"}, {"stage"},
+    {"scenarios"}, {"drivers", "server"}, {"app"},
+]
+RANK = {module: rank for rank, modules in enumerate(RANKS) for module in modules}
+# Engines and what they stand on know nothing of devices and sockets, although the rank would allow it.
+FORBIDDEN = {
+    "world": {"wire", "net"}, "stage": {"wire", "net", "device"}, "controllers": {"wire", "net", "device"},
+    "scenarios": {"wire", "net", "device"}, "wire": {"geom"}, "net": {"geom"}, "device": {"net", "scene"},
+}
+REPRODUCIBLE = {"geom", "scene", "world", "stage", "controllers", "scenarios"}
+UNREPRODUCIBLE = re.compile(
+    r"std::(sin|cos|tan|atan2?|asin|acos|exp|log|pow|hypot|rand)\(|\brand\(|random_device|unordered_|"
+    r"system_clock|steady_clock|\btime\(nullptr")
+EMPTY_NAME = re.compile(r"\b(?:class|struct|enum class)\s+(\w*(?:Manager|Handler|Helper|Util|Utils|Data|Info))\b")
+INCLUDE = re.compile(r'#include "playhouse/(\w+)/')
+
+
+def sources():
+    return sorted(p for p in SOURCE.rglob("*") if p.suffix in (".h", ".cc") and "generated" not in p.parts)
+
+
+def check_file(path):
+    module = path.relative_to(SOURCE).parts[0]
+    is_test = path.stem.endswith(("_test", "_bench", "_fuzz"))
+    for number, line in enumerate(path.read_text().splitlines(), 1):
+        where = f"{path.relative_to(ROOT)}:{number}"
+        code = line.split("//")[0]
+        included = INCLUDE.search(code)
+        if included and not may_include(module, included[1]) and not is_test:
+            yield f"{where}: {module} may not include {included[1]}"
+        empty = EMPTY_NAME.search(code)
+        if empty:
+            yield f"{where}: {empty[1]} is a name that says nothing"
+        if module in REPRODUCIBLE and not is_test and UNREPRODUCIBLE.search(code):
+            yield f"{where}: {UNREPRODUCIBLE.search(code)[0]} makes a run depend on more than its seed"
+
+
+def may_include(module, other):
+    if module == other:
+        return True
+    return RANK.get(other, 99) < RANK.get(module, -1) and other not in FORBIDDEN.get(module, set())
+
+
+def check_header(path):
+    with tempfile.NamedTemporaryFile("w", suffix=".cc") as alone:
+        alone.write(f'#include "{path.relative_to(ROOT)}"\n')
+        alone.flush()
+        done = subprocess.run(["g++", "-std=c++20", "-fsyntax-only", f"-I{ROOT}", alone.name], capture_output=True, text=True)
+    if done.returncode:
+        first = next((line for line in done.stderr.splitlines() if "error" in line), done.stderr[:200])
+        yield f"{path.relative_to(ROOT)}:1: does not compile alone: {first}"
+
+
+def main():
+    findings = [finding for path in sources() for finding in check_file(path)]
+    findings += [f"playhouse/{path.name}:1: module without a rank in tools/tidy.py and ARCHITECTURE.md"
+                 for path in sorted(SOURCE.iterdir()) if path.is_dir() and path.name not in RANK]
+    headers = [path for path in sources() if path.suffix == ".h"]
+    with ThreadPoolExecutor(2) as pool:
+        for found in pool.map(lambda path: list(check_header(path)), headers):
+            findings += found
+    print("\n".join(findings) or f"tidy: {len(sources())} files in order")
+    return 1 if findings else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
