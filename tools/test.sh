@@ -9,7 +9,7 @@ cmake --preset ci -Wno-dev > build/configure-ci.log 2>&1 || { cat build/configur
 cmake --build --preset ci
 echo "== building the fuzzers"
 cmake --preset fuzz -Wno-dev > build/configure-fuzz.log 2>&1 || { cat build/configure-fuzz.log; exit 1; }
-cmake --build --preset fuzz
+cmake --build --preset fuzz --target fuzzers
 
 echo "== running every test"
 ctest --test-dir build/ci --output-on-failure -j "$(nproc)" "$@"
