@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,6 +16,7 @@
 #include "playhouse/base/row.h"
 #include "playhouse/geom/pose.h"
 #include "playhouse/scene/scene_desc.h"
+#include "playhouse/world/decider.h"
 
 namespace playhouse::world {
 
@@ -36,6 +38,7 @@ struct Models {
   std::vector<std::int32_t> fiducial_return;    // 0: unseen                      written by: set_fiducial_return
   std::vector<std::int32_t> flags;              // tokens carried (source, sink)  written by: controllers
   std::vector<scene::Color> color;              //                                written by: set_color
+  std::vector<std::string> say;                 // speech bubble; starts as the scene's `say`  written by: controllers
   std::size_t size() const { return X_PM.size(); }
 };
 
@@ -106,8 +109,11 @@ class World {
   ModelRow find(std::string_view name) const;
   std::span<const std::uint32_t> children(ModelRow row) const;
 
-  /// Hash of the whole state: every column that a later tick depends on, and the tick.
+  /// Hash of the whole state: every column that a later tick depends on, the deciders', and the tick.
   std::uint64_t hash() const;
+
+  /// In-process controllers, in the order in which they decide (see controllers::attach).
+  std::vector<std::unique_ptr<Decider>> deciders;
 
   Models models;
   Positions positions;
