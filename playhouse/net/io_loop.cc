@@ -1,0 +1,75 @@
+#include "playhouse/net/io_loop.h"
+
+#include <boost/asio/executor_work_guard.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <chrono>
+#include <utility>
+
+#include "playhouse/net/asio_loop.h"
+
+namespace playhouse::net {
+namespace {
+
+class AsioTimer final : public Timer {
+ public:
+  AsioTimer(boost::asio::io_context& context, double seconds, Network::Task task)
+      : timer_(context, std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                            std::chrono::duration<double>(seconds))) {
+    timer_.async_wait([task = std::move(task), live = std::weak_ptr<int>(live_)](const auto& error) {
+      if (!error && !live.expired()) task();
+    });
+  }
+
+ private:
+  // A timer that has expired can no longer be cancelled; the task then sees that its owner is gone.
+  std::shared_ptr<int> live_ = std::make_shared<int>(0);
+  boost::asio::steady_timer timer_;
+};
+
+void wait_for_signal(IoLoop::Impl& impl) {
+  impl.signals->async_wait([&impl](const boost::system::error_code& error, int signal) {
+    if (error) return;
+    impl.signal_task(signal);
+    wait_for_signal(impl);
+  });
+}
+
+}  // namespace
+
+IoLoop::IoLoop() : impl_(std::make_unique<Impl>()) {}
+IoLoop::~IoLoop() = default;
+
+void IoLoop::run() {
+  impl_->context.restart();
+  const auto work = boost::asio::make_work_guard(impl_->context);
+  impl_->context.run();
+}
+
+void IoLoop::poll() {
+  impl_->context.restart();
+  impl_->context.poll();
+}
+
+void IoLoop::stop() {
+  // Posted, so that a stop before run() counts too.
+  boost::asio::post(impl_->context, [context = &impl_->context] { context->stop(); });
+}
+
+void IoLoop::on_signal(std::initializer_list<int> signals, std::function<void(int)> task) {
+  PLAYHOUSE_ASSERT(!impl_->signals);
+  impl_->signals.emplace(impl_->context);
+  for (const int signal : signals) impl_->signals->add(signal);
+  impl_->signal_task = std::move(task);
+  wait_for_signal(*impl_);
+}
+
+void IoLoop::post(Task task) {
+  boost::asio::post(impl_->context, std::move(task));
+}
+
+std::unique_ptr<Timer> IoLoop::after(double seconds, Task task) {
+  return std::make_unique<AsioTimer>(impl_->context, seconds, std::move(task));
+}
+
+}  // namespace playhouse::net

@@ -1,0 +1,297 @@
+#include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstring>
+#include <thread>
+
+#include "playhouse/net/io_loop.h"
+#include "playhouse/net/simulated.h"
+
+namespace playhouse::net {
+namespace {
+
+SharedBytes shared(std::string_view text) {
+  const auto bytes = std::as_bytes(std::span(text));
+  return std::make_shared<std::vector<std::byte>>(bytes.begin(), bytes.end());
+}
+
+std::string text(std::span<const std::byte> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+/// Keeps what a connection tells it.
+struct Log final : ConnectionEvents {
+  std::unique_ptr<Connection> connection;
+  std::string bytes, end;
+  int drains = 0;
+  std::function<void()> on_received = [] {};
+  void received(std::span<const std::byte> part) override {
+    bytes += text(part);
+    on_received();
+  }
+  void drained() override { ++drains; }
+  void closed(const std::string& why) override { end = why; }
+};
+
+Network::Acceptor into(Log& log) {
+  return [&log](std::unique_ptr<Connection> connection) {
+    log.connection = std::move(connection);
+    log.connection->start(log);
+  };
+}
+
+/// A blocking client socket of the test.
+class Client {
+ public:
+  Client(std::uint16_t port, int family = AF_INET) : descriptor_(socket(family, SOCK_STREAM, 0)) {
+    sockaddr_in6 v6{};
+    v6.sin6_family = AF_INET6;
+    v6.sin6_port = htons(port);
+    v6.sin6_addr = in6addr_loopback;
+    sockaddr_in v4{};
+    v4.sin_family = AF_INET;
+    v4.sin_port = htons(port);
+    v4.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    const bool six = family == AF_INET6;
+    connected =
+        ::connect(descriptor_, six ? reinterpret_cast<sockaddr*>(&v6) : reinterpret_cast<sockaddr*>(&v4),
+                  six ? sizeof v6 : sizeof v4) == 0;
+  }
+  ~Client() { close(descriptor_); }
+  void send(std::string_view text) {
+    ASSERT_EQ(::send(descriptor_, text.data(), text.size(), MSG_NOSIGNAL), static_cast<ssize_t>(text.size()));
+  }
+  void finish() { shutdown(descriptor_, SHUT_WR); }
+  /// Closes so that the other side sees a reset.
+  void reset() {
+    const linger hard{1, 0};
+    setsockopt(descriptor_, SOL_SOCKET, SO_LINGER, &hard, sizeof hard);
+    close(std::exchange(descriptor_, -1));
+  }
+  std::string read(std::size_t count) {
+    std::string result(count, 0);
+    result.resize(
+        static_cast<std::size_t>(std::max<ssize_t>(0, recv(descriptor_, result.data(), count, MSG_WAITALL))));
+    return result;
+  }
+  bool connected = false;
+
+ private:
+  int descriptor_;
+};
+
+/// Serves the loop until the condition holds; gives up after five seconds so that a fault is a failure, not a
+/// hang.
+template <typename Condition>
+::testing::AssertionResult serve_until(IoLoop& loop, Condition done) {
+  for (int i = 0; i < 5000 && !done(); ++i) {
+    auto timer = loop.after(0.001, [&loop] { loop.stop(); });
+    loop.run();
+  }
+  return done() ? ::testing::AssertionSuccess() : ::testing::AssertionFailure() << "did not happen in 5 s";
+}
+
+TEST(IoLoop, runs_posted_tasks_in_the_order_of_the_calls) {
+  IoLoop loop;
+  std::string order;
+  loop.post([&] { order += "a"; });
+  loop.post([&] { order += "b"; });
+  loop.post([&] { loop.stop(); });
+  loop.run();
+  EXPECT_EQ(order, "ab");
+}
+
+TEST(IoLoop, takes_posts_and_stop_from_another_thread) {
+  IoLoop loop;
+  int calls = 0;
+  std::thread other([&] {
+    for (int i = 0; i < 100; ++i) loop.post([&] { ++calls; });
+    loop.stop();
+  });
+  loop.run();
+  other.join();
+  EXPECT_EQ(calls, 100);
+}
+
+TEST(IoLoop, does_not_run_a_timer_whose_handle_is_gone) {
+  IoLoop loop;
+  bool early = false, late = false;
+  auto gone = loop.after(0.0, [&] { early = true; });
+  gone.reset();
+  auto kept = loop.after(0.002, [&] {
+    late = true;
+    loop.stop();
+  });
+  loop.run();
+  EXPECT_FALSE(early);
+  EXPECT_TRUE(late);
+}
+
+TEST(Tcp, carries_bytes_both_ways_and_says_when_they_are_out) {
+  IoLoop loop;
+  Log log;
+  auto listener = loop.listen("127.0.0.1", 0, into(log));
+  ASSERT_TRUE(listener) << listener.error().line();
+  Client client((*listener)->port());
+  client.send("hello");
+  ASSERT_TRUE(serve_until(loop, [&] { return log.bytes == "hello"; }));
+  log.connection->send(std::vector{shared("one "), shared("two")});
+  ASSERT_TRUE(serve_until(loop, [&] { return log.drains == 1; }));
+  EXPECT_EQ(log.connection->in_flight_bytes(), 0u);
+  EXPECT_EQ(client.read(7), "one two");
+}
+
+TEST(Tcp, serves_ipv6_and_ipv4_at_the_any_address) {
+  IoLoop loop;
+  Log log;
+  auto listener = loop.listen("::", 0, into(log));
+  if (!listener) GTEST_SKIP() << "no IPv6 on this machine: " << listener.error().line();
+  Client six((*listener)->port(), AF_INET6);
+  ASSERT_TRUE(six.connected);
+  ASSERT_TRUE(serve_until(loop, [&] { return log.connection != nullptr; }));
+  EXPECT_EQ(log.connection->peer().substr(0, 6), "[::1]:");
+  Client four((*listener)->port());
+  EXPECT_TRUE(four.connected);
+}
+
+TEST(Tcp, says_why_it_cannot_listen) {
+  IoLoop loop;
+  Log log;
+  auto first = loop.listen("127.0.0.1", 0, into(log));
+  ASSERT_TRUE(first);
+  auto second = loop.listen("127.0.0.1", (*first)->port(), into(log));
+  ASSERT_FALSE(second);
+  EXPECT_NE(second.error().line().find("Address already in use"), std::string::npos) << second.error().line();
+  auto nonsense = loop.listen("nowhere", 0, into(log));
+  ASSERT_FALSE(nonsense);
+  EXPECT_EQ(nonsense.error().line(), "nowhere: is not an IPv4 or IPv6 address");
+}
+
+TEST(Tcp, delivers_what_was_sent_before_the_peer_closed) {
+  IoLoop loop;
+  Log log;
+  auto listener = loop.listen("127.0.0.1", 0, into(log));
+  {
+    Client client((*listener)->port());
+    client.send("last words");
+  }
+  ASSERT_TRUE(serve_until(loop, [&] { return !log.end.empty(); }));
+  EXPECT_EQ(log.bytes, "last words");
+  EXPECT_EQ(log.end, "closed");
+}
+
+TEST(Tcp, delivers_what_was_sent_before_a_reset_even_when_writing_fails_first) {
+  IoLoop loop;
+  Log log;
+  auto listener = loop.listen("127.0.0.1", 0, into(log));
+  Client client((*listener)->port());
+  ASSERT_TRUE(serve_until(loop, [&] { return log.connection != nullptr; }));
+  log.connection->pause();
+  client.send("stop the robot");
+  client.reset();
+  log.connection->send(std::vector{shared("data nobody reads")});
+  ASSERT_TRUE(serve_until(loop, [&] {
+    log.connection->resume();
+    return !log.end.empty();
+  }));
+  EXPECT_EQ(log.bytes, "stop the robot");
+}
+
+TEST(Tcp, keeps_what_a_stalled_peer_does_not_read_in_flight) {
+  IoLoop loop;
+  Log log;
+  auto listener = loop.listen("127.0.0.1", 0, into(log));
+  Client client((*listener)->port());
+  ASSERT_TRUE(serve_until(loop, [&] { return log.connection != nullptr; }));
+  const std::string big(32u << 20, 'x');
+  log.connection->send(std::vector{shared(big)});
+  loop.poll();
+  EXPECT_GT(log.connection->in_flight_bytes(), 0u);
+  EXPECT_EQ(log.drains, 0);
+  std::string got;
+  std::thread reader([&] { got = client.read(big.size()); });
+  EXPECT_TRUE(serve_until(loop, [&] { return log.drains == 1; }));
+  reader.join();
+  EXPECT_TRUE(got == big);
+}
+
+TEST(Tcp, flushes_before_it_closes) {
+  IoLoop loop;
+  Log log;
+  auto listener = loop.listen("127.0.0.1", 0, into(log));
+  Client client((*listener)->port());
+  client.send("x");
+  client.finish();
+  ASSERT_TRUE(serve_until(loop, [&] { return !log.end.empty(); }));
+  log.connection->send(std::vector{shared("answer")});
+  log.connection->close_after_flush();
+  log.connection.reset();
+  loop.poll();
+  EXPECT_EQ(client.read(7), "answer");
+}
+
+TEST(Tcp, may_be_closed_by_its_owner_inside_an_event) {
+  IoLoop loop;
+  Log log;
+  log.on_received = [&] { log.connection.reset(); };
+  auto listener = loop.listen("127.0.0.1", 0, into(log));
+  Client client((*listener)->port());
+  client.send("x");
+  ASSERT_TRUE(serve_until(loop, [&] { return log.bytes == "x"; }));
+  EXPECT_EQ(client.read(1), "");
+}
+
+TEST(SimulatedNetwork, delivers_everything_in_order_in_pieces) {
+  SimulatedNetwork network(7);
+  network.piece_bytes = 3;
+  Log log;
+  auto listener = network.listen("", 6665, into(log));
+  SimulatedPeer peer = network.connect(6665);
+  int events = 0;
+  log.on_received = [&] { ++events; };
+  const std::string message(100, 'm');
+  peer.send(std::as_bytes(std::span(message)));
+  network.run();
+  EXPECT_EQ(log.bytes, message);
+  EXPECT_GT(events, 33);
+  log.connection->send(std::vector{shared(message)});
+  network.run();
+  EXPECT_EQ(text(peer.take()), message);
+  EXPECT_EQ(log.drains, 1);
+}
+
+TEST(SimulatedNetwork, holds_back_a_stalled_peer_and_loses_a_vanished_one) {
+  SimulatedNetwork network(7);
+  network.window_bytes = 10;
+  Log log;
+  auto listener = network.listen("", 6665, into(log));
+  SimulatedPeer peer = network.connect(6665);
+  peer.stall();
+  network.run();
+  log.connection->send(std::vector{shared(std::string(25, 'x'))});
+  network.run();
+  EXPECT_EQ(log.connection->in_flight_bytes(), 15u);
+  EXPECT_EQ(log.drains, 0);
+  peer.read_on();
+  network.run();
+  EXPECT_EQ(log.drains, 1);
+  peer.vanish();
+  network.run();
+  EXPECT_EQ(log.end, "lost");
+}
+
+TEST(SimulatedNetwork, runs_timers_in_virtual_time) {
+  SimulatedNetwork network(7);
+  std::string order;
+  auto late = network.after(2.0, [&] { order += "b"; });
+  auto early = network.after(1.0, [&] { order += "a"; });
+  auto never = network.after(9.0, [&] { order += "c"; });
+  network.run_for(3.0);
+  EXPECT_EQ(order, "ab");
+}
+
+}  // namespace
+}  // namespace playhouse::net

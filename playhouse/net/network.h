@@ -1,0 +1,86 @@
+#pragma once
+
+/// What the server side needs of a network: listeners, connections, tasks and timers on one io thread.
+/// IoLoop is the real one (TCP), SimulatedNetwork the one of the tests. Knows bytes, never messages.
+/// Everything runs on the io thread (the thread in IoLoop::run, or before it runs); only post() is for any
+/// thread.
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "playhouse/base/result.h"
+
+namespace playhouse::net {
+
+/// Immutable bytes that many connections may be sending at once. Owners: the sender's queue and each
+/// connection that has not yet handed them to the system.
+using SharedBytes = std::shared_ptr<const std::vector<std::byte>>;
+
+/// What a connection tells its owner.
+class ConnectionEvents {
+ public:
+  virtual ~ConnectionEvents() = default;
+  /// Bytes in order of arrival; `bytes` is valid for the call.
+  virtual void received(std::span<const std::byte> bytes) = 0;
+  /// The system has taken everything that was sent: in_flight_bytes() is 0.
+  virtual void drained() = 0;
+  /// The peer closed or was lost. Comes once, after every byte that arrived; nothing comes afterwards.
+  virtual void closed(const std::string& why) = 0;
+};
+
+/// A connected peer. Destroying it closes it at once, and no event follows; destroying it inside an event is
+/// allowed.
+class Connection {
+ public:
+  virtual ~Connection() = default;
+  /// Begins to read. `events` must outlive the connection.
+  virtual void start(ConnectionEvents& events) = 0;
+  /// Sends the parts in order by one gathered write, behind what is in flight.
+  virtual void send(std::span<const SharedBytes> parts) = 0;
+  /// Bytes given to send() that the system has not taken yet.
+  virtual std::size_t in_flight_bytes() const = 0;
+  /// Stops and continues reading; unread bytes stay with the system, which slows the peer down.
+  virtual void pause() = 0;
+  virtual void resume() = 0;
+  /// Lets what is in flight go out in the background (for a few seconds at most), then closes. No more
+  /// events.
+  virtual void close_after_flush() = 0;
+  /// The other end as "address:port", for log lines.
+  virtual const std::string& peer() const = 0;
+};
+
+/// An open port. Destroying it closes the port; connections it made live on.
+class Listener {
+ public:
+  virtual ~Listener() = default;
+  virtual std::uint16_t port() const = 0;
+};
+
+/// Destroying it cancels the task.
+class Timer {
+ public:
+  virtual ~Timer() = default;
+};
+
+class Network {
+ public:
+  using Task = std::function<void()>;
+  using Acceptor = std::function<void(std::unique_ptr<Connection>)>;
+
+  virtual ~Network() = default;
+  /// Runs the task on the io thread, in the order of the calls. Any thread.
+  virtual void post(Task task) = 0;
+  /// Runs the task once, `seconds` from now.
+  [[nodiscard]] virtual std::unique_ptr<Timer> after(double seconds, Task task) = 0;
+  /// Opens a TCP port (0: any free one). `bind` is a numeric IPv4 or IPv6 address or "localhost"; "0.0.0.0"
+  /// means every IPv4 interface, "::" every interface of either kind.
+  virtual Result<std::unique_ptr<Listener>> listen(const std::string& bind, std::uint16_t port,
+                                                   Acceptor acceptor) = 0;
+};
+
+}  // namespace playhouse::net

@@ -1,0 +1,193 @@
+#include "playhouse/net/simulated.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace playhouse::net {
+
+/// Both directions of one connection.
+struct SimulatedLink {
+  std::string name;
+  ConnectionEvents* events = nullptr;
+  std::deque<std::byte> to_server;  // sent by the peer, not yet delivered
+  std::deque<std::byte> in_flight;  // sent by the server, not yet taken by the "system"
+  std::deque<std::byte> window;     // taken, not yet read by the peer
+  std::vector<std::byte> read;      // read by the peer, waiting for take()
+  bool finished = false, vanished = false, stalled = false, paused = false;
+  bool draining = false;  // the server is owed a `drained`
+  bool flushing = false;  // the server said close_after_flush
+  bool closed = false;    // the server's end is gone
+};
+
+namespace {
+
+class SimulatedConnection final : public Connection {
+ public:
+  explicit SimulatedConnection(std::shared_ptr<SimulatedLink> link) : link_(std::move(link)) {}
+  ~SimulatedConnection() override {
+    link_->events = nullptr;
+    if (link_->flushing) return;
+    link_->in_flight.clear();
+    link_->closed = true;
+  }
+  void start(ConnectionEvents& events) override { link_->events = &events; }
+  void send(std::span<const SharedBytes> parts) override {
+    if (link_->vanished) return;
+    for (const SharedBytes& part : parts) {
+      link_->in_flight.insert(link_->in_flight.end(), part->begin(), part->end());
+    }
+    link_->draining = true;
+  }
+  std::size_t in_flight_bytes() const override { return link_->in_flight.size(); }
+  void pause() override { link_->paused = true; }
+  void resume() override { link_->paused = false; }
+  void close_after_flush() override {
+    link_->events = nullptr;
+    link_->flushing = true;
+  }
+  const std::string& peer() const override { return link_->name; }
+
+ private:
+  std::shared_ptr<SimulatedLink> link_;
+};
+
+class SimulatedListener final : public Listener {
+ public:
+  SimulatedListener(std::uint16_t port, std::shared_ptr<Network::Acceptor> acceptor)
+      : port_(port), acceptor_(std::move(acceptor)) {}
+  ~SimulatedListener() override { *acceptor_ = nullptr; }
+  std::uint16_t port() const override { return port_; }
+
+ private:
+  std::uint16_t port_;
+  std::shared_ptr<Network::Acceptor> acceptor_;  // shared with the network, which calls it
+};
+
+struct SimulatedTimer final : Timer {
+  std::shared_ptr<int> live = std::make_shared<int>(0);
+};
+
+std::size_t move_front(std::deque<std::byte>& from, std::size_t count, auto& to) {
+  const auto end = from.begin() + static_cast<std::ptrdiff_t>(std::min(count, from.size()));
+  const auto moved = static_cast<std::size_t>(end - from.begin());
+  to.insert(to.end(), from.begin(), end);
+  from.erase(from.begin(), end);
+  return moved;
+}
+
+}  // namespace
+
+void SimulatedPeer::send(std::span<const std::byte> bytes) {
+  if (link_->finished || link_->vanished) return;
+  link_->to_server.insert(link_->to_server.end(), bytes.begin(), bytes.end());
+}
+void SimulatedPeer::finish() {
+  link_->finished = true;
+}
+void SimulatedPeer::vanish() {
+  link_->vanished = true;
+  link_->to_server.clear();
+  link_->in_flight.clear();
+}
+void SimulatedPeer::stall() {
+  link_->stalled = true;
+}
+void SimulatedPeer::read_on() {
+  link_->stalled = false;
+}
+std::vector<std::byte> SimulatedPeer::take() {
+  return std::exchange(link_->read, {});
+}
+bool SimulatedPeer::closed() const {
+  return link_->closed && link_->in_flight.empty() && link_->window.empty();
+}
+
+SimulatedNetwork::~SimulatedNetwork() = default;
+
+SimulatedPeer SimulatedNetwork::connect(std::uint16_t port) {
+  const auto found = ports_.find(port);
+  PLAYHOUSE_ASSERT(found != ports_.end() && *found->second);
+  auto link = std::make_shared<SimulatedLink>();
+  link->name = "simulated:" + std::to_string(++connections_);
+  links_.push_back(link);
+  post([acceptor = found->second, link] {
+    if (*acceptor) (*acceptor)(std::make_unique<SimulatedConnection>(link));
+  });
+  return SimulatedPeer(link);
+}
+
+void SimulatedNetwork::post(Task task) {
+  tasks_.push_back(std::move(task));
+}
+
+std::unique_ptr<Timer> SimulatedNetwork::after(double seconds, Task task) {
+  auto timer = std::make_unique<SimulatedTimer>();
+  alarms_.emplace(now_ + seconds, Alarm{timer->live, std::move(task)});
+  return timer;
+}
+
+Result<std::unique_ptr<Listener>> SimulatedNetwork::listen(const std::string& bind, std::uint16_t port,
+                                                           Acceptor acceptor) {
+  if (port == 0) port = next_port_++;
+  auto& entry = ports_[port];
+  if (entry && *entry) return Error{bind + ":" + std::to_string(port), "cannot listen: port in use"};
+  entry = std::make_shared<Acceptor>(std::move(acceptor));
+  return std::unique_ptr<Listener>(std::make_unique<SimulatedListener>(port, entry));
+}
+
+void SimulatedNetwork::run() {
+  while (step()) {
+  }
+}
+
+void SimulatedNetwork::run_for(double seconds) {
+  const double end = now_ + seconds;
+  for (run(); !alarms_.empty() && alarms_.begin()->first <= end; run()) {
+    auto alarm = alarms_.extract(alarms_.begin());
+    now_ = alarm.key();
+    if (!alarm.mapped().owner.expired()) alarm.mapped().task();
+  }
+  now_ = end;
+}
+
+bool SimulatedNetwork::step() {
+  bool busy = false;
+  for (std::deque<Task> tasks = std::exchange(tasks_, {}); !tasks.empty(); tasks.pop_front()) {
+    tasks.front()();
+    busy = true;
+  }
+  // By index: an event may connect further peers.
+  for (std::size_t i = 0; i < links_.size(); ++i) busy |= step_link(*std::shared_ptr(links_[i]));
+  std::erase_if(links_, [](const auto& link) { return link->closed && link->window.empty(); });
+  return busy;
+}
+
+bool SimulatedNetwork::step_link(SimulatedLink& link) {
+  const auto piece = [this] { return 1 + static_cast<std::size_t>(rng_.bits() % piece_bytes); };
+  bool busy = false;
+
+  // From the peer to the server.
+  if (link.events && !link.to_server.empty() && (!link.paused || link.vanished)) {
+    std::vector<std::byte> bytes;
+    move_front(link.to_server, piece(), bytes);
+    link.events->received(bytes);
+    busy = true;
+  } else if (link.events && link.to_server.empty() && (link.finished || link.vanished) &&
+             (!link.paused || link.vanished)) {
+    std::exchange(link.events, nullptr)->closed(link.vanished ? "lost" : "closed");
+    busy = true;
+  }
+
+  // From the server to the peer.
+  const std::size_t room = link.window.size() < window_bytes ? window_bytes - link.window.size() : 0;
+  busy |= move_front(link.in_flight, std::min(room, piece()), link.window) > 0;
+  if (!link.stalled) busy |= move_front(link.window, piece(), link.read) > 0;
+  if (link.in_flight.empty() && std::exchange(link.draining, false)) {
+    busy = true;
+    if (link.events && !link.vanished) link.events->drained();
+  }
+  if (link.in_flight.empty() && link.flushing && !std::exchange(link.closed, true)) busy = true;
+  return busy;
+}
+
+}  // namespace playhouse::net

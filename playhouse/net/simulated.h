@@ -1,0 +1,84 @@
+#pragma once
+
+/// A network in memory for tests: connections deliver bytes in random pieces, in virtual time, with peers
+/// that stall or vanish. The same seed and the same calls give the same run. One thread; no sockets, no
+/// waiting.
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "playhouse/base/rng.h"
+#include "playhouse/net/network.h"
+
+namespace playhouse::net {
+
+struct SimulatedLink;
+
+/// The test's end of a connection. A handle: copies speak for the same peer.
+class SimulatedPeer {
+ public:
+  explicit SimulatedPeer(std::shared_ptr<SimulatedLink> link) : link_(std::move(link)) {}
+
+  void send(std::span<const std::byte> bytes);
+  /// Says that no more bytes will come; the peer still reads.
+  void finish();
+  /// Vanishes without a word: what is under way in either direction is lost.
+  void vanish();
+  /// Stops reading: the other side's bytes fill the window and then stay in flight.
+  void stall();
+  void read_on();
+  /// Everything the other side sent and this peer has read; clears it.
+  std::vector<std::byte> take();
+  /// The other side has closed.
+  bool closed() const;
+
+ private:
+  std::shared_ptr<SimulatedLink> link_;
+};
+
+class SimulatedNetwork final : public Network {
+ public:
+  explicit SimulatedNetwork(std::uint64_t seed) : rng_(seed, 0, 0, 0) {}
+  ~SimulatedNetwork() override;
+
+  /// How many bytes the "system" buffers for a peer that does not read.
+  std::size_t window_bytes = 65536;
+  /// Pieces have 1 to this many bytes.
+  std::size_t piece_bytes = 4096;
+
+  /// A connection to an open port; asserts that somebody listens there. The acceptor runs in the next run().
+  SimulatedPeer connect(std::uint16_t port);
+  /// Does everything there is to do now.
+  void run();
+  /// The same up to `seconds` of virtual time from now, timers included.
+  void run_for(double seconds);
+
+  void post(Task task) override;
+  [[nodiscard]] std::unique_ptr<Timer> after(double seconds, Task task) override;
+  Result<std::unique_ptr<Listener>> listen(const std::string& bind, std::uint16_t port,
+                                           Acceptor acceptor) override;
+
+ private:
+  struct Alarm {
+    std::weak_ptr<int> owner;
+    Task task;
+  };
+  bool step();
+  bool step_link(SimulatedLink& link);
+
+  Rng rng_;
+  double now_ = 0;
+  std::uint16_t next_port_ = 40000;
+  std::uint64_t connections_ = 0;
+  std::deque<Task> tasks_;
+  std::multimap<double, Alarm> alarms_;
+  std::map<std::uint16_t, std::shared_ptr<Acceptor>> ports_;
+  std::vector<std::shared_ptr<SimulatedLink>> links_;
+};
+
+}  // namespace playhouse::net
