@@ -1,0 +1,51 @@
+#pragma once
+
+/// DeviceTable: who answers at which address, and how many have it open. Rows are in order of creation and
+/// are never removed. The first open of a device starts it, the last close stops it. Io thread only.
+
+#include <cstddef>
+#include <map>
+#include <span>
+#include <vector>
+
+#include "playhouse/base/result.h"
+#include "playhouse/device/address.h"
+#include "playhouse/device/driver.h"
+
+namespace playhouse::device {
+
+class DeviceTable {
+ public:
+  struct Entry {
+    Address address;
+    Driver* driver = nullptr;  // outlives the table
+    std::size_t users = 0;     // opens not yet closed
+  };
+
+  DeviceTable() = default;
+  ~DeviceTable();
+  DeviceTable(const DeviceTable&) = delete;
+  DeviceTable& operator=(const DeviceTable&) = delete;
+
+  /// Fails if the address is taken, is the meta device player:0, or its port has limits::kDevices already.
+  Result<DeviceId> add(Address address, Driver& driver);
+
+  /// The device at an address; an invalid id if there is none.
+  DeviceId find(Address address) const;
+  const Entry& operator[](DeviceId id) const;
+  std::size_t size() const { return entries_.size(); }
+  /// The devices of one port, in order of creation.
+  std::span<const DeviceId> devices_of(std::uint32_t robot) const;
+
+  /// One more user; the first one starts the device and gets the driver's error if it cannot start.
+  Result<void> open(DeviceId id);
+  /// One user less; the last one stops the device. Asserts that there is one.
+  void close(DeviceId id);
+
+ private:
+  std::vector<Entry> entries_;
+  std::map<Address, DeviceId> by_address_;
+  std::map<std::uint32_t, std::vector<DeviceId>> by_robot_;
+};
+
+}  // namespace playhouse::device

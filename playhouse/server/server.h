@@ -1,0 +1,92 @@
+#pragma once
+
+/// Server: devices on TCP ports for every client of the Player 3 protocol. Accepts sessions, routes their
+/// commands and requests to drivers, and sends what drivers publish to whoever has the device open
+/// (docs/server.md). Knows drivers only by their interface. Everything is for the io thread or for before the
+/// loop runs, but publish() and answer(), which are for any thread.
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "playhouse/base/result.h"
+#include "playhouse/device/address.h"
+#include "playhouse/device/driver.h"
+#include "playhouse/net/network.h"
+
+namespace playhouse::server {
+
+struct ServerOptions {
+  std::string bind = "127.0.0.1";  // numeric address; "0.0.0.0" and "::" mean every interface
+  std::string version =
+      "3.1.1 (Playhouse " PLAYHOUSE_VERSION ")";  // clients see "Player v." and this, 31 bytes at most
+};
+
+/// What a person may want to see of a running server. Sums since the start unless said otherwise.
+struct ServerStatus {
+  std::size_t sessions = 0;          // connected now
+  std::size_t stalled_sessions = 0;  // of these, with data waiting that their peers do not read
+  std::uint64_t sessions_accepted = 0;
+  std::uint64_t sessions_refused = 0;  // over limits::kSessions
+  std::uint64_t sessions_broken = 0;   // closed for frames that cannot be
+  std::uint64_t messages_received = 0;
+  std::uint64_t messages_sent = 0;
+  std::uint64_t bytes_sent = 0;
+  std::uint64_t messages_encoded = 0;  // data messages, each once however many sessions got it
+  std::uint64_t data_dropped = 0;      // data that a full queue had no room for
+  std::uint64_t commands_dropped = 0;  // commands that no driver could be given
+  std::uint64_t requests_refused = 0;  // requests answered NACK by the server itself
+};
+
+/// One connected client, for display.
+struct SessionStatus {
+  std::string peer;         // "address:port"
+  std::uint32_t robot = 0;  // the port it connected to
+  std::size_t devices_open = 0;
+  std::size_t messages_waiting = 0;
+  std::uint64_t messages_sent = 0;
+  std::uint64_t data_dropped = 0;
+};
+
+class Server final : public device::Publisher, public device::Outlet {
+ public:
+  /// `network` outlives the server, and the drivers outlive it too; repliers must not be used after it is
+  /// gone.
+  explicit Server(net::Network& network, ServerOptions options = {});
+  /// Closes every session and stops the devices they had open.
+  ~Server() override;
+  Server(const Server&) = delete;
+  Server& operator=(const Server&) = delete;
+
+  /// Opens one more port (0: any free one) and returns its number, which is the `robot` of its devices: each
+  /// port is a name space of its own.
+  Result<std::uint16_t> listen(std::uint16_t port);
+
+  /// Makes a device known. Clients list devices in order of creation.
+  Result<device::DeviceId> add_device(device::Address address, device::Driver& driver);
+
+  /// The time in s that goes into answers; called on the io thread. Default: seconds since 1970.
+  void set_clock(std::function<double()> clock);
+
+  /// True while some session gets what the device publishes.
+  bool has_readers(device::DeviceId device) const;
+
+  ServerStatus status() const;
+  std::vector<SessionStatus> sessions() const;
+
+  /// Sends each message to every session that has its device open for reading. Any thread; a batch wakes the
+  /// io thread once. Timestamps that do not increase are raised by the least step.
+  void publish(std::vector<device::Publication> batch) override;
+  /// The answer to a request; a session that is gone does not hear it. Any thread.
+  void answer(std::uint64_t ticket, bool ack, std::vector<std::byte> body) override;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace playhouse::server
