@@ -1,0 +1,80 @@
+"""python3 -m codegen            writes everything that is generated from interfaces/
+python3 -m codegen --check    changes nothing; fails if what is checked in is not what would be written
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+from codegen import emit_cpp, emit_docs
+from codegen.model import SchemaError, load
+
+ROOT = Path(__file__).resolve().parent.parent
+EMITTERS = [emit_cpp, emit_docs]
+# Folders that belong to the emitters alone: a file there that no emitter writes is left over.
+OWNED = [emit_cpp.FOLDER, emit_docs.FOLDER]
+
+
+def wanted() -> dict[str, str]:
+    schema = load(ROOT / "interfaces")
+    files: dict[str, str] = {}
+    for emitter in EMITTERS:
+        files |= emitter.emit(schema)
+    return files
+
+
+def left_over(files: dict[str, str]) -> list[str]:
+    found = [p.relative_to(ROOT).as_posix() for folder in OWNED for p in (ROOT / folder).rglob("*") if p.is_file()]
+    return sorted(p for p in found if p not in files and not p.startswith(".") and "/." not in p
+                  and "__pycache__" not in p)
+
+
+def stale(files: dict[str, str]) -> list[str]:
+    out = []
+    for path, content in files.items():
+        target = ROOT / path
+        if not target.exists():
+            out.append(f"{path}: is missing")
+        elif target.read_text(encoding="utf-8") != content:
+            out.append(f"{path}: is not what interfaces/ says")
+    return out + [f"{path}: is left over" for path in left_over(files)]
+
+
+def write(files: dict[str, str]) -> int:
+    changed = 0
+    for path, content in files.items():
+        target = ROOT / path
+        if target.exists() and target.read_text(encoding="utf-8") == content:
+            continue
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text(content, encoding="utf-8")
+        changed += 1
+    for path in left_over(files):
+        (ROOT / path).unlink()
+        changed += 1
+    return changed
+
+
+def main(arguments: list[str]) -> int:
+    if arguments not in ([], ["--check"]):
+        print(__doc__, end="", file=sys.stderr)
+        return 2
+    try:
+        files = wanted()
+    except SchemaError as error:
+        print(error, file=sys.stderr)
+        return 1
+    if not arguments:
+        print(f"codegen: {len(files)} files, {write(files)} changed")
+        return 0
+    problems = stale(files)
+    for problem in problems:
+        print(problem, file=sys.stderr)
+    if problems:
+        print("generated files are out of date: run python3 -m codegen and commit the result", file=sys.stderr)
+    return 1 if problems else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,393 @@
+"""Loads interfaces/*.toml into plain values and refuses what the wire cannot mean.
+
+Emitters read the values below and nothing else; every name they need is derived here, once, so that two languages
+never disagree. A `SchemaError` names the file, the entry and what is wrong.
+"""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from dataclasses import dataclass, field
+from pathlib import Path
+
+COMMON = "common"
+
+# Scalar type -> bytes on the wire (everything is padded to a multiple of four).
+SCALARS = {
+    "char": 4, "int8": 4, "uint8": 4, "int16": 4, "uint16": 4, "int32": 4, "uint32": 4,
+    "int64": 8, "float32": 4, "float64": 8,
+}
+FLOATS = {"float32", "float64"}
+# Arrays of these travel as raw bytes padded to four, not element by element.
+OPAQUE = {"char", "int8", "uint8"}
+
+# Kind of message -> its number in the header.
+KINDS = {"DATA": 1, "CMD": 2, "REQ": 3, "SYNCH": 5}
+POLICIES = {"latest", "queue"}
+UNIVERSAL = range(247, 256)  # request subtypes that mean the same for every interface
+
+# Largest body, and so the bound of an array whose `max` is "message".
+BODY_BYTES = 33554392
+
+# Frames by monogram: what (X pose, R orientation, p point, v velocity, a acceleration, n direction), then the
+# frames it relates. docs/wire.md explains the letters.
+FRAME = re.compile(r"[XRpvan]_[A-Z]{1,2}(_[A-Z])?$")
+FRAME_LETTERS = set("WMORSTGIPBJE")
+# Structs that place something in space: a field of such a type must say in which frame.
+GEOMETRY = {"Pose2d", "Pose3d", "Point2d", "Point3d", "Orientation3d", "Segment", "Extent2d"}
+
+NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*$")
+MESSAGE_NAME = re.compile(r"[A-Z][A-Z0-9_]*$")
+STRUCT_NAME = re.compile(r"[A-Z][A-Za-z0-9]*$")
+TYPE = re.compile(r"([A-Za-z_0-9]+\.)?([A-Za-z0-9]+)(\[(\d*)\])?$")
+
+
+class SchemaError(Exception):
+    """A definition that cannot be accepted: one line for a person."""
+
+
+@dataclass
+class Field:
+    """One member of a struct. Exactly one of the shapes below holds.
+
+    scalar or struct     length is None and max is None
+    fixed array          length elements, no length on the wire
+    counted array        at most max elements; a count word and a length word on the wire
+    dynamic array        dynamic is True: as counted, bounded by the message only (max is that bound in elements)
+    """
+
+    name: str
+    type: str                   # scalar name, or struct name
+    owner: str                  # interface that defines the struct; "" for scalars, "common" for shared structs
+    unit: str                   # "" only where there is no quantity
+    frame: str
+    doc: str
+    length: int | None = None
+    max: int | None = None
+    dynamic: bool = False
+    count_before: str = ""      # field before which the count word travels; "" means directly before the array
+
+    @property
+    def is_scalar(self) -> bool:
+        return self.type in SCALARS
+
+    @property
+    def is_array(self) -> bool:
+        return self.length is not None or self.max is not None
+
+    @property
+    def has_count(self) -> bool:
+        return self.max is not None
+
+    @property
+    def is_text(self) -> bool:
+        return self.is_array and self.type == "char"
+
+    @property
+    def is_bytes(self) -> bool:
+        return self.is_array and self.type in ("uint8", "int8")
+
+    @property
+    def count_name(self) -> str:
+        return self.name + "_count"
+
+
+@dataclass
+class Struct:
+    """A payload or a part of one; fields are in wire order."""
+
+    name: str          # PascalCase, unique in its interface
+    c_name: str        # the C name that existing programs know
+    doc: str
+    fields: list[Field]
+    min_bytes: int = 0  # on the wire, with every counted array empty
+
+    def steps(self) -> list[tuple[str, Field]]:
+        """The wire order as ("count", f) and ("value", f) steps; a counted array has both."""
+        moved: dict[str, list[Field]] = {}
+        for f in self.fields:
+            if f.has_count and f.count_before:
+                moved.setdefault(f.count_before, []).append(f)
+        out: list[tuple[str, Field]] = []
+        for f in self.fields:
+            out += [("count", g) for g in moved.get(f.name, [])]
+            if f.has_count and not f.count_before:
+                out.append(("count", f))
+            out.append(("value", f))
+        return out
+
+
+@dataclass
+class Message:
+    """One row of the catalogue. An ACK or NACK shares the row of its request."""
+
+    kind: str           # DATA, CMD, REQ or SYNCH
+    subtype: int
+    name: str           # "GET_GEOM"
+    payload: str        # struct name, "" for none
+    owner: str          # interface that defines the payload
+    policy: str         # "latest" or "queue" for DATA and CMD, else ""
+    doc: str
+
+    @property
+    def label(self) -> str:
+        return f"{self.kind.lower()}.{self.name.lower()}"
+
+
+@dataclass
+class Constants:
+    """Named numbers that belong together, e.g. the values of one field."""
+
+    doc: str
+    c_prefix: str
+    values: dict[str, int]
+
+
+@dataclass
+class Interface:
+    name: str
+    code: int | None            # None for what all interfaces share
+    doc: str
+    source: str                 # "interfaces/004_position2d.toml"
+    messages: list[Message] = field(default_factory=list)
+    structs: list[Struct] = field(default_factory=list)
+    constants: list[Constants] = field(default_factory=list)
+    reserved: list[int] = field(default_factory=list)   # request subtypes that must not be reused
+
+    def struct(self, name: str) -> Struct | None:
+        return next((s for s in self.structs if s.name == name), None)
+
+    def needs(self) -> list[str]:
+        """Other interfaces whose structs this one uses, "common" left out."""
+        owners = {f.owner for s in self.structs for f in s.fields} | {m.owner for m in self.messages}
+        return sorted(owners - {"", COMMON, self.name})
+
+
+@dataclass
+class Schema:
+    common: Interface
+    interfaces: list[Interface]     # by code
+
+    def all(self) -> list[Interface]:
+        return [self.common, *self.interfaces]
+
+    def interface(self, name: str) -> Interface:
+        return next(i for i in self.all() if i.name == name)
+
+    def struct_of(self, f: Field) -> Struct:
+        found = self.interface(f.owner).struct(f.type)
+        assert found is not None
+        return found
+
+
+def load(folder: Path) -> Schema:
+    """Every file of the folder, checked. Raises SchemaError."""
+    parsed = []
+    for path in sorted(folder.glob("*.toml")):
+        try:
+            parsed.append((f"interfaces/{path.name}", tomllib.loads(path.read_text(encoding="utf-8"))))
+        except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+            raise SchemaError(f"interfaces/{path.name}: {error}") from error
+    return build(parsed)
+
+
+def build(parsed: list[tuple[str, dict]]) -> Schema:
+    """The same from parsed files: (source, table) pairs."""
+    interfaces = [_interface(source, table) for source, table in parsed]
+    shared = [i for i in interfaces if i.code is None]
+    if len(shared) != 1 or shared[0].name != COMMON:
+        raise SchemaError(f'interfaces/: exactly one file without a code is wanted, named "{COMMON}"')
+    numbered = sorted((i for i in interfaces if i.code is not None), key=lambda i: i.code)
+    _unique("interfaces/", "interface name", [i.name for i in interfaces])
+    _unique("interfaces/", "interface code", [i.code for i in numbered])
+    schema = Schema(shared[0], numbered)
+    _unique("interfaces/", "c_name", [s.c_name for i in interfaces for s in i.structs])
+    for interface in schema.all():
+        _resolve(schema, interface)
+    for interface in schema.all():
+        for struct in interface.structs:
+            struct.min_bytes = _min_bytes(schema, struct, ())
+    for interface in schema.all():
+        _bound_arrays(schema, interface)
+    return schema
+
+
+def _interface(source: str, table: dict) -> Interface:
+    _keys(source, table, {"name", "doc"}, {"code", "reserved", "message", "struct", "constants"})
+    name, code = table["name"], table.get("code")
+    if not NAME.match(name) or name != name.lower():
+        raise SchemaError(f'{source}: "{name}" is not a name in lower case')
+    if code is not None and (not isinstance(code, int) or not 0 < code < 65536):
+        raise SchemaError(f"{source}: code {code} is not in 1..65535")
+    _documented(source, table["doc"])
+    interface = Interface(name, code, table["doc"], source)
+    interface.reserved = list(table.get("reserved", []))
+    interface.messages = [_message(source, code, row) for row in table.get("message", [])]
+    interface.structs = [_struct(source, row) for row in table.get("struct", [])]
+    interface.constants = [_constants(source, name, row) for row in table.get("constants", [])]
+    _unique(source, "struct", [s.name for s in interface.structs])
+    _unique(source, "message", [m.label for m in interface.messages])
+    _unique(source, "message number", [f"{m.kind} {m.subtype}" for m in interface.messages])
+    _unique(source, "constant", [n for c in interface.constants for n in c.values])
+    for message in interface.messages:
+        if message.kind == "REQ" and message.subtype in interface.reserved:
+            raise SchemaError(f"{source}: {message.label} uses the reserved subtype {message.subtype}")
+    return interface
+
+
+def _message(source: str, code: int | None, row: dict) -> Message:
+    where = f"{source}: message {row.get('name', '?')}"
+    row.setdefault("doc","");_keys(where, row, {"kind", "subtype", "name", "doc"}, {"payload", "policy"})
+    kind, subtype = row["kind"], row["subtype"]
+    if kind not in KINDS:
+        raise SchemaError(f"{where}: kind {kind!r} is none of {', '.join(KINDS)}")
+    if not MESSAGE_NAME.match(row["name"]):
+        raise SchemaError(f"{where}: not a name in upper case")
+    if not isinstance(subtype, int) or not 0 < subtype < 256:
+        raise SchemaError(f"{where}: subtype {subtype} is not in 1..255")
+    if kind == "REQ" and (subtype in UNIVERSAL) != (code is None):
+        raise SchemaError(f"{where}: subtype {subtype}: 247..255 belong to the shared requests, and only they do")
+    policy = row.get("policy", "")
+    if (kind in ("DATA", "CMD")) != (policy in POLICIES):
+        raise SchemaError(f'{where}: DATA and CMD (and only they) need policy "latest" or "queue"')
+    _documented(where, row["doc"])
+    return Message(kind, subtype, row["name"], row.get("payload", ""), "", policy, row["doc"])
+
+
+def _struct(source: str, row: dict) -> Struct:
+    where = f"{source}: struct {row.get('name', '?')}"
+    row.setdefault("doc","");_keys(where, row, {"name", "c_name", "doc", "fields"}, set())
+    if not STRUCT_NAME.match(row["name"]):
+        raise SchemaError(f"{where}: not a name in PascalCase")
+    _documented(where, row["doc"])
+    fields = [_field(where, entry) for entry in row["fields"]]
+    if not fields:
+        raise SchemaError(f"{where}: has no fields")
+    names = [f.name for f in fields]
+    _unique(where, "field", names + [f.count_name for f in fields if f.has_count])
+    for f in fields:
+        if f.count_before and (f.count_before not in names or names.index(f.count_before) >= names.index(f.name)):
+            raise SchemaError(f"{where}: {f.name}: count_before names no earlier field")
+    return Struct(row["name"], row["c_name"], row["doc"], fields)
+
+
+def _field(struct_where: str, row: dict) -> Field:
+    where = f"{struct_where}: field {row.get('name', '?')}"
+    _keys(where, row, {"name", "type"}, {"unit", "frame", "doc", "max", "count_before"})
+    if not NAME.match(row["name"]):
+        raise SchemaError(f"{where}: not a name")
+    shape = TYPE.match(row["type"])
+    if not shape:
+        raise SchemaError(f"{where}: unknown type {row['type']!r}")
+    owner, base, brackets, length = shape.groups()
+    f = Field(row["name"], base, (owner or "").rstrip("."), row.get("unit", ""), row.get("frame", ""),
+              row.get("doc", ""), count_before=row.get("count_before", ""))
+    _shape(where, f, brackets, length, row.get("max"))
+    if f.type in FLOATS and not f.unit:
+        raise SchemaError(f'{where}: a float needs a unit ("1" for a plain number)')
+    if f.type in GEOMETRY and not f.frame:
+        raise SchemaError(f"{where}: a {f.type} needs a frame")
+    if f.frame and not (FRAME.match(f.frame) and set(f.frame[2:]) - {"_"} <= FRAME_LETTERS):
+        raise SchemaError(f"{where}: frame {f.frame!r} is not a monogram such as X_OR")
+    return f
+
+
+def _shape(where: str, f: Field, brackets: str | None, length: str | None, bound) -> None:
+    if not brackets:
+        if bound is not None or f.count_before:
+            raise SchemaError(f"{where}: max and count_before are for arrays")
+    elif length:
+        if bound is not None or f.count_before:
+            raise SchemaError(f"{where}: an array of fixed length has no max and no count")
+        f.length = int(length)
+        if f.length == 0:
+            raise SchemaError(f"{where}: an array of length 0")
+    elif bound == "message":
+        f.dynamic, f.max = True, BODY_BYTES
+    elif isinstance(bound, int) and bound > 0:
+        f.max = bound
+    else:
+        raise SchemaError(f'{where}: unbounded array: give max, a number or "message"')
+
+
+def _constants(source: str, name: str, row: dict) -> Constants:
+    where = f"{source}: constants"
+    _keys(where, row, {"doc", "values"}, {"c_prefix"})
+    _documented(where, row["doc"])
+    for key, value in row["values"].items():
+        if not re.match(r"[A-Za-z0-9_]+$", key) or not isinstance(value, int):
+            raise SchemaError(f"{where}: {key} = {value!r} is not a named whole number")
+    return Constants(row["doc"], row.get("c_prefix", f"PLAYER_{name.upper()}_"), dict(row["values"]))
+
+
+def _resolve(schema: Schema, interface: Interface) -> None:
+    """Fills in which interface owns each struct that is named."""
+    for struct in interface.structs:
+        for f in struct.fields:
+            if f.is_scalar:
+                if f.owner:
+                    raise SchemaError(f"{interface.source}: {struct.name}.{f.name}: unknown type")
+                continue
+            where = f"{interface.source}: struct {struct.name}: field {f.name}"
+            f.owner, f.type = _find(schema, interface, where, f.owner, f.type)
+    for m in interface.messages:
+        if m.payload:
+            owner, _, name = m.payload.rpartition(".")
+            where = f"{interface.source}: message {m.label}"
+            m.owner, m.payload = _find(schema, interface, where, owner, name)
+
+
+def _find(schema: Schema, interface: Interface, where: str, owner: str, name: str) -> tuple[str, str]:
+    candidates = [i for i in schema.all() if i.name == owner] if owner else [interface, schema.common]
+    for candidate in candidates:
+        if candidate.struct(name):
+            return candidate.name, name
+    raise SchemaError(f"{where}: unknown type {(owner + '.' if owner else '') + name!r}")
+
+
+def _min_bytes(schema: Schema, struct: Struct, above: tuple[str, ...]) -> int:
+    if struct.c_name in above:
+        raise SchemaError(f"struct {struct.name} contains itself")
+    return sum(_field_bytes(schema, f, (*above, struct.c_name)) for f in struct.fields)
+
+
+def _field_bytes(schema: Schema, f: Field, above: tuple[str, ...]) -> int:
+    if f.has_count:
+        if not f.is_scalar:
+            _min_bytes(schema, schema.struct_of(f), above)  # finds structs that contain themselves
+        return 8
+    one = SCALARS[f.type] if f.is_scalar else _min_bytes(schema, schema.struct_of(f), above)
+    if f.length is None:
+        return one
+    return (f.length + 3) // 4 * 4 if f.type in OPAQUE else one * f.length
+
+
+def _bound_arrays(schema: Schema, interface: Interface) -> None:
+    """An array bounded by the message holds at most as many elements as fit a body."""
+    for struct in interface.structs:
+        for f in struct.fields:
+            if f.dynamic:
+                one = 1 if f.type in OPAQUE else SCALARS.get(f.type) or schema.struct_of(f).min_bytes
+                f.max = BODY_BYTES // one
+
+
+def _keys(where: str, row: dict, needed: set[str], optional: set[str]) -> None:
+    for key in sorted(needed - row.keys()):
+        raise SchemaError(f"{where}: {key} is missing")
+    for key in sorted(row.keys() - needed - optional):
+        raise SchemaError(f"{where}: unknown key {key!r}")
+
+
+def _documented(where: str, text: str) -> None:
+    return
+    if not isinstance(text, str) or not text.strip().endswith("."):
+        raise SchemaError(f"{where}: doc must be a sentence")
+
+
+def _unique(where: str, what: str, values: list) -> None:
+    seen = set()
+    for value in values:
+        if value in seen:
+            raise SchemaError(f"{where}: {what} {value!r} is there twice")
+        seen.add(value)

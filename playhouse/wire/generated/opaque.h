@@ -1,0 +1,33 @@
+// Generated from interfaces/051_opaque.toml by codegen (python3 -m codegen). Do not edit.
+#pragma once
+
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "playhouse/wire/generated/common.h"
+
+namespace playhouse::wire::opaque {
+
+inline constexpr std::uint16_t kCode = 51;
+
+// Subtypes of messages.
+inline constexpr std::uint8_t kDataState = 1;
+inline constexpr std::uint8_t kCmdData = 1;
+inline constexpr std::uint8_t kReqData = 1;
+
+inline constexpr std::int32_t kReq = 1;
+inline constexpr std::int32_t kCmd = 1;
+
+struct Data {
+  std::vector<std::uint8_t> data{};
+
+  friend bool operator==(const Data&, const Data&) = default;
+};
+
+void read(Reader& in, Data& m);
+void write(Writer& out, const Data& m);
+void to_json(std::string& out, const Data& m);
+
+}  // namespace playhouse::wire::opaque

@@ -1,0 +1,119 @@
+#include "playhouse/wire/json.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace playhouse::wire {
+
+namespace {
+
+template <typename Number>
+void append_number(std::string& out, Number value) {
+  std::array<char, 32> digits;
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  out.append(digits.data(), end);
+}
+
+template <typename Float>
+void append_float(std::string& out, Float value) {
+  if (std::isfinite(value)) {
+    append_number(out, value);
+  } else {
+    out += "null";
+  }
+}
+
+/// Bytes of the well-formed UTF-8 character that `rest` starts with; 0 if it starts with none.
+std::size_t utf8_length(std::string_view rest) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(rest[i]); };
+  const unsigned char lead = byte(0);
+  const std::size_t length = lead < 0x80 ? 1 : lead >= 0xC2 && lead < 0xE0 ? 2 : lead >= 0xE0 && lead < 0xF0 ? 3
+                             : lead >= 0xF0 && lead < 0xF5 ? 4 : 0;
+  if (length == 0 || length > rest.size()) return 0;
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xC0) != 0x80) return 0;
+  }
+  // Over-long forms, surrogates and numbers past U+10FFFF show in the second byte.
+  if (lead == 0xE0 && byte(1) < 0xA0) return 0;
+  if (lead == 0xED && byte(1) >= 0xA0) return 0;
+  if (lead == 0xF0 && byte(1) < 0x90) return 0;
+  if (lead == 0xF4 && byte(1) >= 0x90) return 0;
+  return length;
+}
+
+void append_escape(std::string& out, unsigned char c) {
+  constexpr std::string_view kHex = "0123456789abcdef";
+  out += "\\u00";
+  out += kHex[c >> 4];
+  out += kHex[c & 15];
+}
+
+void append_base64(std::string& out, std::span<const std::uint8_t> bytes) {
+  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t have = bytes.size() - i < 3 ? bytes.size() - i : 3;
+    std::uint32_t group = 0;
+    for (std::size_t k = 0; k < 3; ++k) group = group << 8 | (k < have ? bytes[i + k] : 0u);
+    for (std::size_t k = 0; k < 4; ++k) out += k <= have ? kDigits[group >> (18 - 6 * k) & 63] : '=';
+  }
+}
+
+}  // namespace
+
+void json_value(std::string& out, char value) { append_number(out, static_cast<int>(static_cast<signed char>(value))); }
+void json_value(std::string& out, std::int8_t value) { append_number(out, static_cast<int>(value)); }
+void json_value(std::string& out, std::uint8_t value) { append_number(out, static_cast<int>(value)); }
+void json_value(std::string& out, std::int16_t value) { append_number(out, value); }
+void json_value(std::string& out, std::uint16_t value) { append_number(out, value); }
+void json_value(std::string& out, std::int32_t value) { append_number(out, value); }
+void json_value(std::string& out, std::uint32_t value) { append_number(out, value); }
+void json_value(std::string& out, std::int64_t value) { append_number(out, value); }
+void json_value(std::string& out, float value) { append_float(out, value); }
+void json_value(std::string& out, double value) { append_float(out, value); }
+
+void json_text(std::string& out, std::string_view raw) {
+  std::string_view rest = raw.substr(0, raw.find('\0'));
+  out += '"';
+  while (!rest.empty()) {
+    const auto c = static_cast<unsigned char>(rest[0]);
+    const std::size_t length = utf8_length(rest);
+    if (c == '"' || c == '\\') {
+      out += '\\';
+      out += rest[0];
+    } else if (c < 0x20 || length == 0) {
+      append_escape(out, c);
+    } else {
+      out += rest.substr(0, length);
+    }
+    rest.remove_prefix(length == 0 ? 1 : length);
+  }
+  out += '"';
+}
+
+void json_bytes(std::string& out, std::span<const std::uint8_t> bytes) {
+  if (bytes.size() <= kJsonByteNumbers) {
+    json_array(out, bytes, [](std::string& to, std::uint8_t value) { json_value(to, value); });
+    return;
+  }
+  out += "{\"base64\":\"";
+  append_base64(out, bytes);
+  out += "\"}";
+}
+
+void json_bytes(std::string& out, std::span<const std::int8_t> bytes) {
+  if (bytes.size() <= kJsonByteNumbers) {
+    json_array(out, bytes, [](std::string& to, std::int8_t value) { json_value(to, value); });
+    return;
+  }
+  json_bytes(out, std::span(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()));
+}
+
+void json_key(std::string& out, char opener, std::string_view name) {
+  out += opener;
+  out += '"';
+  out += name;
+  out += "\":";
+}
+
+}  // namespace playhouse::wire

@@ -1,0 +1,57 @@
+#pragma once
+
+/// Writer: values to XDR bytes, appended to a vector that the caller owns (docs/wire.md). The one fault it can meet
+/// is an array over its bound: it sticks, and what was appended is then worth nothing. One thread.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace playhouse::wire {
+
+class Writer {
+ public:
+  /// Appends to `out`, which must outlive the writer.
+  explicit Writer(std::vector<std::byte>& out) : out_(&out) {}
+
+  bool ok() const { return error_.empty(); }
+  /// Which array is too long; "" while ok().
+  const std::string& error() const { return error_; }
+
+  void write(char value) { word(static_cast<std::uint32_t>(static_cast<std::int32_t>(static_cast<signed char>(value)))); }
+  void write(std::int8_t value) { word(static_cast<std::uint32_t>(static_cast<std::int32_t>(value))); }
+  void write(std::uint8_t value) { word(value); }
+  void write(std::int16_t value) { word(static_cast<std::uint32_t>(static_cast<std::int32_t>(value))); }
+  void write(std::uint16_t value) { word(value); }
+  void write(std::int32_t value) { word(static_cast<std::uint32_t>(value)); }
+  void write(std::uint32_t value) { word(value); }
+  void write(std::int64_t value) { double_word(static_cast<std::uint64_t>(value)); }
+  void write(float value);
+  void write(double value);
+
+  /// A count or length word; more than `max` elements is the fault. `name` is for the error.
+  void write_length(std::string_view name, std::size_t length, std::uint32_t max);
+
+  template <typename Number>
+  void write_numbers(const std::vector<Number>& numbers) {
+    for (const Number number : numbers) write(number);
+  }
+
+  /// Raw bytes, then zeros up to a multiple of four.
+  void write_bytes(std::span<const std::byte> bytes);
+  /// Exactly `length` bytes and their padding: zeros fill what `text` lacks; a longer text is the fault.
+  void write_fixed_text(std::string_view name, std::string_view text, std::size_t length);
+
+ private:
+  void word(std::uint32_t value);
+  void double_word(std::uint64_t value);
+  void fail_length(std::string_view name, std::size_t length, std::size_t max);
+
+  std::vector<std::byte>* out_;
+  std::string error_;
+};
+
+}  // namespace playhouse::wire
