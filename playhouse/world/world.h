@@ -34,7 +34,8 @@ struct Models {
   std::vector<std::uint32_t> root;              // top of the tree; its own row for a top-level model
   std::vector<scene::ModelKind> kind;
   std::vector<std::uint32_t> part;              // row in the kind's own table, or Row::kNone
-  std::vector<std::uint32_t> subscribers;       // open devices and controllers   written by: subscribe, unsubscribe
+  std::vector<std::uint32_t> subscribers;       // open devices and controllers, and one for alwayson
+                                                //                                written by: subscribe, unsubscribe
   std::vector<std::int32_t> fiducial_return;    // 0: unseen                      written by: set_fiducial_return
   std::vector<std::int32_t> flags;              // tokens carried (source, sink)  written by: controllers
   std::vector<scene::Color> color;              //                                written by: set_color
@@ -54,6 +55,7 @@ struct Positions {
   std::vector<geom::Twist> velocity;            // in the body frame, after bounds [m/s, rad/s]  written by: act
   std::vector<geom::Pose> X_OM;                 // what the robot believes (gps or odometry)     written by: move
   std::vector<geom::Pose> X_WO;                 // origin of the odometry frame in the world     written by: set_odometry
+                                                // gps: localization_origin, or W itself; odometry: start pose
   std::vector<geom::Twist> odom_error;          // fraction per axis
   std::vector<std::uint8_t> stall;              // 1: the last motion was blocked                written by: move
   std::vector<std::uint8_t> motor_on;           // 0: commands are kept but do not move it
@@ -97,6 +99,8 @@ class World {
  public:
   /// Allocates every column for the scene and computes poses. The scene must outlive the world.
   World(const scene::SceneDesc& scene, std::uint64_t seed);
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
 
   const scene::SceneDesc& scene() const { return *scene_; }
   const scene::ModelDesc& desc(ModelRow row) const { return scene_->models[row.index]; }
@@ -132,15 +136,28 @@ class World {
   std::vector<std::uint32_t> first_child_, child_rows_;  // children of row r: child_rows_[first_child_[r] .. first_child_[r+1])
 };
 
+/// Streams of random numbers: Rng(seed, tick, entity, stream).
+enum class Stream : std::uint64_t {
+  kOdometryError = 1,  // entity: model row, tick 0
+  kRangeNoise = 2,     // entity: sensor row
+  kController = 3,     // entity: model row
+};
+
+/// Recomputes X_WM of a model and everything attached to it from X_PM; what robots with gps believe follows.
+void place_tree(World& world, ModelRow model);
+
 // Ways to change the world between ticks. Non-finite numbers are refused (false), nothing changes then.
 
 bool command_velocity(World& world, PositionRow robot, const geom::Twist& velocity);
 bool command_position(World& world, PositionRow robot, const geom::Pose& goal_O);
+/// A car has no acceleration mode: false.
 bool command_acceleration(World& world, PositionRow robot, const geom::Twist& acceleration);
 /// The robot believes from now on that it is at X_OM.
 bool set_odometry(World& world, PositionRow robot, const geom::Pose& X_OM);
 /// Puts a model somewhere in its parent's frame, without any collision check; children follow.
 bool set_pose(World& world, ModelRow model, const geom::Pose& X_PM);
+void set_fiducial_return(World& world, ModelRow model, std::int32_t id);
+void set_color(World& world, ModelRow model, const scene::Color& color);
 /// Sensors measure and robots move only while subscribed (or alwayson). Calls are counted.
 void subscribe(World& world, ModelRow model);
 /// The last unsubscribe of a robot stops it: its command and velocity become zero.

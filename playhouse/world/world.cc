@@ -1,0 +1,275 @@
+#include "playhouse/world/world.h"
+
+#include <cmath>
+
+#include "playhouse/base/assert.h"
+#include "playhouse/base/hash.h"
+#include "playhouse/base/rng.h"
+
+namespace playhouse::world {
+namespace {
+
+constexpr std::uint32_t kNone = ModelRow::kNone;
+
+template <typename T>
+std::uint32_t count32(const std::vector<T>& column) {
+  return static_cast<std::uint32_t>(column.size());
+}
+
+void add_model(Models& models, const scene::ModelDesc& desc) {
+  const std::uint32_t row = count32(models.X_PM);
+  const bool top = desc.parent < 0;
+  PLAYHOUSE_ASSERT(top || static_cast<std::uint32_t>(desc.parent) < row);
+  const std::uint32_t parent = top ? kNone : static_cast<std::uint32_t>(desc.parent);
+  models.X_PM.push_back(desc.X_PM);
+  models.X_WM.push_back(top ? desc.X_PM : geom::compose(models.X_WM[parent], desc.X_PM));
+  models.parent.push_back(parent);
+  models.root.push_back(top ? row : models.root[parent]);
+  models.kind.push_back(desc.kind);
+  models.part.push_back(kNone);
+  models.subscribers.push_back(desc.alwayson ? 1 : 0);
+  models.fiducial_return.push_back(desc.fiducial_return);
+  models.flags.push_back(0);
+  models.color.push_back(desc.color);
+  models.say.push_back(desc.say);
+}
+
+geom::Twist draw_odometry_error(std::uint64_t seed, std::uint32_t model) {
+  Rng rng(seed, 0, model, static_cast<std::uint64_t>(Stream::kOdometryError));
+  geom::Twist error;
+  error.x = rng.uniform(-0.015, 0.015);
+  error.y = rng.uniform(-0.015, 0.015);
+  error.a = rng.uniform(-0.025, 0.025);
+  return error;
+}
+
+void add_position(Positions& positions, const scene::PositionDesc& desc, ModelRow model,
+                  const geom::Pose& X_WM, std::uint64_t seed) {
+  const bool gps = desc.localization == scene::Localization::kGps;
+  const geom::Pose X_WO = desc.localization_origin.value_or(gps ? geom::Pose{} : X_WM);
+  positions.model.push_back(model);
+  positions.mode.push_back(ControlMode::kVelocity);
+  positions.command.push_back(desc.velocity);
+  positions.goal.push_back({});
+  positions.velocity.push_back({});
+  positions.X_OM.push_back(geom::compose(geom::inverse(X_WO), X_WM));
+  positions.X_WO.push_back(X_WO);
+  positions.odom_error.push_back(desc.odom_error.value_or(draw_odometry_error(seed, model.index)));
+  positions.stall.push_back(0);
+  positions.motor_on.push_back(1);
+}
+
+void add_ranger(Rangers& rangers, Sensors& sensors, const scene::ModelDesc& desc, ModelRow model) {
+  const RangerRow ranger{count32(rangers.model)};
+  rangers.model.push_back(model);
+  rangers.first_sensor.push_back(count32(sensors.ranger));
+  rangers.sensor_count.push_back(count32(desc.sensors));
+  rangers.measured_tick.push_back(0);
+  for (const scene::RangerSensorDesc& sensor : desc.sensors) {
+    sensors.ranger.push_back(ranger);
+    sensors.first_beam.push_back(count32(sensors.ranges));
+    sensors.beam_count.push_back(sensor.samples);
+    sensors.ranges.insert(sensors.ranges.end(), sensor.samples, static_cast<float>(sensor.range_max));
+    sensors.intensities.insert(sensors.intensities.end(), sensor.samples, 0.0f);
+  }
+}
+
+void add_fiducial(Fiducials& fiducials, ModelRow model) {
+  fiducials.model.push_back(model);
+  fiducials.hits.emplace_back();
+  fiducials.measured_tick.push_back(0);
+}
+
+void add(Hash& hash, const geom::Pose& pose) {
+  for (const double value : {pose.x, pose.y, pose.z, pose.a}) hash.add(value);
+}
+
+void add(Hash& hash, const geom::Twist& twist) {
+  for (const double value : {twist.x, twist.y, twist.z, twist.a}) hash.add(value);
+}
+
+void add(Hash& hash, const Models& models) {
+  for (std::size_t row = 0; row < models.size(); ++row) {
+    add(hash, models.X_PM[row]);
+    add(hash, models.X_WM[row]);
+    hash.add(std::uint64_t{models.subscribers[row]});
+    hash.add(static_cast<std::uint64_t>(models.fiducial_return[row]));
+    hash.add(static_cast<std::uint64_t>(models.flags[row]));
+    for (const float part :
+         {models.color[row].r, models.color[row].g, models.color[row].b, models.color[row].a})
+      hash.add(part);
+    hash.add(std::uint64_t{models.say[row].size()});
+    for (const char letter : models.say[row]) hash.add(static_cast<std::uint64_t>(letter));
+  }
+}
+
+void add(Hash& hash, const Positions& positions) {
+  for (std::size_t row = 0; row < positions.size(); ++row) {
+    hash.add(static_cast<std::uint64_t>(positions.mode[row]));
+    add(hash, positions.command[row]);
+    add(hash, positions.goal[row]);
+    add(hash, positions.velocity[row]);
+    add(hash, positions.X_OM[row]);
+    add(hash, positions.X_WO[row]);
+    add(hash, positions.odom_error[row]);
+    hash.add(std::uint64_t{positions.stall[row]});
+    hash.add(std::uint64_t{positions.motor_on[row]});
+  }
+}
+
+void add(Hash& hash, const Fiducials& fiducials) {
+  hash.add(std::span<const std::uint64_t>(fiducials.measured_tick));
+  for (const std::vector<FiducialHit>& hits : fiducials.hits) {
+    hash.add(std::uint64_t{hits.size()});
+    for (const FiducialHit& hit : hits) {
+      hash.add(std::uint64_t{hit.target.index});
+      hash.add(static_cast<std::uint64_t>(hit.id));
+      for (const double value : {hit.range, hit.bearing, hit.heading}) hash.add(value);
+    }
+  }
+}
+
+bool finite(double x, double y, double z, double a) {
+  return std::isfinite(x) && std::isfinite(y) && std::isfinite(z) && std::isfinite(a);
+}
+
+const scene::PositionDesc& drive_of(const World& world, PositionRow robot) {
+  return *world.desc(world.positions.model[robot.index]).position;
+}
+
+/// What a robot with gps believes is where it is.
+void believe_truth(World& world, std::uint32_t model) {
+  if (world.models.kind[model] != scene::ModelKind::kPosition) return;
+  const PositionRow robot{world.models.part[model]};
+  if (drive_of(world, robot).localization != scene::Localization::kGps) return;
+  world.positions.X_OM[robot.index] =
+      geom::compose(geom::inverse(world.positions.X_WO[robot.index]), world.models.X_WM[model]);
+}
+
+}  // namespace
+
+World::World(const scene::SceneDesc& scene, std::uint64_t seed) : scene_(&scene), seed_(seed) {
+  const auto count = static_cast<std::uint32_t>(scene.models.size());
+  first_child_.assign(count + 1, 0);
+  for (std::uint32_t row = 0; row < count; ++row) {
+    const scene::ModelDesc& desc = scene.models[row];
+    add_model(models, desc);
+    if (desc.kind == scene::ModelKind::kPosition) {
+      models.part[row] = count32(positions.model);
+      add_position(positions, *desc.position, {row}, models.X_WM[row], seed);
+    } else if (desc.kind == scene::ModelKind::kRanger) {
+      models.part[row] = count32(rangers.model);
+      add_ranger(rangers, sensors, desc, {row});
+    } else if (desc.kind == scene::ModelKind::kFiducial) {
+      models.part[row] = count32(fiducials.model);
+      add_fiducial(fiducials, {row});
+    }
+    if (desc.parent >= 0) ++first_child_[static_cast<std::uint32_t>(desc.parent) + 1];
+    by_name_[desc.alias] = {row};
+  }
+  // Given names win over default names, later ones over earlier ones.
+  for (std::uint32_t row = 0; row < count; ++row) by_name_[scene.models[row].name] = {row};
+
+  for (std::uint32_t row = 0; row < count; ++row) first_child_[row + 1] += first_child_[row];
+  child_rows_.resize(first_child_[count]);
+  std::vector<std::uint32_t> next(first_child_.begin(), first_child_.end());
+  for (std::uint32_t row = 0; row < count; ++row)
+    if (models.parent[row] != kNone) child_rows_[next[models.parent[row]]++] = row;
+}
+
+ModelRow World::find(std::string_view name) const {
+  const auto found = by_name_.find(name);
+  return found == by_name_.end() ? ModelRow{} : found->second;
+}
+
+std::span<const std::uint32_t> World::children(ModelRow row) const {
+  const std::uint32_t begin = first_child_[row.index], end = first_child_[row.index + 1];
+  return {child_rows_.data() + begin, end - begin};
+}
+
+std::uint64_t World::hash() const {
+  Hash hash;
+  hash.add(seed_);
+  hash.add(tick_);
+  add(hash, models);
+  add(hash, positions);
+  hash.add(std::span<const std::uint64_t>(rangers.measured_tick));
+  hash.add(std::span<const float>(sensors.ranges));
+  hash.add(std::span<const float>(sensors.intensities));
+  add(hash, fiducials);
+  for (const std::unique_ptr<Decider>& decider : deciders) decider->hash(hash);
+  return hash.value();
+}
+
+void place_tree(World& world, ModelRow model) {
+  Models& models = world.models;
+  const std::uint32_t parent = models.parent[model.index];
+  models.X_WM[model.index] = parent == kNone ? models.X_PM[model.index]
+                                             : geom::compose(models.X_WM[parent], models.X_PM[model.index]);
+  believe_truth(world, model.index);
+  for (const std::uint32_t child : world.children(model)) place_tree(world, {child});
+}
+
+bool command_velocity(World& world, PositionRow robot, const geom::Twist& velocity) {
+  if (!finite(velocity.x, velocity.y, velocity.z, velocity.a)) return false;
+  world.positions.mode[robot.index] = ControlMode::kVelocity;
+  world.positions.command[robot.index] = velocity;
+  return true;
+}
+
+bool command_position(World& world, PositionRow robot, const geom::Pose& goal_O) {
+  if (!finite(goal_O.x, goal_O.y, goal_O.z, goal_O.a)) return false;
+  world.positions.mode[robot.index] = ControlMode::kPosition;
+  world.positions.goal[robot.index] = {goal_O.x, goal_O.y, goal_O.z, geom::normalize(goal_O.a)};
+  return true;
+}
+
+bool command_acceleration(World& world, PositionRow robot, const geom::Twist& acceleration) {
+  if (!finite(acceleration.x, acceleration.y, acceleration.z, acceleration.a)) return false;
+  if (drive_of(world, robot).drive == scene::Drive::kCar) return false;
+  world.positions.mode[robot.index] = ControlMode::kAcceleration;
+  world.positions.command[robot.index] = acceleration;
+  return true;
+}
+
+bool set_odometry(World& world, PositionRow robot, const geom::Pose& X_OM) {
+  if (!finite(X_OM.x, X_OM.y, X_OM.z, X_OM.a)) return false;
+  const geom::Pose believed{X_OM.x, X_OM.y, X_OM.z, geom::normalize(X_OM.a)};
+  const geom::Pose& X_WM = world.models.X_WM[world.positions.model[robot.index].index];
+  world.positions.X_OM[robot.index] = believed;
+  world.positions.X_WO[robot.index] = geom::compose(X_WM, geom::inverse(believed));
+  return true;
+}
+
+bool set_pose(World& world, ModelRow model, const geom::Pose& X_PM) {
+  if (!finite(X_PM.x, X_PM.y, X_PM.z, X_PM.a)) return false;
+  world.models.X_PM[model.index] = {X_PM.x, X_PM.y, X_PM.z, geom::normalize(X_PM.a)};
+  place_tree(world, model);
+  world.teleported.push_back(model);
+  return true;
+}
+
+void set_fiducial_return(World& world, ModelRow model, std::int32_t id) {
+  world.models.fiducial_return[model.index] = id;
+}
+
+void set_color(World& world, ModelRow model, const scene::Color& color) {
+  world.models.color[model.index] = color;
+}
+
+void subscribe(World& world, ModelRow model) {
+  ++world.models.subscribers[model.index];
+}
+
+void unsubscribe(World& world, ModelRow model) {
+  std::uint32_t& subscribers = world.models.subscribers[model.index];
+  PLAYHOUSE_ASSERT(subscribers > 0);
+  if (--subscribers > 0 || world.models.kind[model.index] != scene::ModelKind::kPosition) return;
+  const std::uint32_t robot = world.models.part[model.index];
+  world.positions.mode[robot] = ControlMode::kVelocity;
+  world.positions.command[robot] = {};
+  world.positions.velocity[robot] = {};
+  world.positions.stall[robot] = 0;
+}
+
+}  // namespace playhouse::world
