@@ -238,7 +238,7 @@ def _interface(source: str, table: dict) -> Interface:
 
 def _message(source: str, code: int | None, row: dict) -> Message:
     where = f"{source}: message {row.get('name', '?')}"
-    row.setdefault("doc","");_keys(where, row, {"kind", "subtype", "name", "doc"}, {"payload", "policy"})
+    _keys(where, row, {"kind", "subtype", "name", "doc"}, {"payload", "policy"})
     kind, subtype = row["kind"], row["subtype"]
     if kind not in KINDS:
         raise SchemaError(f"{where}: kind {kind!r} is none of {', '.join(KINDS)}")
@@ -257,7 +257,7 @@ def _message(source: str, code: int | None, row: dict) -> Message:
 
 def _struct(source: str, row: dict) -> Struct:
     where = f"{source}: struct {row.get('name', '?')}"
-    row.setdefault("doc","");_keys(where, row, {"name", "c_name", "doc", "fields"}, set())
+    _keys(where, row, {"name", "c_name", "doc", "fields"}, set())
     if not STRUCT_NAME.match(row["name"]):
         raise SchemaError(f"{where}: not a name in PascalCase")
     _documented(where, row["doc"])
@@ -380,7 +380,6 @@ def _keys(where: str, row: dict, needed: set[str], optional: set[str]) -> None:
 
 
 def _documented(where: str, text: str) -> None:
-    return
     if not isinstance(text, str) or not text.strip().endswith("."):
         raise SchemaError(f"{where}: doc must be a sentence")
 

@@ -1,6 +1,7 @@
 // Generated from interfaces/053_actarray.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
+/// A chain of joints that slide or turn, such as an arm.
 
 #include <cstdint>
 #include <string>
@@ -13,155 +14,198 @@ namespace playhouse::wire::actarray {
 inline constexpr std::uint16_t kCode = 53;
 
 // Subtypes of messages.
+/// Where each joint is.
 inline constexpr std::uint8_t kDataState = 1;
+/// Wanted position of one joint.
 inline constexpr std::uint8_t kCmdPos = 1;
+/// Wanted positions of all joints.
 inline constexpr std::uint8_t kCmdMultiPos = 2;
+/// Wanted speed of one joint.
 inline constexpr std::uint8_t kCmdSpeed = 3;
+/// Wanted speeds of all joints.
 inline constexpr std::uint8_t kCmdMultiSpeed = 4;
+/// Sends one joint, or all, to its home.
 inline constexpr std::uint8_t kCmdHome = 5;
+/// Wanted current of one joint.
 inline constexpr std::uint8_t kCmdCurrent = 6;
+/// Wanted currents of all joints.
 inline constexpr std::uint8_t kCmdMultiCurrent = 7;
+/// Switches the motors on or off.
 inline constexpr std::uint8_t kReqPower = 1;
+/// Sets or releases the brakes.
 inline constexpr std::uint8_t kReqBrakes = 2;
+/// Asks for the chain's joints and place.
 inline constexpr std::uint8_t kReqGetGeom = 3;
+/// Sets the speed at which a joint goes to a position.
 inline constexpr std::uint8_t kReqSpeed = 4;
+/// Sets the acceleration with which a joint goes to a position.
 inline constexpr std::uint8_t kReqAccel = 5;
 
+/// Values of Actuator.state.
 inline constexpr std::int32_t kActstateIdle = 1;
 inline constexpr std::int32_t kActstateMoving = 2;
 inline constexpr std::int32_t kActstateBraked = 4;
 inline constexpr std::int32_t kActstateStalled = 8;
+
+/// Values of Actuatorgeom.type.
 inline constexpr std::int32_t kTypeLinear = 1;
 inline constexpr std::int32_t kTypeRotary = 2;
 
+/// State of one joint.
 struct Actuator {
-  /// [m|rad]
+  /// [m or rad]
   float position = 0;
-  /// [m/s|rad/s]
+  /// [m/s or rad/s]
   float speed = 0;
-  /// [m/s^2|rad/s^2]
+  /// [m/s^2 or rad/s^2]
   float acceleration = 0;
-  /// [A]
+  /// Of its motor; -1 if unknown. [A]
   float current = 0;
+  /// Idle, moving, braked or stalled.
   std::uint8_t state = 0;
 
   friend bool operator==(const Actuator&, const Actuator&) = default;
 };
 
+/// Where each joint is.
 struct Data {
   std::vector<Actuator> actuators{};
+  /// 1 motors on, 0 off.
   std::uint8_t motor_state = 0;
 
   friend bool operator==(const Data&, const Data&) = default;
 };
 
+/// What a joint is.
 struct Actuatorgeom {
+  /// Slides or turns.
   std::uint8_t type = 0;
-  /// [m]
+  /// To the next joint. [m]
   float length = 0;
-  /// [frame R_WR, rad, rad, rad]
+  /// Of the joint at rest; turns from the joint before it. [frame R_BJ, rad, rad, rad]
   Orientation3d orientation{};
-  /// [frame p_WP]
+  /// Unit vector along which it slides or about which it turns. [frame n_J, 1]
   Point3d axis{};
-  /// [m|rad]
+  /// Lowest position. [m or rad]
   float min = 0;
-  /// [m|rad]
+  /// Middle position. [m or rad]
   float centre = 0;
-  /// [m|rad]
+  /// Highest position. [m or rad]
   float max = 0;
-  /// [m|rad]
+  /// Position after CMD HOME. [m or rad]
   float home = 0;
-  /// [m/s|rad/s]
+  /// Speed at which it goes to a position. [m/s or rad/s]
   float config_speed = 0;
+  /// 1 if it has brakes.
   std::uint8_t hasbrakes = 0;
 
   friend bool operator==(const Actuatorgeom&, const Actuatorgeom&) = default;
 };
 
+/// The chain's joints and place.
 struct Geom {
   std::vector<Actuatorgeom> actuators{};
-  /// [frame p_WP]
+  /// Where the chain starts on the robot. [frame p_RB, m]
   Point3d base_pos{};
-  /// [frame R_WR]
+  /// How the chain starts on the robot. [frame R_RB, rad]
   Orientation3d base_orientation{};
 
   friend bool operator==(const Geom&, const Geom&) = default;
 };
 
+/// Wanted position of one joint.
 struct PositionCmd {
+  /// Which joint, from 0.
   std::int32_t joint = 0;
-  /// [1]
+  /// [m or rad]
   float position = 0;
 
   friend bool operator==(const PositionCmd&, const PositionCmd&) = default;
 };
 
+/// Wanted positions of all joints.
 struct MultiPositionCmd {
-  /// [1]
+  /// [m or rad]
   std::vector<float> positions{};
 
   friend bool operator==(const MultiPositionCmd&, const MultiPositionCmd&) = default;
 };
 
+/// Wanted speed of one joint.
 struct SpeedCmd {
+  /// Which joint, from 0.
   std::int32_t joint = 0;
-  /// [1]
+  /// [m/s or rad/s]
   float speed = 0;
 
   friend bool operator==(const SpeedCmd&, const SpeedCmd&) = default;
 };
 
+/// Wanted speeds of all joints.
 struct MultiSpeedCmd {
-  /// [1]
+  /// [m/s or rad/s]
   std::vector<float> speeds{};
 
   friend bool operator==(const MultiSpeedCmd&, const MultiSpeedCmd&) = default;
 };
 
+/// A joint to send home.
 struct HomeCmd {
+  /// Which joint; -1 all.
   std::int32_t joint = 0;
 
   friend bool operator==(const HomeCmd&, const HomeCmd&) = default;
 };
 
+/// Wanted current of one joint.
 struct CurrentCmd {
+  /// Which joint, from 0.
   std::int32_t joint = 0;
-  /// [1]
+  /// [A]
   float current = 0;
 
   friend bool operator==(const CurrentCmd&, const CurrentCmd&) = default;
 };
 
+/// Wanted currents of all joints.
 struct MultiCurrentCmd {
-  /// [1]
+  /// [A]
   std::vector<float> currents{};
 
   friend bool operator==(const MultiCurrentCmd&, const MultiCurrentCmd&) = default;
 };
 
+/// The motors' switch.
 struct PowerConfig {
+  /// 1 on, 0 off.
   std::uint8_t value = 0;
 
   friend bool operator==(const PowerConfig&, const PowerConfig&) = default;
 };
 
+/// The brakes' switch.
 struct BrakesConfig {
+  /// 1 braked, 0 released.
   std::uint8_t value = 0;
 
   friend bool operator==(const BrakesConfig&, const BrakesConfig&) = default;
 };
 
+/// Speed of one joint.
 struct SpeedConfig {
+  /// Which joint; -1 all.
   std::int32_t joint = 0;
-  /// [m/s|rad/s]
+  /// [m/s or rad/s]
   float speed = 0;
 
   friend bool operator==(const SpeedConfig&, const SpeedConfig&) = default;
 };
 
+/// Acceleration of one joint.
 struct AccelConfig {
+  /// Which joint; -1 all.
   std::int32_t joint = 0;
-  /// [m/s^2|rad/s^2]
+  /// [m/s^2 or rad/s^2]
   float accel = 0;
 
   friend bool operator==(const AccelConfig&, const AccelConfig&) = default;

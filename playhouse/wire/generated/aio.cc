@@ -46,7 +46,7 @@ void to_json(std::string& out, const Cmd& m) {
 const MessageDef kRows[2] = {
     {21, MessageType::kData, kDataState, "aio.data.state", "aio::Data", true, Policy::kLatest,
      check_required<Data>, reencode<Data>, body_to_json<Data>},
-    {21, MessageType::kCmd, kCmdState, "aio.cmd.state", "aio::Cmd", true, Policy::kLatest,
+    {21, MessageType::kCmd, kCmdState, "aio.cmd.state", "aio::Cmd", true, Policy::kQueue,
      check_required<Cmd>, reencode<Cmd>, body_to_json<Cmd>},
 };
 

@@ -1,6 +1,7 @@
 // Generated from interfaces/021_aio.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
+/// Analog inputs and outputs.
 
 #include <cstdint>
 #include <string>
@@ -13,9 +14,12 @@ namespace playhouse::wire::aio {
 inline constexpr std::uint16_t kCode = 21;
 
 // Subtypes of messages.
+/// Voltages of the inputs.
 inline constexpr std::uint8_t kDataState = 1;
+/// Wanted voltage of one output.
 inline constexpr std::uint8_t kCmdState = 1;
 
+/// Voltages of the inputs.
 struct Data {
   /// [V]
   std::vector<float> voltages{};
@@ -23,7 +27,9 @@ struct Data {
   friend bool operator==(const Data&, const Data&) = default;
 };
 
+/// Wanted voltage of one output.
 struct Cmd {
+  /// Which output.
   std::uint32_t id = 0;
   /// [V]
   float voltage = 0;

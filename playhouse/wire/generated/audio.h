@@ -1,6 +1,7 @@
 // Generated from interfaces/009_audio.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
+/// Plays and records sound, samples and tones, and sets mixer levels.
 
 #include <cstdint>
 #include <string>
@@ -13,37 +14,63 @@ namespace playhouse::wire::audio {
 inline constexpr std::uint16_t kCode = 9;
 
 // Subtypes of messages.
+/// Recorded sound.
 inline constexpr std::uint8_t kDataWavRec = 1;
+/// Tones that were heard.
 inline constexpr std::uint8_t kDataSeq = 2;
+/// Levels of the mixer, sent when they change.
 inline constexpr std::uint8_t kDataMixerChannel = 3;
+/// What the device is doing.
 inline constexpr std::uint8_t kDataState = 4;
+/// Plays sound.
 inline constexpr std::uint8_t kCmdWavPlay = 1;
+/// Starts or stops sending recorded sound.
 inline constexpr std::uint8_t kCmdWavStreamRec = 2;
+/// Plays a stored sample.
 inline constexpr std::uint8_t kCmdSamplePlay = 3;
+/// Plays tones.
 inline constexpr std::uint8_t kCmdSeqPlay = 4;
+/// Sets levels of the mixer.
 inline constexpr std::uint8_t kCmdMixerChannel = 5;
+/// Records a piece of sound.
 inline constexpr std::uint8_t kReqWavRec = 1;
+/// Stores a sample.
 inline constexpr std::uint8_t kReqSampleLoad = 2;
+/// Fetches a stored sample.
 inline constexpr std::uint8_t kReqSampleRetrieve = 3;
+/// Records a sample into the store.
 inline constexpr std::uint8_t kReqSampleRec = 4;
+/// Asks which channels the mixer has.
 inline constexpr std::uint8_t kReqMixerChannelList = 5;
+/// Asks for the levels of the mixer.
 inline constexpr std::uint8_t kReqMixerChannelLevel = 6;
 
+/// Bits of State.state.
 inline constexpr std::int32_t kStateStopped = 0;
 inline constexpr std::int32_t kStatePlaying = 1;
 inline constexpr std::int32_t kStateRecording = 2;
+
+/// Mask of the bits of Wav.format that describe raw sound.
 inline constexpr std::int32_t kDescriptionBits = 255;
+
+/// Bits per value of raw sound: mask and values.
 inline constexpr std::int32_t kBits = 3;
 inline constexpr std::int32_t k8bit = 0;
 inline constexpr std::int32_t k16bit = 1;
 inline constexpr std::int32_t k24bit = 2;
+
+/// Channels of raw sound.
 inline constexpr std::int32_t kMono = 0;
 inline constexpr std::int32_t kStereo = 4;
+
+/// Sampling rate of raw sound: mask and values.
 inline constexpr std::int32_t kFreq = 24;
 inline constexpr std::int32_t kFreq44k = 0;
 inline constexpr std::int32_t kFreq11k = 8;
 inline constexpr std::int32_t kFreq22k = 16;
 inline constexpr std::int32_t kFreq48k = 24;
+
+/// Kind of sound data: mask and values.
 inline constexpr std::int32_t kFormatBits = 65280;
 inline constexpr std::int32_t kFormatNull = 0;
 inline constexpr std::int32_t kFormatRaw = 256;
@@ -51,79 +78,101 @@ inline constexpr std::int32_t kFormatMp3 = 512;
 inline constexpr std::int32_t kFormatOgg = 768;
 inline constexpr std::int32_t kFormatFlac = 1024;
 inline constexpr std::int32_t kFormatAac = 1280;
+
+/// Bits of MixerChannelDetail.caps.
 inline constexpr std::int32_t kMixerChannelTypeInput = 1;
 inline constexpr std::int32_t kMixerChannelTypeOutput = 2;
 inline constexpr std::int32_t kMixerChannelTypeSpecial = 4;
 
+/// A piece of sound.
 struct Wav {
+  /// The sound, as `format` says.
   std::vector<std::uint8_t> data{};
+  /// Kind, rate, channels and bits in one number.
   std::uint32_t format = 0;
 
   friend bool operator==(const Wav&, const Wav&) = default;
 };
 
+/// One tone.
 struct SeqItem {
   /// [Hz]
   float freq = 0;
   /// [s]
   float duration = 0;
-  /// [1]
+  /// 0 silent to 1 full. [1]
   float amplitude = 0;
+  /// On: goes over into the next tone without a gap.
   Bool link{};
 
   friend bool operator==(const SeqItem&, const SeqItem&) = default;
 };
 
+/// A row of tones.
 struct Seq {
   std::vector<SeqItem> tones{};
 
   friend bool operator==(const Seq&, const Seq&) = default;
 };
 
+/// Level of one channel.
 struct MixerChannel {
-  /// [0..1]
+  /// 0 silent to 1 full. [1]
   float amplitude = 0;
+  /// Off: muted.
   Bool active{};
+  /// Which channel.
   std::uint32_t index = 0;
 
   friend bool operator==(const MixerChannel&, const MixerChannel&) = default;
 };
 
+/// Levels of some channels.
 struct MixerChannelList {
   std::vector<MixerChannel> channels{};
 
   friend bool operator==(const MixerChannelList&, const MixerChannelList&) = default;
 };
 
+/// What a channel is.
 struct MixerChannelDetail {
   std::string name{};
+  /// Input, output or special.
   std::uint8_t caps = 0;
 
   friend bool operator==(const MixerChannelDetail&, const MixerChannelDetail&) = default;
 };
 
+/// What channels there are.
 struct MixerChannelListDetail {
   std::vector<MixerChannelDetail> details{};
+  /// Index of the channel that plays; -1 none.
   std::int32_t default_output = 0;
+  /// Index of the channel that records; -1 none.
   std::int32_t default_input = 0;
 
   friend bool operator==(const MixerChannelListDetail&, const MixerChannelListDetail&) = default;
 };
 
+/// A sample and its place in the store.
 struct Sample {
   Wav sample{};
+  /// Place in the store; -1 lets the driver choose when loading.
   std::int32_t index = 0;
 
   friend bool operator==(const Sample&, const Sample&) = default;
 };
 
+/// A place in the store.
 struct SampleItem {
   std::int32_t index = 0;
 
   friend bool operator==(const SampleItem&, const SampleItem&) = default;
 };
 
+/// A wish to record into the store.
 struct SampleRecReq {
+  /// Place in the store; -1 lets the driver choose.
   std::int32_t index = 0;
   /// [ms]
   std::uint32_t length = 0;
@@ -131,7 +180,9 @@ struct SampleRecReq {
   friend bool operator==(const SampleRecReq&, const SampleRecReq&) = default;
 };
 
+/// What the device is doing.
 struct State {
+  /// Playing, recording, both or neither.
   std::uint32_t state = 0;
 
   friend bool operator==(const State&, const State&) = default;

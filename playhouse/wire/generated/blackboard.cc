@@ -8,7 +8,7 @@
 namespace playhouse::wire::blackboard {
 
 const MessageDef kRows[7] = {
-    {64, MessageType::kData, kDataUpdate, "blackboard.data.update", "BlackboardEntry", true, Policy::kLatest,
+    {64, MessageType::kData, kDataUpdate, "blackboard.data.update", "BlackboardEntry", true, Policy::kQueue,
      check_required<BlackboardEntry>, reencode<BlackboardEntry>, body_to_json<BlackboardEntry>},
     {64, MessageType::kReq, kReqSubscribeToKey, "blackboard.req.subscribe_to_key", "BlackboardEntry", true, Policy::kNone,
      check_optional<BlackboardEntry>, reencode<BlackboardEntry>, body_to_json<BlackboardEntry>},

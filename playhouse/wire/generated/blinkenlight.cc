@@ -124,13 +124,13 @@ void to_json(std::string& out, const CmdFlash& m) {
 const MessageDef kRows[5] = {
     {33, MessageType::kData, kDataState, "blinkenlight.data.state", "blinkenlight::Data", true, Policy::kLatest,
      check_required<Data>, reencode<Data>, body_to_json<Data>},
-    {33, MessageType::kCmd, kCmdState, "blinkenlight.cmd.state", "blinkenlight::Cmd", true, Policy::kLatest,
+    {33, MessageType::kCmd, kCmdState, "blinkenlight.cmd.state", "blinkenlight::Cmd", true, Policy::kQueue,
      check_required<Cmd>, reencode<Cmd>, body_to_json<Cmd>},
-    {33, MessageType::kCmd, kCmdPower, "blinkenlight.cmd.power", "blinkenlight::CmdPower", true, Policy::kLatest,
+    {33, MessageType::kCmd, kCmdPower, "blinkenlight.cmd.power", "blinkenlight::CmdPower", true, Policy::kQueue,
      check_required<CmdPower>, reencode<CmdPower>, body_to_json<CmdPower>},
-    {33, MessageType::kCmd, kCmdColor, "blinkenlight.cmd.color", "blinkenlight::CmdColor", true, Policy::kLatest,
+    {33, MessageType::kCmd, kCmdColor, "blinkenlight.cmd.color", "blinkenlight::CmdColor", true, Policy::kQueue,
      check_required<CmdColor>, reencode<CmdColor>, body_to_json<CmdColor>},
-    {33, MessageType::kCmd, kCmdFlash, "blinkenlight.cmd.flash", "blinkenlight::CmdFlash", true, Policy::kLatest,
+    {33, MessageType::kCmd, kCmdFlash, "blinkenlight.cmd.flash", "blinkenlight::CmdFlash", true, Policy::kQueue,
      check_required<CmdFlash>, reencode<CmdFlash>, body_to_json<CmdFlash>},
 };
 

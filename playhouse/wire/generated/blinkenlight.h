@@ -1,6 +1,7 @@
 // Generated from interfaces/033_blinkenlight.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
+/// Lights that can be switched, coloured and made to blink.
 
 #include <cstdint>
 #include <string>
@@ -12,54 +13,71 @@ namespace playhouse::wire::blinkenlight {
 inline constexpr std::uint16_t kCode = 33;
 
 // Subtypes of messages.
+/// State of the light.
 inline constexpr std::uint8_t kDataState = 1;
+/// Sets everything about one light.
 inline constexpr std::uint8_t kCmdState = 1;
+/// Switches one light.
 inline constexpr std::uint8_t kCmdPower = 2;
+/// Colours one light.
 inline constexpr std::uint8_t kCmdColor = 3;
+/// Makes one light blink.
 inline constexpr std::uint8_t kCmdFlash = 4;
 
+/// State of the light.
 struct Data {
+  /// 1 on, 0 off.
   std::uint8_t enable = 0;
-  /// [s]
+  /// One blink, from on to on; 0 burns steadily. [s]
   float period = 0;
-  /// [ratio]
+  /// Share of the period that the light is on, 0 to 1. [1]
   float dutycycle = 0;
   Color color{};
 
   friend bool operator==(const Data&, const Data&) = default;
 };
 
+/// Wanted state of one light.
 struct Cmd {
+  /// Which light.
   std::uint16_t id = 0;
+  /// 1 on, 0 off.
   std::uint8_t enable = 0;
-  /// [s]
+  /// One blink, from on to on; 0 burns steadily. [s]
   float period = 0;
-  /// [ratio]
+  /// Share of the period that the light is on, 0 to 1. [1]
   float dutycycle = 0;
   Color color{};
 
   friend bool operator==(const Cmd&, const Cmd&) = default;
 };
 
+/// Switch of one light.
 struct CmdPower {
+  /// Which light.
   std::uint16_t id = 0;
+  /// 1 on, 0 off.
   std::uint8_t enable = 0;
 
   friend bool operator==(const CmdPower&, const CmdPower&) = default;
 };
 
+/// Colour of one light.
 struct CmdColor {
+  /// Which light.
   std::uint16_t id = 0;
   Color color{};
 
   friend bool operator==(const CmdColor&, const CmdColor&) = default;
 };
 
+/// Blinking of one light.
 struct CmdFlash {
+  /// Which light.
   std::uint16_t id = 0;
-  /// [s]
+  /// One blink, from on to on. [s]
   float period = 0;
-  /// [ratio]
+  /// Share of the period that the light is on, 0 to 1. [1]
   float dutycycle = 0;
 
   friend bool operator==(const CmdFlash&, const CmdFlash&) = default;

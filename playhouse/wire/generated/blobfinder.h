@@ -1,6 +1,7 @@
 // Generated from interfaces/007_blobfinder.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
+/// Finds patches of a colour in camera images.
 
 #include <cstdint>
 #include <string>
@@ -13,45 +14,55 @@ namespace playhouse::wire::blobfinder {
 inline constexpr std::uint16_t kCode = 7;
 
 // Subtypes of messages.
+/// The patches of one image.
 inline constexpr std::uint8_t kDataBlobs = 1;
+/// Sets the colours that a channel looks for.
 inline constexpr std::uint8_t kReqSetColor = 1;
+/// Sets brightness, contrast and the like of the camera.
 inline constexpr std::uint8_t kReqSetImagerParams = 2;
+/// Asks for the colours that a channel looks for.
 inline constexpr std::uint8_t kReqGetColor = 3;
 
+/// One patch. Pixels count from the top left corner of the image.
 struct Blob {
+  /// Channel that found it.
   std::uint32_t id = 0;
+  /// 0xRRGGBB, for showing it.
   std::uint32_t color = 0;
-  /// [px]
+  /// How many pixels it covers. [px]
   std::uint32_t area = 0;
-  /// [px]
+  /// Column of its centre. [px]
   std::uint32_t x = 0;
-  /// [px]
+  /// Row of its centre. [px]
   std::uint32_t y = 0;
-  /// [px]
+  /// First column. [px]
   std::uint32_t left = 0;
-  /// [px]
+  /// Last column. [px]
   std::uint32_t right = 0;
-  /// [px]
+  /// First row. [px]
   std::uint32_t top = 0;
-  /// [px]
+  /// Last row. [px]
   std::uint32_t bottom = 0;
-  /// [m]
+  /// Distance of what is seen; 0 if unknown. [m]
   float range = 0;
 
   friend bool operator==(const Blob&, const Blob&) = default;
 };
 
+/// The patches of one image.
 struct Data {
-  /// [px]
+  /// Of the image. [px]
   std::uint32_t width = 0;
-  /// [px]
+  /// Of the image. [px]
   std::uint32_t height = 0;
   std::vector<Blob> blobs{};
 
   friend bool operator==(const Data&, const Data&) = default;
 };
 
+/// The colours that a channel looks for, as ranges of red, green and blue.
 struct ColorConfig {
+  /// Which channel; -1 as an unsigned number means all.
   std::uint32_t channel = 0;
   std::uint32_t rmin = 0;
   std::uint32_t rmax = 0;
@@ -63,10 +74,15 @@ struct ColorConfig {
   friend bool operator==(const ColorConfig&, const ColorConfig&) = default;
 };
 
+/// Settings of the camera; -1 leaves one as it is.
 struct ImagerConfig {
+  /// 0 to 255.
   std::int32_t brightness = 0;
+  /// 0 to 255.
   std::int32_t contrast = 0;
+  /// 0 RGB, 1 RGB without white balance, 2 YUV, 3 YUV without white balance.
   std::int32_t colormode = 0;
+  /// 0 off, 1 on.
   std::int32_t autogain = 0;
 
   friend bool operator==(const ImagerConfig&, const ImagerConfig&) = default;

@@ -1,6 +1,7 @@
 // Generated from interfaces/014_bumper.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
+/// Switches that feel a touch.
 
 #include <cstdint>
 #include <string>
@@ -13,27 +14,34 @@ namespace playhouse::wire::bumper {
 inline constexpr std::uint16_t kCode = 14;
 
 // Subtypes of messages.
+/// Which bumpers are pressed.
 inline constexpr std::uint8_t kDataState = 1;
+/// Where the bumpers are, sent when it changes.
 inline constexpr std::uint8_t kDataGeom = 2;
+/// Asks where the bumpers are.
 inline constexpr std::uint8_t kReqGetGeom = 1;
 
+/// Which bumpers are pressed.
 struct Data {
+  /// One per bumper: 0 free, else pressed.
   std::vector<std::uint8_t> bumpers{};
 
   friend bool operator==(const Data&, const Data&) = default;
 };
 
+/// One bumper.
 struct Define {
-  /// [frame X_RS]
+  /// Of the bumper's middle. [frame X_RS, m, m, m, rad, rad, rad]
   Pose3d pose{};
   /// [m]
   float length = 0;
-  /// [m]
+  /// Of its bend; 0 if it is straight. [m]
   float radius = 0;
 
   friend bool operator==(const Define&, const Define&) = default;
 };
 
+/// Where the bumpers are.
 struct Geom {
   std::vector<Define> bumper_def{};
 

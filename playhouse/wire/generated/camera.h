@@ -1,6 +1,7 @@
 // Generated from interfaces/040_camera.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
+/// Images.
 
 #include <cstdint>
 #include <string>
@@ -13,34 +14,50 @@ namespace playhouse::wire::camera {
 inline constexpr std::uint16_t kCode = 40;
 
 // Subtypes of messages.
+/// One image.
 inline constexpr std::uint8_t kDataState = 1;
+/// Asks which input and norm the camera uses.
 inline constexpr std::uint8_t kReqGetSource = 1;
+/// Chooses the input and norm.
 inline constexpr std::uint8_t kReqSetSource = 2;
+/// Asks for one image now.
 inline constexpr std::uint8_t kReqGetImage = 3;
 
+/// Values of Data.format.
 inline constexpr std::int32_t kFormatMono8 = 1;
 inline constexpr std::int32_t kFormatMono16 = 2;
 inline constexpr std::int32_t kFormatRgb565 = 4;
 inline constexpr std::int32_t kFormatRgb888 = 5;
+
+/// Values of Data.compression.
 inline constexpr std::int32_t kCompressRaw = 0;
 inline constexpr std::int32_t kCompressJpeg = 1;
 
+/// One image.
 struct Data {
   /// [px]
   std::uint32_t width = 0;
   /// [px]
   std::uint32_t height = 0;
+  /// Per pixel. [bit]
   std::uint32_t bpp = 0;
+  /// Order and size of the colours.
   std::uint32_t format = 0;
+  /// Divides the values of a disparity image; 1 otherwise.
   std::uint32_t fdiv = 0;
+  /// Raw or JPEG.
   std::uint32_t compression = 0;
+  /// Rows from the top, pixels from the left; or a JPEG file.
   std::vector<std::uint8_t> image{};
 
   friend bool operator==(const Data&, const Data&) = default;
 };
 
+/// An input of the camera.
 struct Source {
+  /// Video norm, such as PAL or NTSC, with its final NUL.
   std::string norm{};
+  /// Which input.
   std::int32_t source = 0;
 
   friend bool operator==(const Source&, const Source&) = default;

@@ -1,6 +1,7 @@
 // Generated from interfaces/000_common.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
+/// Values that several interfaces use, and the requests that any device may get.
 
 #include <cstdint>
 #include <string>
@@ -11,14 +12,23 @@
 namespace playhouse::wire {
 
 // Subtypes of messages.
+/// Changes a named switch of the driver.
 inline constexpr std::uint8_t kReqSetBoolprop = 247;
+/// Reads a named switch of the driver; the answer repeats the key.
 inline constexpr std::uint8_t kReqGetBoolprop = 248;
+/// Changes a named text of the driver.
 inline constexpr std::uint8_t kReqSetStrprop = 249;
+/// Reads a named text of the driver; the answer repeats the key.
 inline constexpr std::uint8_t kReqGetStrprop = 250;
+/// Changes a named number of the driver.
 inline constexpr std::uint8_t kReqSetDblprop = 251;
+/// Reads a named number of the driver; the answer repeats the key.
 inline constexpr std::uint8_t kReqGetDblprop = 252;
+/// Changes a named whole number of the driver.
 inline constexpr std::uint8_t kReqSetIntprop = 253;
+/// Reads a named whole number of the driver; the answer repeats the key.
 inline constexpr std::uint8_t kReqGetIntprop = 254;
+/// Asks whether the device serves a message: an empty ACK is yes, NACK is no.
 inline constexpr std::uint8_t kReqCapabilities = 255;
 
 /// Limits that every implementation of the protocol shares.
@@ -29,15 +39,21 @@ inline constexpr std::int32_t kMsgqueueDefaultMaxlen = 1024;
 inline constexpr std::int32_t kIdentStrlen = 32;
 inline constexpr std::int32_t kKeylen = 32;
 
+/// Address of a device.
 struct Devaddr {
+  /// Host of the device's server; receivers compare only interf and index.
   std::uint32_t host = 0;
+  /// TCP port of the device's server: its name space.
   std::uint32_t robot = 0;
+  /// Interface code.
   std::uint16_t interf = 0;
+  /// Which of the devices of that interface.
   std::uint16_t index = 0;
 
   friend bool operator==(const Devaddr&, const Devaddr&) = default;
 };
 
+/// A point or vector in a plane.
 struct Point2d {
   /// [m]
   double px = 0;
@@ -47,6 +63,7 @@ struct Point2d {
   friend bool operator==(const Point2d&, const Point2d&) = default;
 };
 
+/// A point or vector in space.
 struct Point3d {
   /// [m]
   double px = 0;
@@ -58,28 +75,31 @@ struct Point3d {
   friend bool operator==(const Point3d&, const Point3d&) = default;
 };
 
+/// An orientation in space: turns about z (yaw), then y (pitch), then x (roll).
 struct Orientation3d {
-  /// [rad]
+  /// About x. [rad]
   double proll = 0;
-  /// [rad]
+  /// About y. [rad]
   double ppitch = 0;
-  /// [rad]
+  /// About z. [rad]
   double pyaw = 0;
 
   friend bool operator==(const Orientation3d&, const Orientation3d&) = default;
 };
 
+/// A pose in a plane; where a message says so, a velocity in the same three parts.
 struct Pose2d {
   /// [m]
   double px = 0;
   /// [m]
   double py = 0;
-  /// [rad]
+  /// Heading, counter-clockwise from x. [rad]
   double pa = 0;
 
   friend bool operator==(const Pose2d&, const Pose2d&) = default;
 };
 
+/// A pose in space; where a message says so, a velocity or acceleration in the same six parts.
 struct Pose3d {
   /// [m]
   double px = 0;
@@ -87,77 +107,89 @@ struct Pose3d {
   double py = 0;
   /// [m]
   double pz = 0;
-  /// [rad]
+  /// About x. [rad]
   double proll = 0;
-  /// [rad]
+  /// About y. [rad]
   double ppitch = 0;
-  /// [rad]
+  /// About z. [rad]
   double pyaw = 0;
 
   friend bool operator==(const Pose3d&, const Pose3d&) = default;
 };
 
+/// Size of a rectangle that stands around a thing.
 struct Bbox2d {
-  /// [m]
+  /// Width, along y. [m]
   double sw = 0;
-  /// [m]
+  /// Length, along x. [m]
   double sl = 0;
 
   friend bool operator==(const Bbox2d&, const Bbox2d&) = default;
 };
 
+/// Size of a box that stands around a thing.
 struct Bbox3d {
-  /// [m]
+  /// Width, along y. [m]
   double sw = 0;
-  /// [m]
+  /// Length, along x. [m]
   double sl = 0;
-  /// [m]
+  /// Height, along z. [m]
   double sh = 0;
 
   friend bool operator==(const Bbox3d&, const Bbox3d&) = default;
 };
 
+/// One entry of a blackboard: a value under a key in a group.
 struct BlackboardEntry {
+  /// Name of the entry within its group.
   std::string key{};
+  /// Name of the group; keys of different groups do not meet.
   std::string group{};
+  /// What `data` holds, broadly: simple values or values of other interfaces.
   std::uint16_t type = 0;
+  /// What `data` holds, exactly: text, whole number or number among the simple ones.
   std::uint16_t subtype = 0;
+  /// The value's bytes; the blackboard never looks inside.
   std::vector<std::uint8_t> data{};
-  /// [s]
+  /// When the value was set: whole seconds. [s]
   std::uint32_t timestamp_sec = 0;
-  /// [us]
+  /// When the value was set: microseconds on top. [us]
   std::uint32_t timestamp_usec = 0;
 
   friend bool operator==(const BlackboardEntry&, const BlackboardEntry&) = default;
 };
 
+/// A straight line between two points.
 struct Segment {
-  /// [m]
+  /// x of the start. [m]
   double x0 = 0;
-  /// [m]
+  /// y of the start. [m]
   double y0 = 0;
-  /// [m]
+  /// x of the end. [m]
   double x1 = 0;
-  /// [m]
+  /// y of the end. [m]
   double y1 = 0;
 
   friend bool operator==(const Segment&, const Segment&) = default;
 };
 
+/// An axis-aligned rectangle by two corners.
 struct Extent2d {
-  /// [m]
+  /// Smallest x. [m]
   double x0 = 0;
-  /// [m]
+  /// Smallest y. [m]
   double y0 = 0;
-  /// [m]
+  /// Largest x. [m]
   double x1 = 0;
-  /// [m]
+  /// Largest y. [m]
   double y1 = 0;
 
   friend bool operator==(const Extent2d&, const Extent2d&) = default;
 };
 
+/// A colour with its opacity, each part 0 to 255.
 struct Color {
+  /// 255 is opaque, 0 invisible.
   std::uint8_t alpha = 0;
   std::uint8_t red = 0;
   std::uint8_t green = 0;
@@ -166,49 +198,66 @@ struct Color {
   friend bool operator==(const Color&, const Color&) = default;
 };
 
+/// A switch.
 struct Bool {
+  /// 0 off, else on.
   std::uint8_t state = 0;
 
   friend bool operator==(const Bool&, const Bool&) = default;
 };
 
+/// One whole number.
 struct Uint32 {
   std::uint32_t value = 0;
 
   friend bool operator==(const Uint32&, const Uint32&) = default;
 };
 
+/// The message that is asked about.
 struct CapabilitiesReq {
+  /// Type of the message, as in a header.
   std::uint32_t type = 0;
+  /// Subtype of the message, as in a header.
   std::uint32_t subtype = 0;
 
   friend bool operator==(const CapabilitiesReq&, const CapabilitiesReq&) = default;
 };
 
+/// A named switch.
 struct BoolpropReq {
+  /// Name of the property, with its final NUL.
   std::string key{};
+  /// 0 false, else true; ignored in a question.
   char value = 0;
 
   friend bool operator==(const BoolpropReq&, const BoolpropReq&) = default;
 };
 
+/// A named whole number.
 struct IntpropReq {
+  /// Name of the property, with its final NUL.
   std::string key{};
+  /// Ignored in a question.
   std::int32_t value = 0;
 
   friend bool operator==(const IntpropReq&, const IntpropReq&) = default;
 };
 
+/// A named number.
 struct DblpropReq {
+  /// Name of the property, with its final NUL.
   std::string key{};
-  /// [1]
+  /// In the unit the driver gives the property; ignored in a question. [1]
   double value = 0;
 
   friend bool operator==(const DblpropReq&, const DblpropReq&) = default;
 };
 
+/// A named text.
 struct StrpropReq {
+  /// Name of the property, with its final NUL.
   std::string key{};
+  /// With its final NUL; ignored in a question.
   std::string value{};
 
   friend bool operator==(const StrpropReq&, const StrpropReq&) = default;

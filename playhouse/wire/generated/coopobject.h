@@ -1,6 +1,7 @@
 // Generated from interfaces/066_coopobject.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
+/// Cooperating objects: fixed and moving sensor nodes and robots that report to each other.
 
 #include <cstdint>
 #include <string>
@@ -13,23 +14,38 @@ namespace playhouse::wire::coopobject {
 inline constexpr std::uint16_t kCode = 66;
 
 // Subtypes of messages.
+/// A node is alive.
 inline constexpr std::uint8_t kDataHealth = 1;
+/// Strength of a radio signal that a node received.
 inline constexpr std::uint8_t kDataRssi = 2;
+/// Readings of a node.
 inline constexpr std::uint8_t kDataSensor = 3;
+/// Readings of a node that crossed a threshold.
 inline constexpr std::uint8_t kDataAlarm = 4;
+/// Bytes from a node.
 inline constexpr std::uint8_t kDataUserdefined = 5;
+/// A node asks for something.
 inline constexpr std::uint8_t kDataRequest = 6;
+/// A node orders something.
 inline constexpr std::uint8_t kDataCommand = 7;
+/// Where a node is.
 inline constexpr std::uint8_t kDataPosition = 8;
+/// Orders something from a node.
 inline constexpr std::uint8_t kCmdStandard = 1;
+/// Sends bytes to a node.
 inline constexpr std::uint8_t kCmdData = 2;
+/// Tells a node where a node is.
 inline constexpr std::uint8_t kCmdPosition = 3;
+/// Asks a node for something.
 inline constexpr std::uint8_t kReqStandard = 1;
 
+/// Values of Header.origin.
 inline constexpr std::int32_t kOriginStaticbase = 0;
 inline constexpr std::int32_t kOriginMobilebase = 1;
 inline constexpr std::int32_t kOriginMote = 2;
 inline constexpr std::int32_t kOriginRobot = 3;
+
+/// Kinds of message that nodes exchange.
 inline constexpr std::int32_t kMsgNone = -1;
 inline constexpr std::int32_t kMsgHealth = 0;
 inline constexpr std::int32_t kMsgPosition = 1;
@@ -38,6 +54,8 @@ inline constexpr std::int32_t kMsgSensor = 3;
 inline constexpr std::int32_t kMsgAlarm = 4;
 inline constexpr std::int32_t kMsgRequest = 5;
 inline constexpr std::int32_t kMsgCommand = 6;
+
+/// Values of Sensor.type.
 inline constexpr std::int32_t kTemperature = 0;
 inline constexpr std::int32_t kHumidity = 1;
 inline constexpr std::int32_t kPressure = 2;
@@ -56,51 +74,66 @@ inline constexpr std::int32_t kH2 = 14;
 inline constexpr std::int32_t kSmoke = 15;
 inline constexpr std::int32_t kOptswitch = 16;
 
+/// Which node.
 struct Header {
+  /// Kind of node.
   std::uint8_t origin = 0;
   std::uint16_t id = 0;
+  /// Node that passed the message on.
   std::uint16_t parent_id = 0;
 
   friend bool operator==(const Header&, const Header&) = default;
 };
 
+/// Strength of a radio signal.
 struct Rssi {
   Header header{};
+  /// Node whose signal it was.
   std::uint16_t sender_id = 0;
+  /// As the radio reports it.
   std::uint16_t rssi = 0;
+  /// Counts measurements.
   std::uint16_t stamp = 0;
+  /// Clock of the node: upper half.
   std::uint32_t nodeTimeHigh = 0;
+  /// Clock of the node: lower half.
   std::uint32_t nodeTimeLow = 0;
-  /// [1]
+  /// Where the receiver was. [frame p_WS, m]
   float x = 0;
-  /// [1]
+  /// [frame p_WS, m]
   float y = 0;
-  /// [1]
+  /// [frame p_WS, m]
   float z = 0;
 
   friend bool operator==(const Rssi&, const Rssi&) = default;
 };
 
+/// Where a node is.
 struct Position {
   Header header{};
-  /// [1]
+  /// [frame p_WS, m]
   float x = 0;
-  /// [1]
+  /// [frame p_WS, m]
   float y = 0;
-  /// [1]
+  /// [frame p_WS, m]
   float z = 0;
+  /// Meaning given by the driver.
   std::uint8_t status = 0;
 
   friend bool operator==(const Position&, const Position&) = default;
 };
 
+/// One reading.
 struct Sensor {
+  /// What was measured.
   std::uint8_t type = 0;
+  /// As the sensor reports it.
   std::int16_t value = 0;
 
   friend bool operator==(const Sensor&, const Sensor&) = default;
 };
 
+/// Readings of a node.
 struct DataSensor {
   Header header{};
   std::vector<Sensor> data{};
@@ -108,25 +141,33 @@ struct DataSensor {
   friend bool operator==(const DataSensor&, const DataSensor&) = default;
 };
 
+/// Bytes from or to a node.
 struct DataUserdefined {
   Header header{};
+  /// Meaning given by the user.
   std::uint8_t type = 0;
   std::vector<std::uint8_t> data{};
 
   friend bool operator==(const DataUserdefined&, const DataUserdefined&) = default;
 };
 
+/// A request.
 struct Req {
   Header header{};
+  /// Which.
   std::uint8_t request = 0;
+  /// Meaning given by the request.
   std::vector<std::uint8_t> parameters{};
 
   friend bool operator==(const Req&, const Req&) = default;
 };
 
+/// An order.
 struct Cmd {
   Header header{};
+  /// Which.
   std::uint8_t command = 0;
+  /// Meaning given by the command.
   std::vector<std::uint8_t> parameters{};
 
   friend bool operator==(const Cmd&, const Cmd&) = default;

@@ -1,6 +1,7 @@
 // Generated from interfaces/020_dio.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
+/// Digital inputs and outputs.
 
 #include <cstdint>
 #include <string>
@@ -12,18 +13,26 @@ namespace playhouse::wire::dio {
 inline constexpr std::uint16_t kCode = 20;
 
 // Subtypes of messages.
+/// State of the inputs.
 inline constexpr std::uint8_t kDataValues = 1;
+/// Wanted state of the outputs.
 inline constexpr std::uint8_t kCmdValues = 1;
 
+/// State of the inputs.
 struct Data {
+  /// How many of the bits hold something.
   std::uint32_t count = 0;
+  /// One bit per input, the first in the lowest bit.
   std::uint32_t bits = 0;
 
   friend bool operator==(const Data&, const Data&) = default;
 };
 
+/// Wanted state of the outputs.
 struct Cmd {
+  /// How many of the bits hold something.
   std::uint32_t count = 0;
+  /// One bit per output, the first in the lowest bit.
   std::uint32_t digout = 0;
 
   friend bool operator==(const Cmd&, const Cmd&) = default;

@@ -1,6 +1,7 @@
 // Generated from interfaces/010_fiducial.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
+/// Sees marked things and tells which and where they are.
 
 #include <cstdint>
 #include <string>
@@ -13,50 +14,63 @@ namespace playhouse::wire::fiducial {
 inline constexpr std::uint16_t kCode = 10;
 
 // Subtypes of messages.
+/// The markers in view.
 inline constexpr std::uint8_t kDataScan = 1;
+/// Asks for the device's size and place and the markers' size.
 inline constexpr std::uint8_t kReqGetGeom = 1;
+/// Asks how far and how wide the device sees.
 inline constexpr std::uint8_t kReqGetFov = 2;
+/// Sets how far and how wide the device sees; the answer tells what was taken.
 inline constexpr std::uint8_t kReqSetFov = 3;
+/// Asks for the number that the robot itself shows to others.
 inline constexpr std::uint8_t kReqGetId = 7;
+/// Sets the number that the robot itself shows to others.
 inline constexpr std::uint8_t kReqSetId = 8;
 
+/// One marker in view.
 struct Item {
+  /// Number of the marker; -1 if it cannot be told.
   std::int32_t id = 0;
-  /// [frame X_RS]
+  /// Where the marker is. [frame X_ST, m, m, m, rad, rad, rad]
   Pose3d pose{};
-  /// [frame X_RS]
+  /// Standard deviation of each part of the pose. [frame X_ST, m, m, m, rad, rad, rad]
   Pose3d upose{};
 
   friend bool operator==(const Item&, const Item&) = default;
 };
 
+/// The markers in view.
 struct Data {
   std::vector<Item> fiducials{};
 
   friend bool operator==(const Data&, const Data&) = default;
 };
 
+/// Size and place.
 struct Geom {
-  /// [frame X_RS]
+  /// Where the device is on the robot. [frame X_RS, m, m, m, rad, rad, rad]
   Pose3d pose{};
+  /// Of a box around the device.
   Bbox3d size{};
-  /// [m, m]
+  /// Of the markers. [m, m]
   Bbox2d fiducial_size{};
 
   friend bool operator==(const Geom&, const Geom&) = default;
 };
 
+/// How far and how wide the device sees.
 struct Fov {
   /// [m]
   float min_range = 0;
   /// [m]
   float max_range = 0;
-  /// [rad]
+  /// From the first to the last direction. [rad]
   float view_angle = 0;
 
   friend bool operator==(const Fov&, const Fov&) = default;
 };
 
+/// A marker's number.
 struct Id {
   std::uint32_t id = 0;
 

@@ -1,6 +1,7 @@
 // Generated from interfaces/013_gps.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
+/// A satellite receiver.
 
 #include <cstdint>
 #include <string>
@@ -12,36 +13,40 @@ namespace playhouse::wire::gps {
 inline constexpr std::uint16_t kCode = 13;
 
 // Subtypes of messages.
+/// The latest fix.
 inline constexpr std::uint8_t kDataState = 1;
 
+/// A fix.
 struct Data {
-  /// [s]
+  /// Time of the fix since 1970: whole seconds. [s]
   std::uint32_t time_sec = 0;
-  /// [us]
+  /// Time of the fix: microseconds on top. [us]
   std::uint32_t time_usec = 0;
-  /// [1e-7 deg]
+  /// Positive north, WGS84. [1e-7 deg]
   std::int32_t latitude = 0;
-  /// [1e-7 deg]
+  /// Positive east, WGS84. [1e-7 deg]
   std::int32_t longitude = 0;
-  /// [mm]
+  /// Above the ellipsoid. [mm]
   std::int32_t altitude = 0;
-  /// [m/s]
+  /// Over ground. [m/s]
   double speed = 0;
-  /// [rad]
+  /// Direction of travel, clockwise from north. [rad]
   double course = 0;
-  /// [m]
+  /// UTM easting. [m]
   double utm_e = 0;
-  /// [m]
+  /// UTM northing. [m]
   double utm_n = 0;
+  /// 0 no fix, 1 plain, 2 differential.
   std::uint32_t quality = 0;
+  /// Satellites used.
   std::uint32_t num_sats = 0;
-  /// [0.1]
+  /// Horizontal dilution of precision. [0.1]
   std::uint32_t hdop = 0;
-  /// [0.1]
+  /// Vertical dilution of precision. [0.1]
   std::uint32_t vdop = 0;
-  /// [m]
+  /// Expected horizontal error. [m]
   double err_horz = 0;
-  /// [m]
+  /// Expected vertical error. [m]
   double err_vert = 0;
 
   friend bool operator==(const Data&, const Data&) = default;

@@ -108,15 +108,15 @@ void to_json(std::string& out, const CmdMultiline& m) {
 }
 
 const MessageDef kRows[5] = {
-    {55, MessageType::kCmd, kCmdClear, "graphics2d.cmd.clear", "", false, Policy::kLatest,
+    {55, MessageType::kCmd, kCmdClear, "graphics2d.cmd.clear", "", false, Policy::kQueue,
      check_nothing, reencode_nothing, nothing_to_json},
-    {55, MessageType::kCmd, kCmdPoints, "graphics2d.cmd.points", "graphics2d::CmdPoints", true, Policy::kLatest,
+    {55, MessageType::kCmd, kCmdPoints, "graphics2d.cmd.points", "graphics2d::CmdPoints", true, Policy::kQueue,
      check_required<CmdPoints>, reencode<CmdPoints>, body_to_json<CmdPoints>},
-    {55, MessageType::kCmd, kCmdPolyline, "graphics2d.cmd.polyline", "graphics2d::CmdPolyline", true, Policy::kLatest,
+    {55, MessageType::kCmd, kCmdPolyline, "graphics2d.cmd.polyline", "graphics2d::CmdPolyline", true, Policy::kQueue,
      check_required<CmdPolyline>, reencode<CmdPolyline>, body_to_json<CmdPolyline>},
-    {55, MessageType::kCmd, kCmdPolygon, "graphics2d.cmd.polygon", "graphics2d::CmdPolygon", true, Policy::kLatest,
+    {55, MessageType::kCmd, kCmdPolygon, "graphics2d.cmd.polygon", "graphics2d::CmdPolygon", true, Policy::kQueue,
      check_required<CmdPolygon>, reencode<CmdPolygon>, body_to_json<CmdPolygon>},
-    {55, MessageType::kCmd, kCmdMultiline, "graphics2d.cmd.multiline", "graphics2d::CmdMultiline", true, Policy::kLatest,
+    {55, MessageType::kCmd, kCmdMultiline, "graphics2d.cmd.multiline", "graphics2d::CmdMultiline", true, Policy::kQueue,
      check_required<CmdMultiline>, reencode<CmdMultiline>, body_to_json<CmdMultiline>},
 };
 

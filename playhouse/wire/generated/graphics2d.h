@@ -1,6 +1,7 @@
 // Generated from interfaces/055_graphics2d.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
+/// Draws flat shapes for people to see.
 
 #include <cstdint>
 #include <string>
@@ -13,40 +14,52 @@ namespace playhouse::wire::graphics2d {
 inline constexpr std::uint16_t kCode = 55;
 
 // Subtypes of messages.
+/// Removes everything that was drawn.
 inline constexpr std::uint8_t kCmdClear = 1;
+/// Draws points.
 inline constexpr std::uint8_t kCmdPoints = 2;
+/// Draws a line through points.
 inline constexpr std::uint8_t kCmdPolyline = 3;
+/// Draws a closed shape.
 inline constexpr std::uint8_t kCmdPolygon = 4;
+/// Draws a line for each pair of points.
 inline constexpr std::uint8_t kCmdMultiline = 5;
 
+/// Points.
 struct CmdPoints {
-  /// [frame p_WP]
+  /// [frame p_SP, m]
   std::vector<Point2d> points{};
   Color color{};
 
   friend bool operator==(const CmdPoints&, const CmdPoints&) = default;
 };
 
+/// A line through points.
 struct CmdPolyline {
-  /// [frame p_WP]
+  /// [frame p_SP, m]
   std::vector<Point2d> points{};
   Color color{};
 
   friend bool operator==(const CmdPolyline&, const CmdPolyline&) = default;
 };
 
+/// A closed shape.
 struct CmdPolygon {
-  /// [frame p_WP]
+  /// Its corners. [frame p_SP, m]
   std::vector<Point2d> points{};
+  /// Of the outline.
   Color color{};
+  /// Of the inside.
   Color fill_color{};
+  /// 1 to fill it.
   std::uint8_t filled = 0;
 
   friend bool operator==(const CmdPolygon&, const CmdPolygon&) = default;
 };
 
+/// Lines, each between two points.
 struct CmdMultiline {
-  /// [frame p_WP]
+  /// Start and end of each line in turn. [frame p_SP, m]
   std::vector<Point2d> points{};
   Color color{};
 

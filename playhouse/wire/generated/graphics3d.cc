@@ -83,17 +83,17 @@ void to_json(std::string& out, const CmdRotate& m) {
 }
 
 const MessageDef kRows[6] = {
-    {58, MessageType::kCmd, kCmdClear, "graphics3d.cmd.clear", "", false, Policy::kLatest,
+    {58, MessageType::kCmd, kCmdClear, "graphics3d.cmd.clear", "", false, Policy::kQueue,
      check_nothing, reencode_nothing, nothing_to_json},
-    {58, MessageType::kCmd, kCmdDraw, "graphics3d.cmd.draw", "graphics3d::CmdDraw", true, Policy::kLatest,
+    {58, MessageType::kCmd, kCmdDraw, "graphics3d.cmd.draw", "graphics3d::CmdDraw", true, Policy::kQueue,
      check_required<CmdDraw>, reencode<CmdDraw>, body_to_json<CmdDraw>},
-    {58, MessageType::kCmd, kCmdTranslate, "graphics3d.cmd.translate", "graphics3d::CmdTranslate", true, Policy::kLatest,
+    {58, MessageType::kCmd, kCmdTranslate, "graphics3d.cmd.translate", "graphics3d::CmdTranslate", true, Policy::kQueue,
      check_required<CmdTranslate>, reencode<CmdTranslate>, body_to_json<CmdTranslate>},
-    {58, MessageType::kCmd, kCmdRotate, "graphics3d.cmd.rotate", "graphics3d::CmdRotate", true, Policy::kLatest,
+    {58, MessageType::kCmd, kCmdRotate, "graphics3d.cmd.rotate", "graphics3d::CmdRotate", true, Policy::kQueue,
      check_required<CmdRotate>, reencode<CmdRotate>, body_to_json<CmdRotate>},
-    {58, MessageType::kCmd, kCmdPush, "graphics3d.cmd.push", "", false, Policy::kLatest,
+    {58, MessageType::kCmd, kCmdPush, "graphics3d.cmd.push", "", false, Policy::kQueue,
      check_nothing, reencode_nothing, nothing_to_json},
-    {58, MessageType::kCmd, kCmdPop, "graphics3d.cmd.pop", "", false, Policy::kLatest,
+    {58, MessageType::kCmd, kCmdPop, "graphics3d.cmd.pop", "", false, Policy::kQueue,
      check_nothing, reencode_nothing, nothing_to_json},
 };
 

@@ -1,6 +1,7 @@
 // Generated from interfaces/058_graphics3d.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
+/// Draws shapes in space for people to see.
 
 #include <cstdint>
 #include <string>
@@ -13,13 +14,20 @@ namespace playhouse::wire::graphics3d {
 inline constexpr std::uint16_t kCode = 58;
 
 // Subtypes of messages.
+/// Removes everything that was drawn.
 inline constexpr std::uint8_t kCmdClear = 1;
+/// Draws points, lines or faces.
 inline constexpr std::uint8_t kCmdDraw = 2;
+/// Moves the origin of what is drawn next.
 inline constexpr std::uint8_t kCmdTranslate = 3;
+/// Turns the axes of what is drawn next.
 inline constexpr std::uint8_t kCmdRotate = 4;
+/// Remembers the present origin and axes.
 inline constexpr std::uint8_t kCmdPush = 5;
+/// Goes back to the remembered origin and axes.
 inline constexpr std::uint8_t kCmdPop = 6;
 
+/// Values of CmdDraw.draw_mode: how points make shapes.
 inline constexpr std::int32_t kDrawPoints = 0;
 inline constexpr std::int32_t kDrawLines = 1;
 inline constexpr std::int32_t kDrawLineStrip = 2;
@@ -31,28 +39,31 @@ inline constexpr std::int32_t kDrawQuads = 7;
 inline constexpr std::int32_t kDrawQuadStrip = 8;
 inline constexpr std::int32_t kDrawPolygon = 9;
 
+/// Points, lines or faces.
 struct CmdDraw {
   std::uint32_t draw_mode = 0;
-  /// [frame p_WP]
+  /// [frame p_SP, m]
   std::vector<Point3d> points{};
   Color color{};
 
   friend bool operator==(const CmdDraw&, const CmdDraw&) = default;
 };
 
+/// A move of the origin.
 struct CmdTranslate {
-  /// [1]
+  /// [m]
   double x = 0;
-  /// [1]
+  /// [m]
   double y = 0;
-  /// [1]
+  /// [m]
   double z = 0;
 
   friend bool operator==(const CmdTranslate&, const CmdTranslate&) = default;
 };
 
+/// A turn of the axes.
 struct CmdRotate {
-  /// [rad]
+  /// Angle about the vector (x, y, z). [rad]
   double a = 0;
   /// [1]
   double x = 0;

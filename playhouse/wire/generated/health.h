@@ -1,6 +1,7 @@
 // Generated from interfaces/059_health.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
+/// Load of a computer.
 
 #include <cstdint>
 #include <string>
@@ -12,27 +13,34 @@ namespace playhouse::wire::health {
 inline constexpr std::uint16_t kCode = 59;
 
 // Subtypes of messages.
+/// Load of processor and memory.
 inline constexpr std::uint8_t kDataState = 1;
 
+/// Use of the processor.
 struct Cpu {
-  /// [1]
+  /// Time without work. [%]
   float idle = 0;
-  /// [1]
+  /// Time in the operating system. [%]
   float system = 0;
-  /// [1]
+  /// Time in programs. [%]
   float user = 0;
 
   friend bool operator==(const Cpu&, const Cpu&) = default;
 };
 
+/// Use of a kind of memory.
 struct Memory {
+  /// [byte]
   std::int64_t total = 0;
+  /// [byte]
   std::int64_t used = 0;
+  /// [byte]
   std::int64_t free = 0;
 
   friend bool operator==(const Memory&, const Memory&) = default;
 };
 
+/// Load of processor and memory.
 struct Data {
   Cpu cpu_usage{};
   Memory mem{};

@@ -1,6 +1,7 @@
 // Generated from interfaces/060_imu.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
+/// Accelerations, turning rates, magnetic field and attitude.
 
 #include <cstdint>
 #include <string>
@@ -12,92 +13,110 @@ namespace playhouse::wire::imu {
 inline constexpr std::uint16_t kCode = 60;
 
 // Subtypes of messages.
+/// Pose by integration.
 inline constexpr std::uint8_t kDataState = 1;
+/// Calibrated readings.
 inline constexpr std::uint8_t kDataCalib = 2;
+/// Calibrated readings and attitude as a quaternion.
 inline constexpr std::uint8_t kDataQuat = 3;
+/// Calibrated readings and attitude as angles.
 inline constexpr std::uint8_t kDataEuler = 4;
+/// Pose, velocity and acceleration.
 inline constexpr std::uint8_t kDataFullstate = 5;
+/// Chooses which data message is sent.
 inline constexpr std::uint8_t kReqSetDatatype = 1;
+/// Makes the present attitude a reference.
 inline constexpr std::uint8_t kReqResetOrientation = 2;
+/// Sets the present attitude.
 inline constexpr std::uint8_t kReqResetEuler = 3;
 
+/// Pose by integration.
 struct DataState {
-  /// [frame X_RS]
+  /// [frame X_WS, m, m, m, rad, rad, rad]
   Pose3d pose{};
 
   friend bool operator==(const DataState&, const DataState&) = default;
 };
 
+/// Calibrated readings.
 struct DataCalib {
-  /// [1]
+  /// [frame a_WS_S, m/s^2]
   float accel_x = 0;
-  /// [1]
+  /// [frame a_WS_S, m/s^2]
   float accel_y = 0;
-  /// [1]
+  /// [frame a_WS_S, m/s^2]
   float accel_z = 0;
-  /// [1]
+  /// [frame v_WS_S, rad/s]
   float gyro_x = 0;
-  /// [1]
+  /// [frame v_WS_S, rad/s]
   float gyro_y = 0;
-  /// [1]
+  /// [frame v_WS_S, rad/s]
   float gyro_z = 0;
-  /// [1]
+  /// Magnetic field, in a unit given by the driver. [frame n_S, 1]
   float magn_x = 0;
-  /// [1]
+  /// [frame n_S, 1]
   float magn_y = 0;
-  /// [1]
+  /// [frame n_S, 1]
   float magn_z = 0;
 
   friend bool operator==(const DataCalib&, const DataCalib&) = default;
 };
 
+/// Calibrated readings and attitude as a quaternion.
 struct DataQuat {
   DataCalib calib_data{};
-  /// [1]
+  /// Real part. [frame R_WS, 1]
   float q0 = 0;
-  /// [1]
+  /// [frame R_WS, 1]
   float q1 = 0;
-  /// [1]
+  /// [frame R_WS, 1]
   float q2 = 0;
-  /// [1]
+  /// [frame R_WS, 1]
   float q3 = 0;
 
   friend bool operator==(const DataQuat&, const DataQuat&) = default;
 };
 
+/// Calibrated readings and attitude as angles.
 struct DataEuler {
   DataCalib calib_data{};
-  /// [frame R_WR]
+  /// [frame R_WS, rad]
   Orientation3d orientation{};
 
   friend bool operator==(const DataEuler&, const DataEuler&) = default;
 };
 
+/// Pose, velocity and acceleration.
 struct DataFullstate {
-  /// [frame X_RS]
+  /// [frame X_WS, m, m, m, rad, rad, rad]
   Pose3d pose{};
-  /// [frame X_RS]
+  /// [frame v_WS_S, m/s, m/s, m/s, rad/s, rad/s, rad/s]
   Pose3d vel{};
-  /// [frame X_RS]
+  /// [frame a_WS_S, m/s^2, m/s^2, m/s^2, rad/s^2, rad/s^2, rad/s^2]
   Pose3d acc{};
 
   friend bool operator==(const DataFullstate&, const DataFullstate&) = default;
 };
 
+/// Which data message is sent.
 struct DatatypeConfig {
+  /// Its subtype.
   std::uint8_t value = 0;
 
   friend bool operator==(const DatatypeConfig&, const DatatypeConfig&) = default;
 };
 
+/// What becomes the reference.
 struct ResetOrientationConfig {
+  /// 0 heading, 1 whole attitude, 2 as the driver sees fit.
   std::uint32_t value = 0;
 
   friend bool operator==(const ResetOrientationConfig&, const ResetOrientationConfig&) = default;
 };
 
+/// A new attitude.
 struct ResetEulerConfig {
-  /// [frame X_RS]
+  /// Only the angles count. [frame X_WS, m, m, m, rad, rad, rad]
   Pose3d orientation{};
 
   friend bool operator==(const ResetEulerConfig&, const ResetEulerConfig&) = default;

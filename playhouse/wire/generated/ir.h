@@ -1,6 +1,7 @@
 // Generated from interfaces/022_ir.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
+/// An array of infrared range finders. New drivers use the ranger interface.
 
 #include <cstdint>
 #include <string>
@@ -13,27 +14,34 @@ namespace playhouse::wire::ir {
 inline constexpr std::uint16_t kCode = 22;
 
 // Subtypes of messages.
+/// Voltages and ranges.
 inline constexpr std::uint8_t kDataRanges = 1;
+/// Asks where the sensors are.
 inline constexpr std::uint8_t kReqPose = 1;
+/// Switches the sensors on or off.
 inline constexpr std::uint8_t kReqPower = 2;
 
+/// What the sensors see.
 struct Data {
-  /// [V]
+  /// One per sensor, as measured. [V]
   std::vector<float> voltages{};
-  /// [m]
+  /// One per sensor, computed from the voltage. [m]
   std::vector<float> ranges{};
 
   friend bool operator==(const Data&, const Data&) = default;
 };
 
+/// Where the sensors are.
 struct Pose {
-  /// [frame X_RS]
+  /// One per sensor; x points along its beam. [frame X_RS, m, m, m, rad, rad, rad]
   std::vector<Pose3d> poses{};
 
   friend bool operator==(const Pose&, const Pose&) = default;
 };
 
+/// The sensors' switch.
 struct PowerReq {
+  /// 1 on, 0 off.
   std::uint8_t state = 0;
 
   friend bool operator==(const PowerReq&, const PowerReq&) = default;

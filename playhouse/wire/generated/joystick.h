@@ -1,6 +1,7 @@
 // Generated from interfaces/049_joystick.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
+/// A joystick or gamepad.
 
 #include <array>
 #include <cstdint>
@@ -13,12 +14,18 @@ namespace playhouse::wire::joystick {
 inline constexpr std::uint16_t kCode = 49;
 
 // Subtypes of messages.
+/// Sticks and buttons.
 inline constexpr std::uint8_t kDataState = 1;
 
+/// Sticks and buttons.
 struct Data {
+  /// One per axis, from -scale to scale.
   std::array<std::int32_t, 8> pos{};
+  /// Largest value per axis.
   std::array<std::int32_t, 8> scale{};
+  /// One bit per button, the first in the lowest bit.
   std::uint32_t buttons = 0;
+  /// How many of the axes are there.
   std::uint32_t axes_count = 0;
 
   friend bool operator==(const Data&, const Data&) = default;

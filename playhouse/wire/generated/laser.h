@@ -1,6 +1,7 @@
 // Generated from interfaces/006_laser.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
+/// A scanning range finder. New drivers use the ranger interface.
 
 #include <cstdint>
 #include <string>
@@ -13,102 +14,130 @@ namespace playhouse::wire::laser {
 inline constexpr std::uint16_t kCode = 6;
 
 // Subtypes of messages.
+/// One scan at equal angles.
 inline constexpr std::uint8_t kDataScan = 1;
+/// One scan and the pose at which it was taken.
 inline constexpr std::uint8_t kDataScanpose = 2;
+/// One scan with an angle per beam.
 inline constexpr std::uint8_t kDataScanangle = 3;
+/// Asks for the device's size and place.
 inline constexpr std::uint8_t kReqGetGeom = 1;
+/// Sets angles, resolution and rate; the answer tells what was taken.
 inline constexpr std::uint8_t kReqSetConfig = 2;
+/// Asks for angles, resolution and rate.
 inline constexpr std::uint8_t kReqGetConfig = 3;
+/// Switches the device on or off.
 inline constexpr std::uint8_t kReqPower = 4;
+/// Asks for the serial number.
 inline constexpr std::uint8_t kReqGetId = 5;
+/// Chooses a filter for the ranges.
 inline constexpr std::uint8_t kReqSetFilter = 6;
 
+/// Largest number of filter parameters.
 inline constexpr std::int32_t kMaxFilterParams = 8;
+
+/// Values of SetFilterConfig.filter_type.
 inline constexpr std::int32_t kFilterMedian = 1;
 inline constexpr std::int32_t kFilterEdge = 2;
 inline constexpr std::int32_t kFilterRange = 3;
 inline constexpr std::int32_t kFilterMean = 4;
 
+/// One scan at equal angles.
 struct Data {
-  /// [rad]
+  /// Of the first beam, counter-clockwise from x. [rad]
   float min_angle = 0;
-  /// [rad]
+  /// Of the last beam. [rad]
   float max_angle = 0;
-  /// [rad]
+  /// Between neighbouring beams. [rad]
   float resolution = 0;
-  /// [m]
+  /// What a beam that hits nothing shows. [m]
   float max_range = 0;
-  /// [m]
+  /// From right to left. [m]
   std::vector<float> ranges{};
+  /// Strength of the echo per beam; empty if the device has none.
   std::vector<std::uint8_t> intensity{};
+  /// Counts scans.
   std::uint32_t id = 0;
 
   friend bool operator==(const Data&, const Data&) = default;
 };
 
+/// One scan and the pose at which it was taken.
 struct DataScanpose {
   Data scan{};
-  /// [frame X_RS]
+  /// Of the robot at the time of the scan. [frame X_OR, m, m, rad]
   Pose2d pose{};
 
   friend bool operator==(const DataScanpose&, const DataScanpose&) = default;
 };
 
+/// One scan with an angle per beam.
 struct DataScanangle {
-  /// [m]
+  /// What a beam that hits nothing shows. [m]
   float max_range = 0;
-  /// [m]
+  /// One per beam. [m]
   std::vector<float> ranges{};
-  /// [rad]
+  /// One per beam, counter-clockwise from x. [rad]
   std::vector<float> angles{};
+  /// Strength of the echo per beam; empty if the device has none.
   std::vector<std::uint8_t> intensity{};
+  /// Counts scans.
   std::uint32_t id = 0;
 
   friend bool operator==(const DataScanangle&, const DataScanangle&) = default;
 };
 
+/// The device's size and place.
 struct Geom {
-  /// [frame X_RS, m, m, m, rad, rad, rad]
+  /// Where the device is on the robot. [frame X_RS, m, m, m, rad, rad, rad]
   Pose3d pose{};
-  /// [m, m, m]
+  /// Of a box around the device. [m, m, m]
   Bbox3d size{};
 
   friend bool operator==(const Geom&, const Geom&) = default;
 };
 
+/// Angles, resolution and rate.
 struct Config {
-  /// [rad]
+  /// Of the first beam. [rad]
   float min_angle = 0;
-  /// [rad]
+  /// Of the last beam. [rad]
   float max_angle = 0;
-  /// [rad]
+  /// Between neighbouring beams. [rad]
   float resolution = 0;
-  /// [m]
+  /// Farthest that can be seen. [m]
   float max_range = 0;
-  /// [m]
+  /// Smallest difference of ranges that is told apart. [m]
   float range_res = 0;
+  /// 1 to send intensities as well.
   std::uint8_t intensity = 0;
-  /// [Hz]
+  /// Scans per second. [Hz]
   float scanning_frequency = 0;
 
   friend bool operator==(const Config&, const Config&) = default;
 };
 
+/// The device's switch.
 struct PowerConfig {
+  /// 1 on, 0 off.
   std::uint8_t state = 0;
 
   friend bool operator==(const PowerConfig&, const PowerConfig&) = default;
 };
 
+/// A serial number.
 struct GetIdConfig {
+  /// 0 in the question.
   std::uint32_t serial_number = 0;
 
   friend bool operator==(const GetIdConfig&, const GetIdConfig&) = default;
 };
 
+/// A filter.
 struct SetFilterConfig {
+  /// Which filter.
   std::uint8_t filter_type = 0;
-  /// [1] (at most 8)
+  /// Meaning given by the filter. [1] (at most 8)
   std::vector<float> parameters{};
 
   friend bool operator==(const SetFilterConfig&, const SetFilterConfig&) = default;

@@ -1,6 +1,7 @@
 // Generated from interfaces/054_limb.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
+/// An arm that is told where its hand shall be.
 
 #include <cstdint>
 #include <string>
@@ -12,83 +13,105 @@ namespace playhouse::wire::limb {
 inline constexpr std::uint16_t kCode = 54;
 
 // Subtypes of messages.
+/// Where the hand is.
 inline constexpr std::uint8_t kDataState = 1;
+/// Sends the arm home.
 inline constexpr std::uint8_t kCmdHome = 1;
+/// Stops the arm where it is.
 inline constexpr std::uint8_t kCmdStop = 2;
+/// Moves the hand to a place and an attitude.
 inline constexpr std::uint8_t kCmdSetpose = 3;
+/// Moves the hand to a place in any attitude.
 inline constexpr std::uint8_t kCmdSetposition = 4;
+/// Moves the hand along a line from where it is.
 inline constexpr std::uint8_t kCmdVecmove = 5;
+/// Switches the motors on or off.
 inline constexpr std::uint8_t kReqPower = 1;
+/// Sets or releases the brakes.
 inline constexpr std::uint8_t kReqBrakes = 2;
+/// Asks where the arm starts on the robot.
 inline constexpr std::uint8_t kReqGeom = 3;
+/// Sets the speed of the hand.
 inline constexpr std::uint8_t kReqSpeed = 4;
 
+/// Values of Data.state.
 inline constexpr std::int32_t kStateIdle = 1;
 inline constexpr std::int32_t kStateBraked = 2;
 inline constexpr std::int32_t kStateMoving = 3;
 inline constexpr std::int32_t kStateOor = 4;
 inline constexpr std::int32_t kStateColl = 5;
 
+/// Where the hand is.
 struct Data {
-  /// [frame p_WP]
+  /// [frame p_BE, m]
   Point3d position{};
-  /// [frame p_WP]
+  /// Unit vector along which the hand reaches. [frame n_B, 1]
   Point3d approach{};
-  /// [frame p_WP]
+  /// Unit vector across the hand. [frame n_B, 1]
   Point3d orientation{};
+  /// Idle, braked, moving, out of reach or in contact.
   std::uint8_t state = 0;
 
   friend bool operator==(const Data&, const Data&) = default;
 };
 
+/// Wanted place and attitude of the hand.
 struct SetposeCmd {
-  /// [frame p_WP]
+  /// [frame p_BE, m]
   Point3d position{};
-  /// [frame p_WP]
+  /// Unit vector along which the hand shall reach. [frame n_B, 1]
   Point3d approach{};
-  /// [frame p_WP]
+  /// Unit vector across the hand. [frame n_B, 1]
   Point3d orientation{};
 
   friend bool operator==(const SetposeCmd&, const SetposeCmd&) = default;
 };
 
+/// Wanted place of the hand.
 struct SetpositionCmd {
-  /// [frame p_WP]
+  /// [frame p_BE, m]
   Point3d position{};
 
   friend bool operator==(const SetpositionCmd&, const SetpositionCmd&) = default;
 };
 
+/// A straight move of the hand.
 struct VecmoveCmd {
-  /// [frame p_WP]
+  /// Unit vector of the move. [frame n_B, 1]
   Point3d direction{};
-  /// [m]
+  /// How far. [m]
   float length = 0;
 
   friend bool operator==(const VecmoveCmd&, const VecmoveCmd&) = default;
 };
 
+/// The motors' switch.
 struct PowerReq {
+  /// 1 on, 0 off.
   std::uint8_t value = 0;
 
   friend bool operator==(const PowerReq&, const PowerReq&) = default;
 };
 
+/// The brakes' switch.
 struct BrakesReq {
+  /// 1 braked, 0 released.
   std::uint8_t value = 0;
 
   friend bool operator==(const BrakesReq&, const BrakesReq&) = default;
 };
 
+/// Where the arm starts.
 struct GeomReq {
-  /// [frame p_WP]
+  /// Of the arm's base on the robot. [frame p_RB, m]
   Point3d basePos{};
 
   friend bool operator==(const GeomReq&, const GeomReq&) = default;
 };
 
+/// Speed of the hand.
 struct SpeedReq {
-  /// [m/s]
+  /// Largest speed of the hand. [m/s]
   float speed = 0;
 
   friend bool operator==(const SpeedReq&, const SpeedReq&) = default;

@@ -1,6 +1,7 @@
 // Generated from interfaces/025_localize.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
+/// Tells where the robot may be on a map, as weighted guesses.
 
 #include <array>
 #include <cstdint>
@@ -14,52 +15,61 @@ namespace playhouse::wire::localize {
 inline constexpr std::uint16_t kCode = 25;
 
 // Subtypes of messages.
+/// The guesses, the likeliest first.
 inline constexpr std::uint8_t kDataHypoths = 1;
+/// Tells the driver where the robot is.
 inline constexpr std::uint8_t kReqSetPose = 1;
+/// Asks for the particles of the driver's filter.
 inline constexpr std::uint8_t kReqGetParticles = 2;
 
+/// One guess.
 struct Hypoth {
-  /// [frame X_RS, m, m, rad]
+  /// Centre of the guess. [frame X_MR, m, m, rad]
   Pose2d mean{};
-  /// [m^2, m^2, rad^2, xy, ya, xa]
+  /// Spread: xx, yy, aa, xy, ya, xa. [m^2, m^2, rad^2, m^2, m rad, m rad]
   std::array<double, 6> cov{};
-  /// [1]
+  /// Weight; all weights together make 1. [1]
   double alpha = 0;
 
   friend bool operator==(const Hypoth&, const Hypoth&) = default;
 };
 
+/// The guesses.
 struct Data {
+  /// How many sensor readings wait to be used.
   std::uint32_t pending_count = 0;
-  /// [s]
+  /// Time of the last reading that was used. [s]
   double pending_time = 0;
   std::vector<Hypoth> hypoths{};
 
   friend bool operator==(const Data&, const Data&) = default;
 };
 
+/// Where the robot is.
 struct SetPose {
-  /// [frame X_RS, m, m, rad]
+  /// Centre of the guess. [frame X_MR, m, m, rad]
   Pose2d mean{};
-  /// [m^2, m^2, rad^2, xy, ya, xa]
+  /// Spread: xx, yy, aa, xy, ya, xa. [m^2, m^2, rad^2, m^2, m rad, m rad]
   std::array<double, 6> cov{};
 
   friend bool operator==(const SetPose&, const SetPose&) = default;
 };
 
+/// One particle.
 struct Particle {
-  /// [frame X_RS, m, m, rad]
+  /// Where the particle believes the robot to be. [frame X_MR, m, m, rad]
   Pose2d pose{};
-  /// [1]
+  /// Weight. [1]
   double alpha = 0;
 
   friend bool operator==(const Particle&, const Particle&) = default;
 };
 
+/// The particles of the filter.
 struct GetParticles {
-  /// [frame X_RS, m, m, rad in practice (def says mm, mm, arcsec)]
+  /// Of the best guess. [frame X_MR, m, m, rad]
   Pose2d mean{};
-  /// [def says mm^2]
+  /// Of the best guess. [m^2]
   double variance = 0;
   std::vector<Particle> particles{};
 

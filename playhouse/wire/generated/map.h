@@ -1,6 +1,7 @@
 // Generated from interfaces/042_map.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
+/// Grid and vector maps.
 
 #include <cstdint>
 #include <string>
@@ -13,39 +14,48 @@ namespace playhouse::wire::map {
 inline constexpr std::uint16_t kCode = 42;
 
 // Subtypes of messages.
+/// Size and scale of the map, sent when they change.
 inline constexpr std::uint8_t kDataInfo = 1;
+/// Asks for the size and scale of the map.
 inline constexpr std::uint8_t kReqGetInfo = 1;
+/// Asks for a rectangle of cells; the answer's cells are compressed with zlib.
 inline constexpr std::uint8_t kReqGetData = 2;
+/// Asks for the map as lines.
 inline constexpr std::uint8_t kReqGetVector = 3;
 
+/// Size, scale and place of the map.
 struct Info {
-  /// [m/pixel]
+  /// Side of a cell. [m/pixel]
   float scale = 0;
   /// [px]
   std::uint32_t width = 0;
   /// [px]
   std::uint32_t height = 0;
-  /// [frame X_RS, m, m, rad]
+  /// Of the lower left corner of cell (0, 0). [frame X_WM, m, m, rad]
   Pose2d origin{};
 
   friend bool operator==(const Info&, const Info&) = default;
 };
 
+/// A rectangle of cells.
 struct Data {
-  /// [px]
+  /// First column, from the left. [px]
   std::uint32_t col = 0;
-  /// [px]
+  /// First row, from the bottom. [px]
   std::uint32_t row = 0;
   /// [px]
   std::uint32_t width = 0;
   /// [px]
   std::uint32_t height = 0;
+  /// A cell of this value is surely occupied, of its negative surely free, 0 is unknown.
   std::int8_t data_range = 0;
+  /// Rows one after the other, compressed with zlib in an answer; empty in a question.
   std::vector<std::int8_t> data{};
 
   friend bool operator==(const Data&, const Data&) = default;
 };
 
+/// The map as lines, and what they span.
 struct DataVector {
   /// [m]
   float minx = 0;
@@ -55,7 +65,7 @@ struct DataVector {
   float miny = 0;
   /// [m]
   float maxy = 0;
-  /// [frame p_MP]
+  /// One per line. [frame p_MP, m]
   std::vector<Segment> segments{};
 
   friend bool operator==(const DataVector&, const DataVector&) = default;

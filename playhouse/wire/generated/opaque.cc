@@ -26,9 +26,9 @@ void to_json(std::string& out, const Data& m) {
 }
 
 const MessageDef kRows[3] = {
-    {51, MessageType::kData, kDataState, "opaque.data.state", "opaque::Data", true, Policy::kLatest,
+    {51, MessageType::kData, kDataState, "opaque.data.state", "opaque::Data", true, Policy::kQueue,
      check_required<Data>, reencode<Data>, body_to_json<Data>},
-    {51, MessageType::kCmd, kCmdData, "opaque.cmd.data", "opaque::Data", true, Policy::kLatest,
+    {51, MessageType::kCmd, kCmdData, "opaque.cmd.data", "opaque::Data", true, Policy::kQueue,
      check_required<Data>, reencode<Data>, body_to_json<Data>},
     {51, MessageType::kReq, kReqData, "opaque.req.data", "opaque::Data", true, Policy::kNone,
      check_optional<Data>, reencode<Data>, body_to_json<Data>},

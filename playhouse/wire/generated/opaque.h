@@ -1,6 +1,7 @@
 // Generated from interfaces/051_opaque.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
+/// Bytes whose meaning only the driver and its clients know.
 
 #include <cstdint>
 #include <string>
@@ -13,13 +14,18 @@ namespace playhouse::wire::opaque {
 inline constexpr std::uint16_t kCode = 51;
 
 // Subtypes of messages.
+/// Bytes from the driver.
 inline constexpr std::uint8_t kDataState = 1;
+/// Bytes for the driver.
 inline constexpr std::uint8_t kCmdData = 1;
+/// Bytes for the driver, which answers with bytes.
 inline constexpr std::uint8_t kReqData = 1;
 
+/// Subtypes under their older names.
 inline constexpr std::int32_t kReq = 1;
 inline constexpr std::int32_t kCmd = 1;
 
+/// Bytes without a meaning here.
 struct Data {
   std::vector<std::uint8_t> data{};
 

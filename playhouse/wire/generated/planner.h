@@ -1,6 +1,7 @@
 // Generated from interfaces/044_planner.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
+/// Plans and follows a path to a goal.
 
 #include <cstdint>
 #include <string>
@@ -13,44 +14,58 @@ namespace playhouse::wire::planner {
 inline constexpr std::uint16_t kCode = 44;
 
 // Subtypes of messages.
+/// Where the robot is on its way.
 inline constexpr std::uint8_t kDataState = 1;
+/// Sets the goal.
 inline constexpr std::uint8_t kCmdGoal = 1;
+/// Sets the goal and starts to move.
 inline constexpr std::uint8_t kCmdStart = 2;
+/// Asks for the planned path.
 inline constexpr std::uint8_t kReqGetWaypoints = 1;
+/// Lets the robot move, or stops it.
 inline constexpr std::uint8_t kReqEnable = 2;
 
+/// Where the robot is on its way.
 struct Data {
+  /// 1 if there is a path to the goal.
   std::uint8_t valid = 0;
+  /// 1 if the goal is reached.
   std::uint8_t done = 0;
-  /// [frame X_RS, m, m, rad]
+  /// The robot. [frame X_MR, m, m, rad]
   Pose2d pos{};
-  /// [frame X_RS, m, m, rad]
+  /// The goal. [frame X_MG, m, m, rad]
   Pose2d goal{};
-  /// [frame X_RS, m, m, rad]
+  /// The waypoint that the robot is heading for. [frame X_MP, m, m, rad]
   Pose2d waypoint{};
+  /// Its index in the path; -1 if there is none.
   std::int32_t waypoint_idx = 0;
+  /// How many waypoints the path has.
   std::uint32_t waypoints_count = 0;
 
   friend bool operator==(const Data&, const Data&) = default;
 };
 
+/// A goal.
 struct Cmd {
-  /// [frame X_RS, m, m, rad]
+  /// Where to go. [frame X_MG, m, m, rad]
   Pose2d goal{};
 
   friend bool operator==(const Cmd&, const Cmd&) = default;
 };
 
+/// The planned path.
 struct WaypointsReq {
-  /// [m]
+  /// Length of the path. [m]
   double waypoints_distance = 0;
-  /// [frame X_RS, m, m, rad]
+  /// From the robot to the goal. [frame X_MP, m, m, rad]
   std::vector<Pose2d> waypoints{};
 
   friend bool operator==(const WaypointsReq&, const WaypointsReq&) = default;
 };
 
+/// The planner's switch.
 struct EnableReq {
+  /// 1 may move, 0 stop.
   std::uint8_t state = 0;
 
   friend bool operator==(const EnableReq&, const EnableReq&) = default;

@@ -1,6 +1,7 @@
 // Generated from interfaces/061_pointcloud3d.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
+/// Points in space with colours.
 
 #include <cstdint>
 #include <string>
@@ -13,16 +14,19 @@ namespace playhouse::wire::pointcloud3d {
 inline constexpr std::uint16_t kCode = 61;
 
 // Subtypes of messages.
+/// One cloud.
 inline constexpr std::uint8_t kDataState = 1;
 
+/// One point.
 struct Element {
-  /// [frame p_WP]
+  /// [frame p_SP, m]
   Point3d point{};
   Color color{};
 
   friend bool operator==(const Element&, const Element&) = default;
 };
 
+/// One cloud.
 struct Data {
   std::vector<Element> points{};
 

@@ -1,6 +1,7 @@
 // Generated from interfaces/052_position1d.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
+/// One actuator that slides or turns.
 
 #include <cstdint>
 #include <string>
@@ -12,20 +13,34 @@ namespace playhouse::wire::position1d {
 inline constexpr std::uint16_t kCode = 52;
 
 // Subtypes of messages.
+/// Where the actuator is.
 inline constexpr std::uint8_t kDataState = 1;
+/// Size and place, sent when they change.
 inline constexpr std::uint8_t kDataGeom = 2;
+/// Wanted velocity.
 inline constexpr std::uint8_t kCmdVel = 1;
+/// Wanted position.
 inline constexpr std::uint8_t kCmdPos = 2;
+/// Asks for size and place.
 inline constexpr std::uint8_t kReqGetGeom = 1;
+/// Switches the motor on or off.
 inline constexpr std::uint8_t kReqMotorPower = 2;
+/// Chooses how the driver controls velocity.
 inline constexpr std::uint8_t kReqVelocityMode = 3;
+/// Chooses between velocity and position control.
 inline constexpr std::uint8_t kReqPositionMode = 4;
+/// Sets what the position counts from.
 inline constexpr std::uint8_t kReqSetOdom = 5;
+/// Makes the present position zero.
 inline constexpr std::uint8_t kReqResetOdom = 6;
+/// Sets the gains of velocity control.
 inline constexpr std::uint8_t kReqSpeedPid = 7;
+/// Sets the gains of position control.
 inline constexpr std::uint8_t kReqPositionPid = 8;
+/// Sets the speed and acceleration that position control uses.
 inline constexpr std::uint8_t kReqSpeedProf = 9;
 
+/// Bits of Data.status, by number.
 inline constexpr std::int32_t kStatusLimitMin = 0;
 inline constexpr std::int32_t kStatusLimitCen = 1;
 inline constexpr std::int32_t kStatusLimitMax = 2;
@@ -33,101 +48,121 @@ inline constexpr std::int32_t kStatusOc = 3;
 inline constexpr std::int32_t kStatusTrajComplete = 4;
 inline constexpr std::int32_t kStatusEnabled = 5;
 
+/// Where the actuator is.
 struct Data {
-  /// [m|rad]
+  /// From its zero. [m or rad]
   float pos = 0;
-  /// [m/s|rad/s]
+  /// [m/s or rad/s]
   float vel = 0;
+  /// 1 if it is pushing against something that does not give way.
   std::uint8_t stall = 0;
+  /// Limits, current, motion and power, one bit each.
   std::uint8_t status = 0;
 
   friend bool operator==(const Data&, const Data&) = default;
 };
 
+/// Wanted velocity.
 struct CmdVel {
-  /// [m/s|rad/s]
+  /// [m/s or rad/s]
   float vel = 0;
+  /// 1 motor on, 0 off.
   std::uint8_t state = 0;
 
   friend bool operator==(const CmdVel&, const CmdVel&) = default;
 };
 
+/// Wanted position.
 struct CmdPos {
-  /// [m|rad]
+  /// From its zero. [m or rad]
   float pos = 0;
-  /// [m/s|rad/s]
+  /// On the way; zero leaves it to the driver. [m/s or rad/s]
   float vel = 0;
+  /// 1 motor on, 0 off.
   std::uint8_t state = 0;
 
   friend bool operator==(const CmdPos&, const CmdPos&) = default;
 };
 
+/// Size and place.
 struct Geom {
-  /// [frame X_RS, m, m, m, rad, rad, rad]
+  /// Where the actuator is on the robot. [frame X_RS, m, m, m, rad, rad, rad]
   Pose3d pose{};
-  /// [m, m, m]
+  /// Of a box around the actuator. [m, m, m]
   Bbox3d size{};
 
   friend bool operator==(const Geom&, const Geom&) = default;
 };
 
+/// The motor's switch.
 struct PowerConfig {
+  /// 1 on, 0 off.
   std::uint8_t state = 0;
 
   friend bool operator==(const PowerConfig&, const PowerConfig&) = default;
 };
 
+/// A mode of velocity control.
 struct VelocityModeConfig {
+  /// Meaning given by the driver.
   std::uint32_t value = 0;
 
   friend bool operator==(const VelocityModeConfig&, const VelocityModeConfig&) = default;
 };
 
+/// A wish to make the present position zero.
 struct ResetOdomConfig {
+  /// Without meaning.
   std::uint32_t value = 0;
 
   friend bool operator==(const ResetOdomConfig&, const ResetOdomConfig&) = default;
 };
 
+/// A mode of control.
 struct PositionModeReq {
+  /// 0 velocity, 1 position.
   std::uint32_t state = 0;
 
   friend bool operator==(const PositionModeReq&, const PositionModeReq&) = default;
 };
 
+/// A new value for the present position.
 struct SetOdomReq {
-  /// [m|rad]
+  /// What the position shall be called. [m or rad]
   float pos = 0;
 
   friend bool operator==(const SetOdomReq&, const SetOdomReq&) = default;
 };
 
+/// Gains of velocity control.
 struct SpeedPidReq {
-  /// [1]
+  /// Proportional. [1]
   float kp = 0;
-  /// [1]
+  /// Integral. [1]
   float ki = 0;
-  /// [1]
+  /// Derivative. [1]
   float kd = 0;
 
   friend bool operator==(const SpeedPidReq&, const SpeedPidReq&) = default;
 };
 
+/// Gains of position control.
 struct PositionPidReq {
-  /// [1]
+  /// Proportional. [1]
   float kp = 0;
-  /// [1]
+  /// Integral. [1]
   float ki = 0;
-  /// [1]
+  /// Derivative. [1]
   float kd = 0;
 
   friend bool operator==(const PositionPidReq&, const PositionPidReq&) = default;
 };
 
+/// Motion that position control may use.
 struct SpeedProfReq {
-  /// [m/s|rad/s]
+  /// Largest speed. [m/s or rad/s]
   float speed = 0;
-  /// [m/s^2|rad/s^2]
+  /// Largest acceleration. [m/s^2 or rad/s^2]
   float acc = 0;
 
   friend bool operator==(const SpeedProfReq&, const SpeedProfReq&) = default;

@@ -1,6 +1,7 @@
 // Generated from interfaces/030_position3d.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
+/// A robot that moves in space.
 
 #include <cstdint>
 #include <string>
@@ -12,108 +13,138 @@ namespace playhouse::wire::position3d {
 inline constexpr std::uint16_t kCode = 30;
 
 // Subtypes of messages.
+/// Odometry.
 inline constexpr std::uint8_t kDataState = 1;
+/// The robot's size, sent when it changes.
 inline constexpr std::uint8_t kDataGeometry = 2;
+/// Wanted velocity.
 inline constexpr std::uint8_t kCmdSetVel = 1;
+/// Wanted pose in the odometry frame.
 inline constexpr std::uint8_t kCmdSetPos = 2;
+/// Asks for the robot's size and centre of turning.
 inline constexpr std::uint8_t kReqGetGeom = 1;
+/// Switches the motors on or off.
 inline constexpr std::uint8_t kReqMotorPower = 2;
+/// Chooses how the driver controls velocity.
 inline constexpr std::uint8_t kReqVelocityMode = 3;
+/// Chooses between velocity and position control.
 inline constexpr std::uint8_t kReqPositionMode = 4;
+/// Sets the odometric pose to zero.
 inline constexpr std::uint8_t kReqResetOdom = 5;
+/// Sets the odometric pose.
 inline constexpr std::uint8_t kReqSetOdom = 6;
+/// Sets the gains of velocity control.
 inline constexpr std::uint8_t kReqSpeedPid = 7;
+/// Sets the gains of position control.
 inline constexpr std::uint8_t kReqPositionPid = 8;
+/// Sets the turning speed and acceleration that position control uses.
 inline constexpr std::uint8_t kReqSpeedProf = 9;
 
+/// Odometry.
 struct Data {
-  /// [frame X_RS, m, m, m, rad, rad, rad]
+  /// Pose from odometry. [frame X_OR, m, m, m, rad, rad, rad]
   Pose3d pos{};
-  /// [frame X_RS, m/s x3, rad/s x3]
+  /// Velocity along and about x, y and z. [frame v_OR_R, m/s, m/s, m/s, rad/s, rad/s, rad/s]
   Pose3d vel{};
+  /// 1 if the robot is pushing against something that does not give way.
   std::uint8_t stall = 0;
 
   friend bool operator==(const Data&, const Data&) = default;
 };
 
+/// Wanted pose and the velocity to get there with.
 struct CmdPos {
-  /// [frame X_RS, m, m, m, rad, rad, rad]
+  /// Goal. [frame X_OG, m, m, m, rad, rad, rad]
   Pose3d pos{};
-  /// [frame X_RS, m/s|rad/s]
+  /// Velocity on the way; zero leaves it to the driver. [frame v_OR_R, m/s, m/s, m/s, rad/s, rad/s, rad/s]
   Pose3d vel{};
+  /// 1 motors on, 0 off.
   std::uint8_t state = 0;
 
   friend bool operator==(const CmdPos&, const CmdPos&) = default;
 };
 
+/// Wanted velocity.
 struct CmdVel {
-  /// [frame X_RS, m/s x3, rad/s x3]
+  /// Along and about x, y and z. [frame v_OR_R, m/s, m/s, m/s, rad/s, rad/s, rad/s]
   Pose3d vel{};
+  /// 1 motors on, 0 off.
   std::uint8_t state = 0;
 
   friend bool operator==(const CmdVel&, const CmdVel&) = default;
 };
 
+/// The robot's size and where its centre of turning is.
 struct Geom {
-  /// [frame X_RS, m, m, m, rad, rad, rad]
+  /// Of the box's middle from the centre of turning. [frame X_RS, m, m, m, rad, rad, rad]
   Pose3d pose{};
-  /// [m, m, m]
+  /// Of a box around the robot. [m, m, m]
   Bbox3d size{};
 
   friend bool operator==(const Geom&, const Geom&) = default;
 };
 
+/// The motors' switch.
 struct PowerConfig {
+  /// 1 on, 0 off.
   std::uint8_t state = 0;
 
   friend bool operator==(const PowerConfig&, const PowerConfig&) = default;
 };
 
+/// A mode of control.
 struct PositionModeReq {
+  /// 0 velocity, 1 position.
   std::uint32_t value = 0;
 
   friend bool operator==(const PositionModeReq&, const PositionModeReq&) = default;
 };
 
+/// A mode of velocity control.
 struct VelocityModeConfig {
+  /// Meaning given by the driver.
   std::uint32_t value = 0;
 
   friend bool operator==(const VelocityModeConfig&, const VelocityModeConfig&) = default;
 };
 
+/// A new odometric pose.
 struct SetOdomReq {
-  /// [frame X_RS, m, m, m, rad, rad, rad]
+  /// What odometry shall say now. [frame X_OR, m, m, m, rad, rad, rad]
   Pose3d pos{};
 
   friend bool operator==(const SetOdomReq&, const SetOdomReq&) = default;
 };
 
+/// Gains of velocity control.
 struct SpeedPidReq {
-  /// [1]
+  /// Proportional. [1]
   float kp = 0;
-  /// [1]
+  /// Integral. [1]
   float ki = 0;
-  /// [1]
+  /// Derivative. [1]
   float kd = 0;
 
   friend bool operator==(const SpeedPidReq&, const SpeedPidReq&) = default;
 };
 
+/// Gains of position control.
 struct PositionPidReq {
-  /// [1]
+  /// Proportional. [1]
   float kp = 0;
-  /// [1]
+  /// Integral. [1]
   float ki = 0;
-  /// [1]
+  /// Derivative. [1]
   float kd = 0;
 
   friend bool operator==(const PositionPidReq&, const PositionPidReq&) = default;
 };
 
+/// Motion that position control may use.
 struct SpeedProfReq {
-  /// [rad/s]
+  /// Largest turning speed. [rad/s]
   float speed = 0;
-  /// [rad/s^2]
+  /// Largest turning acceleration. [rad/s^2]
   float acc = 0;
 
   friend bool operator==(const SpeedProfReq&, const SpeedProfReq&) = default;

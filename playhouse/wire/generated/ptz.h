@@ -1,6 +1,7 @@
 // Generated from interfaces/008_ptz.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
+/// A camera mount that pans, tilts and zooms.
 
 #include <cstdint>
 #include <string>
@@ -13,70 +14,88 @@ namespace playhouse::wire::ptz {
 inline constexpr std::uint16_t kCode = 8;
 
 // Subtypes of messages.
+/// Where the mount points.
 inline constexpr std::uint8_t kDataState = 1;
+/// Size and place, sent when they change.
 inline constexpr std::uint8_t kDataGeom = 2;
+/// Where the mount shall point.
 inline constexpr std::uint8_t kCmdState = 1;
+/// Sends driver-specific words to the mount and gets some back.
 inline constexpr std::uint8_t kReqGeneric = 1;
+/// Chooses between velocity and position control.
 inline constexpr std::uint8_t kReqControlMode = 2;
+/// Asks for size and place.
 inline constexpr std::uint8_t kReqGeom = 4;
+/// Asks for the mount's status.
 inline constexpr std::uint8_t kReqStatus = 5;
 
+/// Values of ReqControlMode.mode.
 inline constexpr std::int32_t kVelocityControl = 0;
 inline constexpr std::int32_t kPositionControl = 1;
 
+/// Where the mount points.
 struct Data {
-  /// [rad]
+  /// Positive to the left. [rad]
   float pan = 0;
-  /// [rad]
+  /// Positive upwards. [rad]
   float tilt = 0;
-  /// [rad]
+  /// Field of view. [rad]
   float zoom = 0;
-  /// [rad/s]
+  /// Positive to the left. [rad/s]
   float panspeed = 0;
-  /// [rad/s]
+  /// Positive upwards. [rad/s]
   float tiltspeed = 0;
+  /// Meaning given by the driver.
   std::uint32_t status = 0;
 
   friend bool operator==(const Data&, const Data&) = default;
 };
 
+/// Where the mount shall point, or how fast it shall turn.
 struct Cmd {
-  /// [rad]
+  /// Positive to the left. [rad]
   float pan = 0;
-  /// [rad]
+  /// Positive upwards. [rad]
   float tilt = 0;
-  /// [rad]
+  /// Field of view. [rad]
   float zoom = 0;
-  /// [rad/s]
+  /// Used by velocity control. [rad/s]
   float panspeed = 0;
-  /// [rad/s]
+  /// Used by velocity control. [rad/s]
   float tiltspeed = 0;
 
   friend bool operator==(const Cmd&, const Cmd&) = default;
 };
 
+/// The mount's status.
 struct ReqStatus {
+  /// Meaning given by the driver.
   std::uint32_t status = 0;
 
   friend bool operator==(const ReqStatus&, const ReqStatus&) = default;
 };
 
+/// The mount's size and place.
 struct Geom {
-  /// [frame X_RS]
+  /// Where the mount is on the robot. [frame X_RS, m, m, m, rad, rad, rad]
   Pose3d pos{};
-  /// [m, m, m]
+  /// Of a box around the mount. [m, m, m]
   Bbox3d size{};
 
   friend bool operator==(const Geom&, const Geom&) = default;
 };
 
+/// Driver-specific words.
 struct ReqGeneric {
+  /// Meaning given by the driver.
   std::vector<std::uint32_t> config{};
 
   friend bool operator==(const ReqGeneric&, const ReqGeneric&) = default;
 };
 
+/// A mode of control.
 struct ReqControlMode {
+  /// Velocity or position.
   std::uint32_t mode = 0;
 
   friend bool operator==(const ReqControlMode&, const ReqControlMode&) = default;

@@ -1,6 +1,7 @@
 // Generated from interfaces/062_ranger.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
+/// Range finders of any kind: lasers, sonars, infrared, single or in arrays.
 
 #include <cstdint>
 #include <string>
@@ -13,89 +14,115 @@ namespace playhouse::wire::ranger {
 inline constexpr std::uint16_t kCode = 62;
 
 // Subtypes of messages.
+/// Ranges.
 inline constexpr std::uint8_t kDataRange = 1;
+/// Ranges with the geometry and configuration at which they were taken.
 inline constexpr std::uint8_t kDataRangestamped = 2;
+/// Intensities.
 inline constexpr std::uint8_t kDataIntns = 3;
+/// Intensities with the geometry and configuration at which they were taken.
 inline constexpr std::uint8_t kDataIntnsstamped = 4;
+/// Size and place, sent when they change.
 inline constexpr std::uint8_t kDataGeom = 5;
+/// Asks for size and place.
 inline constexpr std::uint8_t kReqGetGeom = 1;
+/// Switches the device on or off.
 inline constexpr std::uint8_t kReqPower = 2;
+/// Switches intensities on or off.
 inline constexpr std::uint8_t kReqIntns = 3;
+/// Sets angles, ranges and rate; the answer tells what was taken.
 inline constexpr std::uint8_t kReqSetConfig = 4;
+/// Asks for angles, ranges and rate.
 inline constexpr std::uint8_t kReqGetConfig = 5;
 
+/// Angles, ranges and rate.
 struct Config {
-  /// [rad]
+  /// Of the first beam, counter-clockwise from x. [rad]
   double min_angle = 0;
-  /// [rad]
+  /// Of the last beam. [rad]
   double max_angle = 0;
-  /// [rad]
+  /// Between neighbouring beams. [rad]
   double angular_res = 0;
-  /// [m]
+  /// Nearest that can be seen. [m]
   double min_range = 0;
-  /// [m]
+  /// Farthest that can be seen; what a beam that hits nothing shows. [m]
   double max_range = 0;
-  /// [m]
+  /// Smallest difference of ranges that is told apart. [m]
   double range_res = 0;
-  /// [Hz]
+  /// Scans per second. [Hz]
   double frequency = 0;
 
   friend bool operator==(const Config&, const Config&) = default;
 };
 
+/// Size and place of the device and its elements.
 struct Geom {
-  /// [frame X_RS, m, m, m, rad, rad, rad]
+  /// Where the device is on the robot. [frame X_RS, m, m, m, rad, rad, rad]
   Pose3d pose{};
-  /// [m, m, m]
+  /// Of a box around the device. [m, m, m]
   Bbox3d size{};
-  /// [frame X_RS]
+  /// One per element; x points along its beam, or along the middle of its scan. [frame X_SE, m, m, m, rad,
+  /// rad, rad]
   std::vector<Pose3d> element_poses{};
+  /// One per element. [m, m, m]
   std::vector<Bbox3d> element_sizes{};
 
   friend bool operator==(const Geom&, const Geom&) = default;
 };
 
+/// Ranges.
 struct DataRange {
-  /// [m]
+  /// Beam by beam from right to left, element by element. [m]
   std::vector<double> ranges{};
 
   friend bool operator==(const DataRange&, const DataRange&) = default;
 };
 
+/// Ranges with what they depend on.
 struct DataRangestamped {
   DataRange data{};
+  /// 1 if `geom` holds something.
   std::uint8_t have_geom = 0;
   Geom geom{};
+  /// 1 if `config` holds something.
   std::uint8_t have_config = 0;
   Config config{};
 
   friend bool operator==(const DataRangestamped&, const DataRangestamped&) = default;
 };
 
+/// Intensities.
 struct DataIntns {
-  /// [1]
+  /// In the order of the ranges; scale given by the driver. [1]
   std::vector<double> intensities{};
 
   friend bool operator==(const DataIntns&, const DataIntns&) = default;
 };
 
+/// Intensities with what they depend on.
 struct DataIntnsstamped {
   DataIntns data{};
+  /// 1 if `geom` holds something.
   std::uint8_t have_geom = 0;
   Geom geom{};
+  /// 1 if `config` holds something.
   std::uint8_t have_config = 0;
   Config config{};
 
   friend bool operator==(const DataIntnsstamped&, const DataIntnsstamped&) = default;
 };
 
+/// The device's switch.
 struct PowerConfig {
+  /// 1 on, 0 off.
   std::uint8_t state = 0;
 
   friend bool operator==(const PowerConfig&, const PowerConfig&) = default;
 };
 
+/// The switch of intensities.
 struct IntnsConfig {
+  /// 1 on, 0 off.
   std::uint8_t state = 0;
 
   friend bool operator==(const IntnsConfig&, const IntnsConfig&) = default;

@@ -1,6 +1,7 @@
 // Generated from interfaces/056_rfid.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
+/// Reads and writes radio tags.
 
 #include <cstdint>
 #include <string>
@@ -13,19 +14,28 @@ namespace playhouse::wire::rfid {
 inline constexpr std::uint16_t kCode = 56;
 
 // Subtypes of messages.
+/// The tags in reach.
 inline constexpr std::uint8_t kDataTags = 1;
+/// Switches the reader on or off.
 inline constexpr std::uint8_t kReqPower = 1;
+/// Reads a tag.
 inline constexpr std::uint8_t kReqReadtag = 2;
+/// Writes a tag.
 inline constexpr std::uint8_t kReqWritetag = 3;
+/// Locks a tag against writing.
 inline constexpr std::uint8_t kReqLocktag = 4;
 
+/// One tag.
 struct Tag {
+  /// Kind of tag.
   std::uint32_t type = 0;
+  /// Number of the tag, as its bytes.
   std::string guid{};
 
   friend bool operator==(const Tag&, const Tag&) = default;
 };
 
+/// The tags in reach.
 struct Data {
   std::vector<Tag> tags{};
 

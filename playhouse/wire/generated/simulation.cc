@@ -122,11 +122,11 @@ void to_json(std::string& out, const PropertyReq& m) {
 }
 
 const MessageDef kRows[9] = {
-    {31, MessageType::kCmd, kCmdPause, "simulation.cmd.pause", "", false, Policy::kLatest,
+    {31, MessageType::kCmd, kCmdPause, "simulation.cmd.pause", "", false, Policy::kQueue,
      check_nothing, reencode_nothing, nothing_to_json},
-    {31, MessageType::kCmd, kCmdReset, "simulation.cmd.reset", "", false, Policy::kLatest,
+    {31, MessageType::kCmd, kCmdReset, "simulation.cmd.reset", "", false, Policy::kQueue,
      check_nothing, reencode_nothing, nothing_to_json},
-    {31, MessageType::kCmd, kCmdSave, "simulation.cmd.save", "", false, Policy::kLatest,
+    {31, MessageType::kCmd, kCmdSave, "simulation.cmd.save", "", false, Policy::kQueue,
      check_nothing, reencode_nothing, nothing_to_json},
     {31, MessageType::kReq, kReqGetPose2d, "simulation.req.get_pose2d", "simulation::Pose2dReq", true, Policy::kNone,
      check_optional<Pose2dReq>, reencode<Pose2dReq>, body_to_json<Pose2dReq>},

@@ -1,6 +1,7 @@
 // Generated from interfaces/005_sonar.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
+/// An array of sonars. New drivers use the ranger interface.
 
 #include <cstdint>
 #include <string>
@@ -13,26 +14,34 @@ namespace playhouse::wire::sonar {
 inline constexpr std::uint16_t kCode = 5;
 
 // Subtypes of messages.
+/// One range per sonar.
 inline constexpr std::uint8_t kDataRanges = 1;
+/// Where the sonars are, sent when it changes.
 inline constexpr std::uint8_t kDataGeom = 2;
+/// Asks where the sonars are.
 inline constexpr std::uint8_t kReqGetGeom = 1;
+/// Switches the sonars on or off.
 inline constexpr std::uint8_t kReqPower = 2;
 
+/// One range per sonar.
 struct Data {
-  /// [m]
+  /// To the nearest echo, in the order of the geometry. [m]
   std::vector<float> ranges{};
 
   friend bool operator==(const Data&, const Data&) = default;
 };
 
+/// Where the sonars are.
 struct Geom {
-  /// [frame X_RS, m, m, m, rad, rad, rad]
+  /// One per sonar; x points along its beam. [frame X_RS, m, m, m, rad, rad, rad]
   std::vector<Pose3d> poses{};
 
   friend bool operator==(const Geom&, const Geom&) = default;
 };
 
+/// The sonars' switch.
 struct PowerConfig {
+  /// 1 on, 0 off.
   std::uint8_t state = 0;
 
   friend bool operator==(const PowerConfig&, const PowerConfig&) = default;

@@ -26,7 +26,7 @@ void to_json(std::string& out, const Cmd& m) {
 }
 
 const MessageDef kRows[1] = {
-    {12, MessageType::kCmd, kCmdSay, "speech.cmd.say", "speech::Cmd", true, Policy::kLatest,
+    {12, MessageType::kCmd, kCmdSay, "speech.cmd.say", "speech::Cmd", true, Policy::kQueue,
      check_required<Cmd>, reencode<Cmd>, body_to_json<Cmd>},
 };
 

@@ -1,6 +1,7 @@
 // Generated from interfaces/012_speech.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
+/// Speaks text.
 
 #include <cstdint>
 #include <string>
@@ -12,9 +13,12 @@ namespace playhouse::wire::speech {
 inline constexpr std::uint16_t kCode = 12;
 
 // Subtypes of messages.
+/// Speaks a text; texts are spoken one after the other.
 inline constexpr std::uint8_t kCmdSay = 1;
 
+/// A text to speak.
 struct Cmd {
+  /// With its final NUL.
   std::string string{};
 
   friend bool operator==(const Cmd&, const Cmd&) = default;

@@ -26,7 +26,7 @@ void to_json(std::string& out, const Data& m) {
 }
 
 const MessageDef kRows[1] = {
-    {50, MessageType::kData, kDataString, "speech_recognition.data.string", "speech_recognition::Data", true, Policy::kLatest,
+    {50, MessageType::kData, kDataString, "speech_recognition.data.string", "speech_recognition::Data", true, Policy::kQueue,
      check_required<Data>, reencode<Data>, body_to_json<Data>},
 };
 

@@ -1,6 +1,7 @@
 // Generated from interfaces/065_stereo.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
+/// A pair of cameras, their disparity and the points in space.
 
 #include <cstdint>
 #include <string>
@@ -14,14 +15,16 @@ namespace playhouse::wire::stereo {
 inline constexpr std::uint16_t kCode = 65;
 
 // Subtypes of messages.
+/// One pair of images and what was made of it.
 inline constexpr std::uint8_t kDataState = 1;
 
+/// One point.
 struct Pointcloud3dStereoElement {
-  /// [m]
+  /// [frame p_SP, m]
   float px = 0;
-  /// [m]
+  /// [frame p_SP, m]
   float py = 0;
-  /// [m]
+  /// [frame p_SP, m]
   float pz = 0;
   std::uint8_t red = 0;
   std::uint8_t green = 0;
@@ -30,11 +33,17 @@ struct Pointcloud3dStereoElement {
   friend bool operator==(const Pointcloud3dStereoElement&, const Pointcloud3dStereoElement&) = default;
 };
 
+/// One pair of images and what was made of it.
 struct Data {
+  /// Image of the left camera.
   camera::Data left_channel{};
+  /// Image of the right camera.
   camera::Data right_channel{};
+  /// Disparity, as an image.
   camera::Data disparity{};
+  /// Points in space.
   std::vector<Pointcloud3dStereoElement> points{};
+  /// Meaning given by the driver.
   std::uint32_t mode = 0;
 
   friend bool operator==(const Data&, const Data&) = default;

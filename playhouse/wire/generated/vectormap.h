@@ -1,6 +1,7 @@
 // Generated from interfaces/063_vectormap.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
+/// Maps of points, lines and areas in layers.
 
 #include <cstdint>
 #include <string>
@@ -13,26 +14,34 @@ namespace playhouse::wire::vectormap {
 inline constexpr std::uint16_t kCode = 63;
 
 // Subtypes of messages.
+/// Asks which layers there are.
 inline constexpr std::uint8_t kReqGetMapInfo = 1;
+/// Asks for the features of a layer.
 inline constexpr std::uint8_t kReqGetLayerData = 3;
+/// Replaces the features of a layer.
 inline constexpr std::uint8_t kReqWriteLayer = 4;
 
+/// One feature.
 struct FeatureData {
   std::string name{};
+  /// Its shape, as OGC well-known binary, in map coordinates.
   std::vector<std::uint8_t> wkb{};
+  /// Free text about it.
   std::string attrib{};
 
   friend bool operator==(const FeatureData&, const FeatureData&) = default;
 };
 
+/// What a layer is.
 struct LayerInfo {
   std::string name{};
-  /// [frame p_MP]
+  /// Around all its features. [frame p_MP, m]
   Extent2d extent{};
 
   friend bool operator==(const LayerInfo&, const LayerInfo&) = default;
 };
 
+/// A layer's features.
 struct LayerData {
   std::string name{};
   std::vector<FeatureData> features{};
@@ -40,10 +49,12 @@ struct LayerData {
   friend bool operator==(const LayerData&, const LayerData&) = default;
 };
 
+/// What layers there are.
 struct Info {
+  /// Number of the spatial reference system; 0 for none.
   std::uint32_t srid = 0;
   std::vector<LayerInfo> layers{};
-  /// [frame p_MP]
+  /// Around all layers. [frame p_MP, m]
   Extent2d extent{};
 
   friend bool operator==(const Info&, const Info&) = default;

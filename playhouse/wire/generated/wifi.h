@@ -1,6 +1,7 @@
 // Generated from interfaces/023_wifi.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
+/// State of wireless network links.
 
 #include <cstdint>
 #include <string>
@@ -13,15 +14,23 @@ namespace playhouse::wire::wifi {
 inline constexpr std::uint16_t kCode = 23;
 
 // Subtypes of messages.
+/// Every link and the state of the card.
 inline constexpr std::uint8_t kDataState = 1;
+/// Asks for the card's own address.
 inline constexpr std::uint8_t kReqMac = 1;
+/// Starts to watch the links to an address.
 inline constexpr std::uint8_t kReqIwspyAdd = 2;
+/// Stops watching the links to an address.
 inline constexpr std::uint8_t kReqIwspyDel = 3;
+/// Sends a packet to an address, so that its link can be measured.
 inline constexpr std::uint8_t kReqIwspyPing = 4;
 
+/// Values of Data.qual_type: what link quality is measured in.
 inline constexpr std::int32_t kQualDbm = 1;
 inline constexpr std::int32_t kQualRel = 2;
 inline constexpr std::int32_t kQualUnknown = 3;
+
+/// Values of Data.mode and Link.mode.
 inline constexpr std::int32_t kModeUnknown = 0;
 inline constexpr std::int32_t kModeAuto = 1;
 inline constexpr std::int32_t kModeAdhoc = 2;
@@ -30,48 +39,64 @@ inline constexpr std::int32_t kModeMaster = 4;
 inline constexpr std::int32_t kModeRepeat = 5;
 inline constexpr std::int32_t kModeSecond = 6;
 
+/// One link.
 struct Link {
-  /// (at most 32)
+  /// Hardware address, as text. (at most 32)
   std::vector<std::uint8_t> mac{};
-  /// (at most 32)
+  /// Network address, as text. (at most 32)
   std::vector<std::uint8_t> ip{};
-  /// (at most 32)
+  /// Name of the network, as text. (at most 32)
   std::vector<std::uint8_t> essid{};
+  /// Role in the network.
   std::uint32_t mode = 0;
   /// [MHz]
   std::uint32_t freq = 0;
+  /// 0 open, else encrypted.
   std::uint32_t encrypt = 0;
+  /// Quality, up to Data.maxqual.
   std::uint32_t qual = 0;
+  /// Signal, up to Data.maxlevel.
   std::uint32_t level = 0;
+  /// Noise, up to Data.maxnoise.
   std::uint32_t noise = 0;
 
   friend bool operator==(const Link&, const Link&) = default;
 };
 
+/// Every link and the state of the card.
 struct Data {
   std::vector<Link> links{};
+  /// What the card is believed to carry. [bit/s]
   std::uint32_t throughput = 0;
+  /// What the card is set to. [bit/s]
   std::uint32_t bitrate = 0;
+  /// Role in the network.
   std::uint32_t mode = 0;
+  /// What quality, level and noise are measured in.
   std::uint32_t qual_type = 0;
+  /// Best quality that can be told.
   std::uint32_t maxqual = 0;
+  /// Strongest signal that can be told.
   std::uint32_t maxlevel = 0;
+  /// Strongest noise that can be told.
   std::uint32_t maxnoise = 0;
-  /// (32 bytes; zeros fill a shorter text)
+  /// Hardware address of the access point, as text. (32 bytes; zeros fill a shorter text)
   std::string ap{};
 
   friend bool operator==(const Data&, const Data&) = default;
 };
 
+/// The card's own address.
 struct MacReq {
-  /// (at most 32)
+  /// Hardware address, as text. (at most 32)
   std::vector<std::uint8_t> mac{};
 
   friend bool operator==(const MacReq&, const MacReq&) = default;
 };
 
+/// The address of a station.
 struct IwspyAddrReq {
-  /// (32 bytes; zeros fill a shorter text)
+  /// Hardware address, as text. (32 bytes; zeros fill a shorter text)
   std::string address{};
 
   friend bool operator==(const IwspyAddrReq&, const IwspyAddrReq&) = default;

@@ -168,9 +168,9 @@ void to_json(std::string& out, const DatafreqConfig& m) {
 }
 
 const MessageDef kRows[5] = {
-    {57, MessageType::kData, kDataState, "wsn.data.state", "wsn::Data", true, Policy::kLatest,
+    {57, MessageType::kData, kDataState, "wsn.data.state", "wsn::Data", true, Policy::kQueue,
      check_required<Data>, reencode<Data>, body_to_json<Data>},
-    {57, MessageType::kCmd, kCmdDevstate, "wsn.cmd.devstate", "wsn::Cmd", true, Policy::kLatest,
+    {57, MessageType::kCmd, kCmdDevstate, "wsn.cmd.devstate", "wsn::Cmd", true, Policy::kQueue,
      check_required<Cmd>, reencode<Cmd>, body_to_json<Cmd>},
     {57, MessageType::kReq, kReqPower, "wsn.req.power", "wsn::PowerConfig", true, Policy::kNone,
      check_optional<PowerConfig>, reencode<PowerConfig>, body_to_json<PowerConfig>},

@@ -1,6 +1,7 @@
 // Generated from interfaces/057_wsn.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
+/// A network of wireless sensor nodes.
 
 #include <cstdint>
 #include <string>
@@ -12,71 +13,95 @@ namespace playhouse::wire::wsn {
 inline constexpr std::uint16_t kCode = 57;
 
 // Subtypes of messages.
+/// Readings of one node.
 inline constexpr std::uint8_t kDataState = 1;
+/// Switches an actuator of a node.
 inline constexpr std::uint8_t kCmdDevstate = 1;
+/// Puts nodes to sleep or wakes them.
 inline constexpr std::uint8_t kReqPower = 1;
+/// Chooses between raw and converted readings.
 inline constexpr std::uint8_t kReqDatatype = 2;
+/// Sets how often nodes report.
 inline constexpr std::uint8_t kReqDatafreq = 3;
 
+/// Readings, as raw counts or converted as DATATYPE says.
 struct NodeData {
-  /// [1]
+  /// [1 or lx]
   float light = 0;
   /// [1]
   float mic = 0;
-  /// [1]
+  /// [1 or m/s^2]
   float accel_x = 0;
-  /// [1]
+  /// [1 or m/s^2]
   float accel_y = 0;
-  /// [1]
+  /// [1 or m/s^2]
   float accel_z = 0;
-  /// [1]
+  /// [1 or G]
   float magn_x = 0;
-  /// [1]
+  /// [1 or G]
   float magn_y = 0;
-  /// [1]
+  /// [1 or G]
   float magn_z = 0;
-  /// [1]
+  /// [1 or degC]
   float temperature = 0;
-  /// [1]
+  /// [1 or V]
   float battery = 0;
 
   friend bool operator==(const NodeData&, const NodeData&) = default;
 };
 
+/// Readings of one node.
 struct Data {
+  /// Kind of node.
   std::uint32_t node_type = 0;
+  /// Which node.
   std::uint32_t node_id = 0;
+  /// Node that passed the readings on.
   std::uint32_t node_parent_id = 0;
   NodeData data_packet{};
 
   friend bool operator==(const Data&, const Data&) = default;
 };
 
+/// Switch of an actuator of a node.
 struct Cmd {
+  /// Which node; -1 all.
   std::int32_t node_id = 0;
+  /// Group of the node; -1 all.
   std::int32_t group_id = 0;
+  /// Which actuator, such as a light or a buzzer.
   std::uint32_t device = 0;
+  /// 1 on, 0 off.
   std::uint8_t enable = 0;
 
   friend bool operator==(const Cmd&, const Cmd&) = default;
 };
 
+/// Sleep of nodes.
 struct PowerConfig {
+  /// Which node; -1 all.
   std::int32_t node_id = 0;
+  /// Group of the node; -1 all.
   std::int32_t group_id = 0;
+  /// 0 asleep, 1 awake, 2 as the driver sees fit.
   std::uint8_t value = 0;
 
   friend bool operator==(const PowerConfig&, const PowerConfig&) = default;
 };
 
+/// Form of readings.
 struct DatatypeConfig {
+  /// 0 raw, 1 converted.
   std::uint8_t value = 0;
 
   friend bool operator==(const DatatypeConfig&, const DatatypeConfig&) = default;
 };
 
+/// Rate of reports.
 struct DatafreqConfig {
+  /// Which node; -1 all.
   std::int32_t node_id = 0;
+  /// Group of the node; -1 all.
   std::int32_t group_id = 0;
   /// [Hz]
   double frequency = 0;
