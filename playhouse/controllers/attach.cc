@@ -1,0 +1,150 @@
+#include "playhouse/controllers/attach.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <map>
+#include <memory>
+#include <sstream>
+
+#include "playhouse/base/nearest_word.h"
+#include "playhouse/controllers/expand.h"
+#include "playhouse/controllers/loaded.h"
+#include "playhouse/controllers/source_sink.h"
+#include "playhouse/controllers/wander.h"
+
+namespace playhouse::controllers {
+namespace {
+
+constexpr std::array<std::string_view, 5> kBuiltIns{"wander", "expand_swarm", "expand_pioneer", "source",
+                                                    "sink"};
+
+/// Come with Stage, and world files name them, but this program has no equivalent yet.
+constexpr std::array<std::string_view, 8> kStageDemos{
+    "fasr", "fasr2", "fasr_plan", "rasterize", "dynamic", "pioneer_flocking", "wander_accel", "lasernoise"};
+
+bool is_stage_demo(std::string_view name) {
+  return std::find(kStageDemos.begin(), kStageDemos.end(), name) != kStageDemos.end();
+}
+
+std::unique_ptr<Batch> make_built_in(std::string_view name) {
+  if (name == "wander") return std::make_unique<Wander>();
+  if (name == "expand_swarm") return std::make_unique<Expand>(kExpandSwarm);
+  if (name == "expand_pioneer") return std::make_unique<Expand>(kExpandPioneer);
+  if (name == "source") return std::make_unique<Source>();
+  if (name == "sink") return std::make_unique<Sink>();
+  return nullptr;
+}
+
+Error unknown(const std::string& where, const std::string& name,
+              std::span<const std::filesystem::path> folders) {
+  std::vector<std::string> words(kBuiltIns.begin(), kBuiltIns.end());
+  for (const std::filesystem::path& folder : folders) {
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+      if (entry.path().extension() == ".so") words.push_back(entry.path().stem().string());
+    }
+  }
+  // Folders list their files in any order.
+  std::sort(words.begin() + kBuiltIns.size(), words.end());
+  const std::vector<std::string_view> candidates(words.begin(), words.end());
+  return {where, "no controller \"" + name + "\"" + did_you_mean(name, candidates)};
+}
+
+std::vector<std::string> split(const std::string& line) {
+  std::istringstream stream(line);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) words.push_back(std::move(word));
+  return words;
+}
+
+void add_folders(const char* variable, std::vector<std::filesystem::path>& folders) {
+  const char* value = std::getenv(variable);
+  if (!value) return;
+  std::istringstream stream{std::string(value)};
+  for (std::string folder; std::getline(stream, folder, ':');) {
+    if (!folder.empty()) folders.emplace_back(folder);
+  }
+}
+
+/// The batches of one world while they fill.
+class Crew {
+ public:
+  Crew(world::World& world, std::span<const std::filesystem::path> folders)
+      : world_(world), folders_(folders) {}
+
+  Result<void> hire(const Post& post, const std::string& where);
+  std::vector<std::string> take_warnings() { return std::move(warnings_); }
+
+ private:
+  /// The batch of that name; null, with a warning, for a demonstration of Stage.
+  Result<Batch*> batch(const std::string& name, const std::string& where);
+
+  world::World& world_;
+  std::span<const std::filesystem::path> folders_;
+  std::map<std::string, Batch*> by_name_;
+  std::vector<std::string> warnings_;
+};
+
+Result<Batch*> Crew::batch(const std::string& name, const std::string& where) {
+  if (const auto at = by_name_.find(name); at != by_name_.end()) return at->second;
+  std::unique_ptr<Batch> made = make_built_in(name);
+  if (const std::filesystem::path file = made ? "" : find_library(name, folders_); !file.empty()) {
+    Result<Library> library = Library::open(file);
+    // STAGEPATH leads to Stage's own builds of its demonstrations: no reason to refuse the world.
+    if (!library && !is_stage_demo(name)) {
+      return Error{where, "controller \"" + name + "\": " + library.error().line()};
+    }
+    if (library) made = std::make_unique<Loaded>(std::move(*library));
+  }
+  if (!made && !is_stage_demo(name)) return unknown(where, name, folders_);
+  if (!made) {
+    warnings_.push_back(where + ": Stage's demonstration \"" + name +
+                        "\" is not part of this program; its robots stay without a controller");
+  }
+  Batch* const batch = made.get();
+  by_name_.emplace(name, batch);
+  if (made) world_.deciders.push_back(std::move(made));
+  return batch;
+}
+
+Result<void> Crew::hire(const Post& post, const std::string& where) {
+  const Result<Batch*> found = batch(post.name, where);
+  if (!found) return found.error();
+  if (!*found) return {};
+  if (const Result<void> added = (*found)->add(world_, post); !added) {
+    return Error{where, "controller \"" + post.name + "\" of \"" + world_.desc(post.model).name +
+                            "\": " + added.error().line()};
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> library_folders(const scene::SceneDesc& scene,
+                                                   const std::filesystem::path& program_folder) {
+  std::vector<std::filesystem::path> folders;
+  const std::filesystem::path folder = std::filesystem::path(scene.path).parent_path();
+  folders.push_back(folder.empty() ? "." : folder);
+  add_folders("PLAYHOUSE_PATH", folders);
+  add_folders("STAGEPATH", folders);
+  folders.push_back(program_folder);
+  return folders;
+}
+
+Result<std::vector<std::string>> attach(world::World& world, std::span<const std::filesystem::path> folders) {
+  Crew crew(world, folders);
+  for (std::uint32_t row = 0; row < world.models.size(); ++row) {
+    const scene::ModelDesc& desc = world.desc({row});
+    for (std::uint32_t order = 0; order < desc.ctrl.size(); ++order) {
+      std::vector<std::string> words = split(desc.ctrl[order]);
+      if (words.empty()) continue;
+      Post post{{row}, words[0], {words.begin() + 1, words.end()}, order};
+      if (const Result<void> hired = crew.hire(post, world.scene().at(desc.where)); !hired)
+        return hired.error();
+    }
+  }
+  return crew.take_warnings();
+}
+
+}  // namespace playhouse::controllers

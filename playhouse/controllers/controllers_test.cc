@@ -1,0 +1,213 @@
+/// The built-in controllers one decision at a time, on beams that the tests make up. How they behave over
+/// minutes, in an engine, is tested in scenarios.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "playhouse/controllers/attach.h"
+#include "playhouse/controllers/testing/scenes.h"
+
+namespace playhouse::controllers {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+/// A world whose controllers are attached; `error` is empty when that went well.
+struct Fixture {
+  explicit Fixture(scene::SceneDesc made) : scene(std::move(made)), world(scene, 7) {
+    auto attached = attach(world, {});
+    if (attached) {
+      warnings = *attached;
+    } else {
+      error = attached.error().line();
+    }
+  }
+  const geom::Twist& command(std::size_t robot) const { return world.positions.command[robot]; }
+
+  scene::SceneDesc scene;
+  world::World world;
+  std::vector<std::string> warnings;
+  std::string error;
+};
+
+TEST(Wander, drives_ahead_when_nothing_is_near) {
+  Fixture f(testing::robots(1, testing::scanner(180), "wander"));
+  ASSERT_EQ(f.error, "");
+  testing::measure(f.world, {8.0f});
+  testing::decide(f.world);
+  EXPECT_EQ(f.command(0), (geom::Twist{0.4, 0, 0, 0}));
+}
+
+TEST(Wander, turns_away_from_the_nearer_side_and_keeps_turning_for_ten_scans_at_least) {
+  Fixture f(testing::robots(1, testing::scanner(180), "wander"));
+  std::vector<float> beams(180, 8.0f);
+  beams[100] = 0.8f;  // ahead, a little to the left
+  testing::measure(f.world, beams);
+  testing::decide(f.world);
+  EXPECT_EQ(f.command(0), (geom::Twist{0.05, 0, 0, -0.5}));
+  int kept = 1;
+  for (; kept < 100; ++kept) {
+    testing::measure(f.world, {8.0f});
+    testing::decide(f.world);
+    if (f.command(0).x == 0.4) break;
+  }
+  EXPECT_GE(kept, 10);
+  EXPECT_LT(kept, 20);
+}
+
+TEST(Wander, stops_and_turns_when_anything_is_very_near) {
+  Fixture f(testing::robots(1, testing::scanner(180), "wander"));
+  std::vector<float> beams(180, 8.0f);
+  beams[0] = 0.2f;  // far right
+  testing::measure(f.world, beams);
+  testing::decide(f.world);
+  EXPECT_EQ(f.command(0), (geom::Twist{0, 0, 0, 0.5}));
+}
+
+TEST(Wander, works_with_any_number_of_samples) {
+  for (std::uint32_t samples = 1; samples <= 40; ++samples) {
+    Fixture f(testing::robots(2, testing::scanner(samples), "wander"));
+    ASSERT_EQ(f.error, "") << samples;
+    testing::measure(f.world, {0.25f});
+    testing::decide(f.world);
+    EXPECT_EQ(f.command(1).x, 0) << samples;
+    EXPECT_EQ(std::abs(f.command(1).a), 0.5) << samples;
+  }
+}
+
+TEST(Wander, sees_an_obstacle_in_every_beam) {
+  for (const std::uint32_t samples : {1u, 7u, 8u, 9u, 16u, 31u, 180u, 181u}) {
+    for (std::uint32_t k = 0; k < samples; ++k) {
+      Fixture f(testing::robots(1, testing::scanner(samples), "wander"));
+      std::vector<float> beams(samples, 8.0f);
+      beams[k] = 0.29f;
+      testing::measure(f.world, beams);
+      testing::decide(f.world);
+      ASSERT_EQ(f.command(0).x, 0) << samples << " samples, beam " << k;
+    }
+  }
+}
+
+TEST(Wander, acts_on_new_scans_only) {
+  Fixture f(testing::robots(1, testing::scanner(180), "wander"));
+  testing::measure(f.world, {8.0f});
+  testing::decide(f.world);
+  f.world.positions.command[0] = {};
+  ++f.world.tick_;
+  testing::decide(f.world);
+  EXPECT_EQ(f.command(0), geom::Twist{});
+}
+
+TEST(Wander, prefers_a_scanner_to_sonars) {
+  scene::SceneDesc scene = testing::robots(1, testing::ring(16), "wander");
+  scene::ModelDesc laser = scene.models[1];
+  laser.name = laser.alias = "r0.ranger:1";
+  laser.sensors = testing::scanner(9);
+  scene.models.push_back(laser);
+  Fixture f(std::move(scene));
+  ASSERT_EQ(f.error, "");
+  EXPECT_EQ(f.world.models.subscribers[0], 1u);
+  EXPECT_EQ(f.world.models.subscribers[1], 0u) << "the sonars stay asleep";
+  EXPECT_EQ(f.world.models.subscribers[2], 1u);
+}
+
+TEST(Expand, drives_towards_free_space_ahead) {
+  for (const char* name : {"expand_swarm", "expand_pioneer"}) {
+    Fixture f(testing::robots(1, testing::ring(12), name));
+    ASSERT_EQ(f.error, "") << name;
+    std::vector<float> beams(12, 5.0f);
+    beams[5] = beams[6] = beams[7] = 1.0f;  // something behind
+    testing::measure(f.world, beams);
+    testing::decide(f.world);
+    EXPECT_GT(f.command(0).x, 0) << name;
+    EXPECT_NEAR(f.command(0).a, 0, 1e-6) << name;
+  }
+}
+
+TEST(Expand, turns_to_the_side_with_more_room_and_stops_when_blocked) {
+  Fixture f(testing::robots(1, testing::ring(16), "expand_swarm"));
+  std::vector<float> beams(16, 5.0f);
+  beams[0] = 0.4f;                           // ahead
+  beams[15] = beams[14] = beams[13] = 1.0f;  // right
+  testing::measure(f.world, beams);
+  testing::decide(f.world);
+  EXPECT_EQ(f.command(0).x, 0);
+  EXPECT_GT(f.command(0).a, 0);
+}
+
+TEST(Expand, works_with_a_ring_of_any_size) {
+  for (std::size_t sensors = 1; sensors <= 40; ++sensors) {
+    Fixture f(testing::robots(3, testing::ring(sensors), "expand_pioneer"));
+    ASSERT_EQ(f.error, "") << sensors;
+    testing::measure(f.world, {0.1f});
+    testing::decide(f.world);
+    EXPECT_EQ(f.command(2).x, 0) << sensors;
+  }
+}
+
+TEST(Source, fills_up_to_its_capacity_and_a_sink_counts_what_it_is_given) {
+  scene::SceneDesc scene = testing::robots(2, testing::ring(1), "source 3 10");
+  scene.models[2].ctrl = {"sink"};
+  Fixture f(std::move(scene));
+  ASSERT_EQ(f.error, "");
+  for (int tick = 0; tick < 5; ++tick) testing::decide(f.world);
+  EXPECT_EQ(f.world.models.flags[0], 3);
+  EXPECT_EQ(f.world.models.say[2], "");
+  f.world.models.flags[2] = 2;
+  testing::decide(f.world);
+  f.world.models.flags[2] = 1;
+  testing::decide(f.world);
+  f.world.models.flags[2] = 2;
+  testing::decide(f.world);
+  EXPECT_EQ(f.world.models.say[2], "received 3");
+}
+
+TEST(Attach, names_the_line_and_the_nearest_word_for_an_unknown_controller) {
+  Fixture f(testing::robots(1, testing::ring(4), "wandr 1"));
+  EXPECT_EQ(f.error, "test.world:1: no controller \"wandr\" (did you mean \"wander\"?)");
+}
+
+TEST(Attach, says_what_a_model_lacks) {
+  Fixture without_sensors(testing::robots(1, {}, "wander"));
+  EXPECT_EQ(without_sensors.error,
+            "test.world:1: controller \"wander\" of \"r0\": needs a ranger with at least one sensor");
+  Fixture bad_number(testing::robots(1, testing::ring(4), "source many"));
+  EXPECT_THAT(bad_number.error, HasSubstr("capacity as a whole number, not \"many\""));
+}
+
+TEST(Attach, warns_once_about_a_demonstration_of_stage_and_leaves_its_robots_alone) {
+  Fixture f(testing::robots(3, testing::ring(4), "fasr2 red green"));
+  ASSERT_EQ(f.error, "");
+  ASSERT_EQ(f.warnings.size(), 1u);
+  EXPECT_THAT(f.warnings[0], HasSubstr("test.world:1: "));
+  EXPECT_THAT(f.world.deciders, IsEmpty());
+  EXPECT_EQ(f.world.models.subscribers[0], 0u);
+}
+
+TEST(Attach, puts_all_robots_of_one_controller_into_one_batch) {
+  Fixture f(testing::robots(50, testing::ring(4), "expand_swarm"));
+  ASSERT_EQ(f.world.deciders.size(), 1u);
+  EXPECT_EQ(f.world.deciders[0]->size(), 50u);
+}
+
+TEST(Attach, gives_the_same_decisions_however_the_robots_are_divided) {
+  const scene::SceneDesc scene = testing::robots(64, testing::scanner(30), "wander");
+  Fixture whole(scene), halves(scene);
+  for (int tick = 0; tick < 200; ++tick) {
+    std::vector<float> beams(7 * 30);
+    Rng random(1, tick, 0, 0);
+    for (float& beam : beams) beam = static_cast<float>(random.uniform(0.2, 3));
+    testing::measure(whole.world, beams);
+    testing::measure(halves.world, beams);
+    testing::decide(whole.world);
+    halves.world.deciders[0]->decide(halves.world, 40, 64);
+    halves.world.deciders[0]->decide(halves.world, 0, 40);
+  }
+  EXPECT_EQ(whole.world.hash(), halves.world.hash());
+}
+
+}  // namespace
+}  // namespace playhouse::controllers

@@ -1,0 +1,100 @@
+#include "playhouse/controllers/expand.h"
+
+#include <cmath>
+#include <span>
+
+namespace playhouse::controllers {
+namespace {
+
+/// The ring with the most sensors, or none.
+world::RangerRow widest(const world::World& world, const std::vector<world::RangerRow>& rangers) {
+  world::RangerRow best;
+  for (const world::RangerRow ranger : rangers) {
+    const std::uint32_t sensors = world.rangers.sensor_count[ranger.index];
+    if (sensors > 0 && (!best || sensors > world.rangers.sensor_count[best.index])) best = ranger;
+  }
+  return best;
+}
+
+struct Look {
+  geom::Vec2 free;       // sum of the beams as vectors [m]
+  bool blocked = false;  // a beam that matters is too short
+};
+
+/// Four independent lanes, added in a fixed order: the same bits whether or not the compiler uses SIMD.
+Look look(const float* range, std::span<const float> x, std::span<const float> y,
+          std::span<const float> clear) {
+  constexpr std::size_t kLanes = 4;
+  float sum_x[kLanes] = {}, sum_y[kLanes] = {};
+  int blocked[kLanes] = {};
+  const auto add = [&](std::size_t k, std::size_t lane) {
+    sum_x[lane] += range[k] * x[k];
+    sum_y[lane] += range[k] * y[k];
+    blocked[lane] |= range[k] < clear[k];
+  };
+  std::size_t k = 0;
+  for (; k + kLanes <= x.size(); k += kLanes) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) add(k + lane, lane);
+  }
+  for (; k < x.size(); ++k) add(k, 0);
+  return {{sum_x[0] + sum_x[1] + (sum_x[2] + sum_x[3]), sum_y[0] + sum_y[1] + (sum_y[2] + sum_y[3])},
+          (blocked[0] | blocked[1] | blocked[2] | blocked[3]) != 0};
+}
+
+}  // namespace
+
+std::uint32_t Expand::ring_of(const std::vector<float>& bearings) {
+  const auto [at, is_new] =
+      ring_by_bearings_.try_emplace(bearings, static_cast<std::uint32_t>(rings_.size()));
+  if (!is_new) return at->second;
+  Ring ring;
+  for (const float bearing : bearings) {
+    const auto [sin, cos] = geom::sincos(bearing);
+    const double off = std::fabs(bearing);
+    ring.x.push_back(static_cast<float>(cos));
+    ring.y.push_back(static_cast<float>(sin));
+    ring.clear.push_back(off <= config_.ahead   ? config_.safe_distance
+                         : off <= config_.flank ? config_.safe_distance / 2
+                                                : 0.0f);
+  }
+  rings_.push_back(std::move(ring));
+  return at->second;
+}
+
+Result<void> Expand::add(world::World& world, const Post& post) {
+  const world::PositionRow robot = position_of(world, post.model);
+  if (!robot) return Error{{}, "needs a position model"};
+  const world::RangerRow ranger = widest(world, rangers_of(world, post.model));
+  if (!ranger) return Error{{}, "needs a ranger with at least one sensor"};
+  world::subscribe(world, post.model);
+  world::subscribe(world, world.rangers.model[ranger.index]);
+
+  const std::vector<float> bearings = bearings_of(world, post.model, ranger);
+  PLAYHOUSE_ASSERT(bearings.size() == beam_count(world, ranger));
+  robot_.push_back(robot);
+  ranger_.push_back(ranger);
+  first_beam_.push_back(first_beam(world, ranger));
+  ring_.push_back(ring_of(bearings));
+  seen_.push_back(0);
+  return {};
+}
+
+void Expand::decide(world::World& world, std::size_t begin, std::size_t end) {
+  for (std::size_t i = begin; i < end; ++i) {
+    const std::uint64_t measured = world.rangers.measured_tick[ranger_[i].index];
+    if (measured == seen_[i]) continue;
+    seen_[i] = measured;
+
+    const Ring& ring = rings_[ring_[i]];
+    const Look seen = look(world.sensors.ranges.data() + first_beam_[i], ring.x, ring.y, ring.clear);
+    const double bearing = geom::atan2(seen.free.y, seen.free.x);
+    const bool go = !seen.blocked && std::fabs(bearing) < config_.free_angle;
+    drive(world, robot_[i], go ? config_.cruise : 0, config_.gain * bearing);
+  }
+}
+
+void Expand::hash(Hash& hash) const {
+  hash.add(std::span<const std::uint64_t>(seen_));
+}
+
+}  // namespace playhouse::controllers

@@ -1,0 +1,82 @@
+#include "playhouse/controllers/library.h"
+
+#include <dlfcn.h>
+
+#include <exception>
+#include <utility>
+
+namespace playhouse::controllers {
+namespace {
+
+/// dlerror() starts with the file's name; ours does so already.
+std::string loader_says(const std::string& file) {
+  const char* text = dlerror();
+  std::string line = text ? text : "unknown error";
+  if (line.starts_with(file + ": ")) line.erase(0, file.size() + 2);
+  return line;
+}
+
+std::string why_not_ours(void* handle) {
+  if (dlsym(handle, "Init")) {
+    return "is a controller built for Stage's library; write PLAYHOUSE_CONTROLLER in its source and build it "
+           "again";
+  }
+  return "is no controller: it lacks PLAYHOUSE_CONTROLLER";
+}
+
+}  // namespace
+
+Result<Library> Library::open(const std::filesystem::path& path) {
+  // A bare name would be looked for by the loader in its own places.
+  const std::string file = std::filesystem::absolute(path).string();
+  void* handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (!handle) return Error{file, "can't be loaded: " + loader_says(file)};
+  Library library(handle, nullptr, file);
+
+  using Version = std::uint32_t (*)();
+  const auto version = reinterpret_cast<Version>(dlsym(handle, "playhouse_controller_version"));
+  library.make_ = reinterpret_cast<Make>(dlsym(handle, "playhouse_controller_make"));
+  if (!version || !library.make_) return Error{file, why_not_ours(handle)};
+  if (const std::uint32_t found = version(); found != kControllerVersion) {
+    return Error{file, "is built for controller version " + std::to_string(found) + ", this program has " +
+                           std::to_string(kControllerVersion) + "; build it again"};
+  }
+  return library;
+}
+
+Library::Library(Library&& other) noexcept
+    : handle_(std::exchange(other.handle_, nullptr)), make_(other.make_), file_(std::move(other.file_)) {}
+
+Library& Library::operator=(Library&& other) noexcept {
+  std::swap(handle_, other.handle_);
+  std::swap(make_, other.make_);
+  std::swap(file_, other.file_);
+  return *this;
+}
+
+Library::~Library() {
+  if (handle_) dlclose(handle_);
+}
+
+Result<std::unique_ptr<Controller>> Library::make() const {
+  try {
+    std::unique_ptr<Controller> controller(make_());
+    if (!controller) return Error{file_, "made no controller"};
+    return controller;
+  } catch (const std::exception& error) {
+    return Error{file_, error.what()};
+  } catch (...) {
+    return Error{file_, "threw something that is no std::exception"};
+  }
+}
+
+std::filesystem::path find_library(std::string_view name, std::span<const std::filesystem::path> folders) {
+  for (const std::filesystem::path& folder : folders) {
+    std::filesystem::path file = folder / (std::string(name) + ".so");
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(file, ignored)) return file;
+  }
+  return {};
+}
+
+}  // namespace playhouse::controllers

@@ -1,0 +1,52 @@
+#pragma once
+
+/// Loaded: all robots that run the controller of one shared library; copies columns into Robot and back.
+
+#include <memory>
+
+#include "playhouse/controllers/batch.h"
+#include "playhouse/controllers/library.h"
+
+namespace playhouse::controllers {
+
+class Loaded final : public Batch {
+ public:
+  explicit Loaded(Library library) : library_(std::move(library)) {}
+
+  /// Makes a controller for the model, calls its start(), and subscribes the rangers it keeps in use.
+  Result<void> add(world::World& world, const Post& post) override;
+
+  std::size_t size() const override { return seats_.size(); }
+  /// A controller that throws is logged once, its robot stops, and it is not called again.
+  void decide(world::World& world, std::size_t begin, std::size_t end) override;
+  /// What a controller keeps to itself can't be hashed; what it orders is.
+  void hash(Hash& hash) const override;
+
+ private:
+  /// One controller and its robot.
+  struct Seat {
+    std::unique_ptr<Controller> controller;
+    world::ModelRow model;
+    world::PositionRow position;  // none: it can't drive
+    std::string controller_name, name;
+    std::vector<std::string> arguments;
+    std::vector<world::RangerRow> ranger_rows;
+    std::vector<std::uint64_t> seen;  // tick of the last scan shown, per ranger
+    std::vector<std::vector<float>> bearings;
+    std::vector<Ranger> rangers;
+    std::vector<world::FiducialRow> finders;
+    std::vector<Sighting> sightings;  // keeps its capacity from tick to tick
+    std::uint64_t stream = 0;         // of random numbers
+    Robot robot;
+    bool ended = false;
+  };
+
+  static void show(const world::World& world, Seat& seat);
+  static void obey(world::World& world, Seat& seat);
+  static void end(world::World& world, Seat& seat, const char* why);
+
+  Library library_;  // outlives the seats
+  std::vector<std::unique_ptr<Seat>> seats_;
+};
+
+}  // namespace playhouse::controllers

@@ -1,0 +1,113 @@
+#include "playhouse/controllers/wander.h"
+
+#include <algorithm>
+#include <span>
+
+namespace playhouse::controllers {
+namespace {
+
+constexpr double kCruise = 0.4;                             // m/s, with nothing ahead
+constexpr double kCreep = 0.05;                             // m/s, while turning away
+constexpr double kTurn = 0.5;                               // rad/s
+constexpr float kAhead = 1.0f;                              // m, in the middle third: turn away
+constexpr float kClose = 0.3f;                              // m, anywhere: stop and turn
+constexpr std::uint32_t kKeepLeast = 10, kKeepSpread = 10;  // scans for which a turn is kept
+constexpr std::uint32_t kScannerSamples = 8;                // more than these make a scanner
+
+/// Smallest of some ranges; `none` if there are none. Eight independent lanes, which compilers turn into
+/// SIMD.
+float nearest(std::span<const float> ranges, float none) {
+  constexpr std::size_t kLanes = 8;
+  float lane[kLanes];
+  std::fill_n(lane, kLanes, none);
+  std::size_t k = 0;
+  for (; k + kLanes <= ranges.size(); k += kLanes) {
+    for (std::size_t j = 0; j < kLanes; ++j) lane[j] = ranges[k + j] < lane[j] ? ranges[k + j] : lane[j];
+  }
+  for (; k < ranges.size(); ++k) lane[0] = std::min(lane[0], ranges[k]);
+  return *std::min_element(lane, lane + kLanes);
+}
+
+struct View {
+  float right, ahead, left;  // m, the nearest thing on either side and in the middle third
+};
+
+/// Beams are ordered from right to left. With one beam it is everything at once.
+View look(std::span<const float> ranges) {
+  constexpr float kFar = 1e30f;
+  const std::size_t n = ranges.size(), third = n / 3, half = n / 2;
+  const float right = nearest(ranges.subspan(0, third), kFar);
+  const float ahead_right = nearest(ranges.subspan(third, half - third), kFar);
+  const float ahead_left = nearest(ranges.subspan(half, n - third - half), kFar);
+  const float left = nearest(ranges.subspan(n - third), kFar);
+  return {std::min(right, ahead_right), std::min(ahead_right, ahead_left), std::min(ahead_left, left)};
+}
+
+/// The sensor to steer by: its row, or none.
+world::SensorRow scanner(const world::World& world, const std::vector<world::RangerRow>& rangers) {
+  world::SensorRow best;
+  for (const world::RangerRow ranger : rangers) {
+    const std::uint32_t first = world.rangers.first_sensor[ranger.index];
+    for (std::uint32_t k = first; k < first + world.rangers.sensor_count[ranger.index]; ++k) {
+      const std::uint32_t beams = world.sensors.beam_count[k];
+      if (beams > kScannerSamples) return {k};
+      if (!best || beams > world.sensors.beam_count[best.index]) best = {k};
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+Result<void> Wander::add(world::World& world, const Post& post) {
+  const world::PositionRow robot = position_of(world, post.model);
+  if (!robot) return Error{{}, "needs a position model"};
+  const world::SensorRow sensor = scanner(world, rangers_of(world, post.model));
+  if (!sensor) return Error{{}, "needs a ranger with at least one sensor"};
+  const world::RangerRow ranger = world.sensors.ranger[sensor.index];
+  world::subscribe(world, post.model);
+  world::subscribe(world, world.rangers.model[ranger.index]);
+
+  robot_.push_back(robot);
+  ranger_.push_back(ranger);
+  first_beam_.push_back(world.sensors.first_beam[sensor.index]);
+  beams_.push_back(world.sensors.beam_count[sensor.index]);
+  seen_.push_back(0);
+  avoiding_.push_back(0);
+  turn_.push_back(0);
+  return {};
+}
+
+void Wander::decide(world::World& world, std::size_t begin, std::size_t end) {
+  for (std::size_t i = begin; i < end; ++i) {
+    const std::uint64_t measured = world.rangers.measured_tick[ranger_[i].index];
+    if (measured == seen_[i]) continue;
+    seen_[i] = measured;
+
+    const View view = look(std::span(world.sensors.ranges).subspan(first_beam_[i], beams_[i]));
+    const bool stop = std::min(view.right, view.left) < kClose;
+    if (view.ahead >= kAhead && !stop && avoiding_[i] == 0) {
+      drive(world, robot_[i], kCruise, 0);
+      continue;
+    }
+    if (avoiding_[i] == 0) {
+      const world::ModelRow model = world.positions.model[robot_[i].index];
+      Rng random(world.seed(), world.tick(), model.index,
+                 static_cast<std::uint64_t>(world::Stream::kController));
+      avoiding_[i] = kKeepLeast + static_cast<std::uint32_t>(random.bits() % kKeepSpread);
+      turn_[i] = view.left < view.right ? -kTurn : kTurn;
+    }
+    --avoiding_[i];
+    drive(world, robot_[i], stop ? 0 : kCreep, turn_[i]);
+  }
+}
+
+void Wander::hash(Hash& hash) const {
+  for (std::size_t i = 0; i < size(); ++i) {
+    hash.add(seen_[i]);
+    hash.add(static_cast<std::uint64_t>(avoiding_[i]));
+    hash.add(turn_[i]);
+  }
+}
+
+}  // namespace playhouse::controllers
