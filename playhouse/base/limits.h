@@ -29,7 +29,9 @@ inline constexpr std::size_t kFileBytes = 16u << 20;
 inline constexpr int kIncludeDepth = 32;
 inline constexpr int kEntityDepth = 64;
 inline constexpr std::size_t kEntities = 1u << 20;                // after macro expansion
+inline constexpr std::size_t kExpandedFields = 1u << 27;          // properties of all entities, macros' included
 inline constexpr std::size_t kBitmapPixels = 1u << 28;
+inline constexpr int kRangerSamples = 1 << 16;                    // beams of one sensor
 
 static_assert(kBodyBytes + kHeaderBytes == kMessageBytes);
 

@@ -1,9 +1,9 @@
 #pragma once
 
-/// SceneDesc: what a scene file says, in SI units and radians, with every macro, include and default resolved.
-/// Parsers make it, engines read it; nothing else in the tree knows what a world file looks like.
-/// A value type. Frames: W world, P parent model, M model pose, B body and sensor frame of a model (M moved by `X_MB`,
-/// the file's `origin`), S sensor.
+/// SceneDesc: what a scene file says, in SI units and radians, with every macro, include and default
+/// resolved. Parsers make it, engines read it; nothing else in the tree knows what a world file looks like.
+/// A value type. Frames: W world, P parent model, M model pose, B body and sensor frame of a model (M moved
+/// by `X_MB`, the file's `origin`), S sensor.
 
 #include <cstdint>
 #include <optional>
@@ -34,8 +34,9 @@ struct Block {
   double z_min = 0, z_max = 0;     // m, relative to B
 };
 
-/// A body traced from a bitmap: closed contours on pixel edges, solid to the left of each edge (outer contours
-/// counter-clockwise, holes clockwise). Even-odd rule: a point is solid when an odd number of contours holds it.
+/// A body traced from a bitmap: closed contours on pixel edges, solid to the left of each edge (outer
+/// contours counter-clockwise, holes clockwise). Even-odd rule: a point is solid when an odd number of
+/// contours holds it.
 struct Contours {
   std::vector<std::vector<geom::Vec2>> loops;  // m, in B
   double z_min = 0, z_max = 0;                 // m, relative to B
@@ -56,53 +57,53 @@ struct PositionDesc {
   Bounds velocity_bounds[4];                      // x, y, z [m/s], heading [rad/s]
   Bounds acceleration_bounds[4];                  // x, y, z [m/s^2], heading [rad/s^2]
   double wheelbase = 1.0;                         // m
-  std::optional<geom::Twist> odom_error;          // fraction per axis (x, y, z, heading); none: drawn per robot
+  std::optional<geom::Twist> odom_error;  // fraction per axis (x, y, z, heading); none: drawn per robot
 };
 
 /// One transducer or scanner of a ranger.
 struct RangerSensorDesc {
-  geom::Pose X_BS;               // sensor in the ranger's body frame
-  geom::Size size;               // m, for drawing; rays start size.z / 2 above X_BS
-  double range_min = 0;          // m
-  double range_max = 5;          // m
-  double fov = 0.1;              // rad; beams from -fov/2 to +fov/2, first is rightmost; one sample looks ahead
-  std::uint32_t samples = 1;     // at least 1
-  double noise_constant = 0;     // m (see docs/stage-compatibility.md)
-  double noise_proportional = 0; // fraction of the range
-  double noise_angular = 0;      // rad
+  geom::Pose X_BS;            // sensor in the ranger's body frame
+  geom::Size size;            // m, for drawing; rays start size.z / 2 above X_BS
+  double range_min = 0;       // m
+  double range_max = 5;       // m
+  double fov = 0.1;           // rad; beams from -fov/2 to +fov/2, first is rightmost; one sample looks ahead
+  std::uint32_t samples = 1;  // at least 1
+  double noise_constant = 0;  // m (see docs/stage-compatibility.md)
+  double noise_proportional = 0;  // fraction of the range
+  double noise_angular = 0;       // rad
   Color color{0, 0, 1, 0.15f};
 };
 
 struct FiducialDesc {
-  double range_min = 0;      // m
-  double range_max = 8;      // m
-  double range_max_id = 5;   // m
-  double fov = geom::kPi;    // rad
+  double range_min = 0;     // m
+  double range_max = 8;     // m
+  double range_max_id = 5;  // m
+  double fov = geom::kPi;   // rad
   bool ignore_zloc = false;
 };
 
 struct ModelDesc {
-  std::string name;          // unique token, e.g. "r0" or "r0.ranger:1"
-  std::string alias;         // default token, e.g. "position:0"; equal to `name` when the file gave none
-  std::string type;          // the base type as the file says it, after macros: "position", "gripper", ...
+  std::string name;   // unique token, e.g. "r0" or "r0.ranger:1"
+  std::string alias;  // default token, e.g. "position:0"; equal to `name` when the file gave none
+  std::string type;   // the base type as the file says it, after macros: "position", "gripper", ...
   ModelKind kind = ModelKind::kPlain;
   std::int32_t parent = -1;  // row of SceneDesc::models, always below this row; -1: the world
   SourceLine where;
 
-  geom::Pose X_PM;           // pose in the parent; z includes the parent's height when the parent stacks
-  geom::Pose X_MB;           // origin
-  geom::Size size;           // m, bounding box of the body
+  geom::Pose X_PM;  // pose in the parent; z includes the parent's height when the parent stacks
+  geom::Pose X_MB;  // origin
+  geom::Size size;  // m, bounding box of the body
   Color color;
   std::vector<Block> blocks;
   std::vector<Contours> bitmaps;
 
   bool obstacle_return = true;
-  double ranger_return = 1.0;   // below 0: rangers do not see it; else the intensity they report
-  int fiducial_return = 0;      // 0: no finder sees it
+  double ranger_return = 1.0;  // below 0: rangers do not see it; else the intensity they report
+  int fiducial_return = 0;     // 0: no finder sees it
   int fiducial_key = 0;
   bool gripper_return = false;
-  double mass = 0;              // kg
-  double update_interval = 0.1; // s
+  double mass = 0;               // kg
+  double update_interval = 0.1;  // s
   bool alwayson = false;
   bool gui_move = false;
   std::string say;
@@ -125,16 +126,16 @@ struct WindowDesc {
 
 struct SceneDesc {
   std::string name;
-  std::string path;                  // of the top-level file
-  std::vector<std::string> files;    // all files read; row 0 is the top-level one
-  double interval = 0.1;             // s, one tick
-  double resolution = 0.02;          // m, of the file's raster; our geometry is exact, devices report it
-  double quit_time = 0;              // s; 0: never
-  double speedup = 1;                // times real time; <= 0: as fast as possible
+  std::string path;                // of the top-level file
+  std::vector<std::string> files;  // all files read; row 0 is the top-level one
+  double interval = 0.1;           // s, one tick
+  double resolution = 0.02;        // m, of the file's raster; our geometry is exact, devices report it
+  double quit_time = 0;            // s; 0: never
+  double speedup = 1;              // times real time; <= 0: as fast as possible
   bool paused = false;
   WindowDesc window;
-  std::vector<ModelDesc> models;     // parents before children, siblings in file order
-  std::vector<std::string> warnings; // "file:line: text", each once
+  std::vector<ModelDesc> models;      // parents before children, siblings in file order
+  std::vector<std::string> warnings;  // "file:line: text", each once
 
   /// "file:line" of a place in this scene.
   std::string at(SourceLine where) const {

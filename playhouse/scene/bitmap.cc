@@ -1,0 +1,80 @@
+#include "playhouse/scene/bitmap.h"
+
+#include "playhouse/scene/image_file.h"
+
+namespace playhouse::scene {
+namespace {
+
+constexpr std::uint8_t kSolidUpTo = 127;
+
+/// A corner of the pixel grid, in the image's own sense: y down from the top edge.
+struct Corner {
+  int x, y;
+  friend bool operator==(Corner, Corner) = default;
+};
+
+enum Heading { kEast, kNorth, kWest, kSouth };  // counter-clockwise, so that +1 turns left
+constexpr Corner kStep[] = {{1, 0}, {0, -1}, {-1, 0}, {0, 1}};
+
+/// The pixels ahead of a corner, on the left and on the right of the way on.
+Corner left_ahead(Corner c, Heading h) {
+  constexpr Corner kOffset[] = {{0, -1}, {-1, -1}, {-1, 0}, {0, 0}};
+  return {c.x + kOffset[h].x, c.y + kOffset[h].y};
+}
+Corner right_ahead(Corner c, Heading h) {
+  return left_ahead(c, static_cast<Heading>((h + 3) % 4));
+}
+
+/// The way on at a corner when solid is kept on the left; at a corner where two solid pixels meet diagonally
+/// it turns left, around its own pixel.
+Heading turn(const Bitmap& bitmap, Corner c, Heading h) {
+  const Corner left = left_ahead(c, h), right = right_ahead(c, h);
+  if (!bitmap.at(left.x, left.y)) return static_cast<Heading>((h + 1) % 4);
+  return bitmap.at(right.x, right.y) ? static_cast<Heading>((h + 3) % 4) : h;
+}
+
+/// Walks one contour from the top edge of the solid pixel (x, y), westward, and marks the top edges on its
+/// way.
+std::vector<geom::Vec2> walk(const Bitmap& bitmap, int x, int y, std::vector<bool>& seen) {
+  const Corner start{x + 1, y};
+  std::vector<geom::Vec2> loop;
+  Corner c = start;
+  Heading h = kWest;
+  do {
+    if (h == kWest) {
+      seen[static_cast<std::size_t>(c.y) * static_cast<std::size_t>(bitmap.width) +
+           static_cast<std::size_t>(c.x - 1)] = true;
+    }
+    c = {c.x + kStep[h].x, c.y + kStep[h].y};
+    const Heading next = turn(bitmap, c, h);
+    if (next != h) loop.push_back({static_cast<double>(c.x), static_cast<double>(bitmap.height - c.y)});
+    h = next;
+  } while (!(c == start && h == kWest));
+  return loop;
+}
+
+}  // namespace
+
+Result<Bitmap> decode_bitmap(std::string_view bytes, std::size_t most_pixels) {
+  Result<FirstChannel> image = read_first_channel(bytes, most_pixels);
+  if (!image) return image.error();
+  Bitmap bitmap{image->width, image->height, std::move(image->level)};
+  for (std::uint8_t& pixel : bitmap.solid) pixel = pixel <= kSolidUpTo ? 1 : 0;
+  return bitmap;
+}
+
+std::vector<std::vector<geom::Vec2>> trace_contours(const Bitmap& bitmap) {
+  // Every contour has an edge with solid below and nothing above: scanning for those finds them all.
+  std::vector<std::vector<geom::Vec2>> loops;
+  std::vector<bool> seen(bitmap.solid.size());
+  std::size_t pixel = 0;
+  for (int y = 0; y < bitmap.height; ++y) {
+    for (int x = 0; x < bitmap.width; ++x, ++pixel) {
+      if (bitmap.solid[pixel] && !seen[pixel] && !bitmap.at(x, y - 1))
+        loops.push_back(walk(bitmap, x, y, seen));
+    }
+  }
+  return loops;
+}
+
+}  // namespace playhouse::scene

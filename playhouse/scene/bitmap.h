@@ -1,0 +1,36 @@
+#pragma once
+
+/// Images as bodies: image bytes -> a grid of solid pixels -> closed contours on pixel edges.
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "playhouse/base/limits.h"
+#include "playhouse/base/result.h"
+#include "playhouse/geom/pose.h"
+
+namespace playhouse::scene {
+
+/// Which pixels of an image are solid. Row 0 is the image's top row.
+struct Bitmap {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> solid;  // height x width, row-major; 0 or 1
+
+  bool at(int x, int y) const {
+    return x >= 0 && x < width && y >= 0 && y < height &&
+           solid[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                 static_cast<std::size_t>(x)] != 0;
+  }
+};
+
+/// Decodes a PNG, PGM, PPM, PBM, BMP, GIF or JPEG. A pixel is solid when its first channel is at most 127 of
+/// 255; transparency does not count. Fails on other bytes and on more than `most_pixels`.
+Result<Bitmap> decode_bitmap(std::string_view bytes, std::size_t most_pixels = limits::kBitmapPixels);
+
+/// Closed contours of the solid pixels, in pixels: x to the right from the image's left edge, y up from its
+/// bottom edge. Solid is on the left of each edge, collinear runs are one edge, pixels that touch at a corner
+/// only are apart. Cost: one pass over the pixels and one over the edges.
+std::vector<std::vector<geom::Vec2>> trace_contours(const Bitmap& bitmap);
+
+}  // namespace playhouse::scene

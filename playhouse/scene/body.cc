@@ -1,0 +1,116 @@
+#include "playhouse/scene/body.h"
+
+#include <algorithm>
+
+namespace playhouse::scene {
+namespace {
+
+constexpr double kWall = 0.01;  // m
+
+double signed_area(const std::vector<geom::Vec2>& points) {
+  double twice = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    twice += geom::cross(points[i], points[(i + 1) % points.size()]);
+  return twice / 2;
+}
+
+Block rectangle(double x_min, double y_min, double x_max, double y_max, double height) {
+  return {{{x_min, y_min}, {x_max, y_min}, {x_max, y_max}, {x_min, y_max}}, 0, height};
+}
+
+/// Maps the joint bounding box of a shape onto a size.
+struct Stretch {
+  geom::Box box;
+  Bounds z{1e300, -1e300};
+  geom::Size size;
+
+  geom::Vec2 operator()(geom::Vec2 p) const {
+    return {((p.x - box.x_min) / (box.x_max - box.x_min) - 0.5) * size.x,
+            ((p.y - box.y_min) / (box.y_max - box.y_min) - 0.5) * size.y};
+  }
+  /// A shape without extent in z is as high as the model, like one that does not mention z.
+  Bounds operator()(std::optional<Bounds> b) const {
+    if (!b || !(z.max > z.min)) return {0, size.z};
+    return {(b->min - z.min) / (z.max - z.min) * size.z, (b->max - z.min) / (z.max - z.min) * size.z};
+  }
+  std::vector<geom::Vec2> operator()(const std::vector<geom::Vec2>& points) const {
+    std::vector<geom::Vec2> mapped;
+    mapped.reserve(points.size());
+    for (const geom::Vec2 p : points) mapped.push_back((*this)(p));
+    return mapped;
+  }
+};
+
+Stretch stretch_of(const Shape& shape, const geom::Size& size) {
+  Stretch stretch{{}, {1e300, -1e300}, size};
+  const auto widen = [&stretch](Bounds z) {
+    stretch.z = {std::min(stretch.z.min, z.min), std::max(stretch.z.max, z.max)};
+  };
+  for (const Shape::Prism& prism : shape.prisms) {
+    for (const geom::Vec2 p : prism.points) stretch.box.add(p);
+    if (prism.z) widen(*prism.z);
+  }
+  for (const auto& loop : shape.contours) {
+    for (const geom::Vec2 p : loop) stretch.box.add(p);
+  }
+  if (!shape.contours.empty()) widen({0, 1});
+  return stretch;
+}
+
+}  // namespace
+
+Shape::Prism read_block(const Properties& properties) {
+  LoadState& state = properties.state();
+  Shape::Prism prism{{}, {}, properties.where("points")};
+  const int count = properties.integer("points", 0);
+  if (count < 3) state.fail(prism.where, "a block needs \"points\" of at least 3");
+  for (int i = 0; i < count && !state.error; ++i) {
+    const std::string key = "point[" + std::to_string(i) + "]";
+    double v[2] = {};
+    if (!properties.tuple(key, "LL", v, "[x y]")) {
+      state.fail(prism.where,
+                 "the block has " + std::to_string(count) + " points, but \"" + key + "\" is missing");
+    }
+    prism.points.push_back({v[0], v[1]});
+  }
+  double z[2] = {};
+  if (properties.tuple("z", "LL", z, "[min max]")) {
+    if (z[1] < z[0]) state.fail(properties.where("z"), "the block ends below its start: z [min max]");
+    prism.z = Bounds{z[0], z[1]};
+  }
+  return prism;
+}
+
+void fit_shape(const Shape& shape, const geom::Size& size, LoadState& state, ModelDesc& model) {
+  const Stretch stretch = stretch_of(shape, size);
+  if (stretch.box.empty()) return;
+  if (!(stretch.box.x_max > stretch.box.x_min) || !(stretch.box.y_max > stretch.box.y_min)) {
+    state.fail(shape.prisms.empty() ? model.where : shape.prisms.front().where,
+               "the points of the blocks lie on one line");
+    return;
+  }
+  for (const Shape::Prism& prism : shape.prisms) {
+    const Bounds z = stretch(prism.z);
+    Block block{stretch(prism.points), z.min, z.max};
+    if (signed_area(block.points) < 0) std::reverse(block.points.begin(), block.points.end());
+    model.blocks.push_back(std::move(block));
+  }
+  if (shape.contours.empty()) return;
+  const Bounds z = stretch(Bounds{0, 1});
+  Contours contours{{}, z.min, z.max};
+  for (const auto& loop : shape.contours) contours.loops.push_back(stretch(loop));
+  model.bitmaps.push_back(std::move(contours));
+}
+
+Block box_block(const geom::Size& size) {
+  return rectangle(-size.x / 2, -size.y / 2, size.x / 2, size.y / 2, size.z);
+}
+
+std::vector<Block> boundary_walls(const geom::Size& size) {
+  const double x = size.x / 2, y = size.y / 2;
+  const double tx = std::min(kWall, x), ty = std::min(kWall, y);
+  return {rectangle(-x, -y, -x + tx, y, size.z), rectangle(x - tx, -y, x, y, size.z),
+          rectangle(-x, -y, x, -y + ty, size.z), rectangle(-x, y - ty, x, y, size.z)};
+}
+
+}  // namespace playhouse::scene

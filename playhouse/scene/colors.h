@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "playhouse/scene/scene_desc.h"
+
+namespace playhouse::scene {
+
+/// The colour of an X11 name ("light blue", "LightBlue", "gray30"); capitals and spaces do not matter.
+/// Opaque. Eight names that only the web has ("silver", "lime", ...) are known too.
+std::optional<Color> color_by_name(std::string_view name);
+
+/// Known names near `name` for an error line: ` (did you mean "red"?)`, or "".
+std::string color_hint(std::string_view name);
+
+}  // namespace playhouse::scene

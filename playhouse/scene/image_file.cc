@@ -1,0 +1,213 @@
+#include "playhouse/scene/image_file.h"
+
+#include <png.h>
+
+#include <csetjmp>
+#include <cstring>
+#include <memory>
+#include <optional>
+#include <string>
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wimplicit-fallthrough"
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_NO_STDIO
+#define STBI_NO_LINEAR
+#define STBI_NO_HDR
+#define STBI_ONLY_PNM
+#define STBI_ONLY_BMP
+#define STBI_ONLY_GIF
+#define STBI_ONLY_JPEG
+#include <stb/stb_image.h>
+#pragma GCC diagnostic pop
+
+namespace playhouse::scene {
+namespace {
+
+/// Fails on an empty image and on one of more than `most` pixels.
+Result<void> check_size(std::uint64_t width, std::uint64_t height, std::size_t most) {
+  if (width > 0 && height > 0 && width <= most && height <= most / width) return {};
+  return Error{{},
+               "has " + std::to_string(width) + " x " + std::to_string(height) + " pixels; up to " +
+                   std::to_string(most) + " are possible"};
+}
+
+/// What libpng's callbacks share with the function that called it.
+struct PngReading {
+  std::string_view bytes;
+  std::size_t most_pixels = 0;
+  std::size_t at = 0;
+  std::string failure;
+  std::vector<std::uint8_t> row;
+  FirstChannel image;
+};
+
+void png_failed(png_structp png, png_const_charp text) {
+  static_cast<PngReading*>(png_get_error_ptr(png))->failure = text;
+  png_longjmp(png, 1);
+}
+
+void png_warned(png_structp, png_const_charp) {}
+
+void png_read_bytes(png_structp png, png_bytep out, std::size_t count) {
+  auto& reading = *static_cast<PngReading*>(png_get_io_ptr(png));
+  if (count > reading.bytes.size() - reading.at) png_error(png, "the file ends too early");
+  std::memcpy(out, reading.bytes.data() + reading.at, count);
+  reading.at += count;
+}
+
+/// Rows as 8-bit channels of which the first is red or grey; palette and low depths expanded.
+void png_read_rows(png_structp png, png_infop about, PngReading& reading) {
+  png_read_info(png, about);
+  const png_uint_32 width = png_get_image_width(png, about);
+  const png_uint_32 height = png_get_image_height(png, about);
+  if (const auto size = check_size(width, height, reading.most_pixels); !size) {
+    reading.failure = size.error().text;
+    return;
+  }
+  png_set_expand(png);
+  png_set_strip_16(png);
+  const int passes = png_set_interlace_handling(png);
+  png_read_update_info(png, about);
+  const std::size_t row_bytes = png_get_rowbytes(png, about);
+  const std::size_t channels = png_get_channels(png, about);
+  FirstChannel& image = reading.image;
+  image.width = static_cast<int>(width);
+  image.height = static_cast<int>(height);
+  image.level.assign(std::size_t{width} * height, 0);
+  // An interlaced image comes in passes over the same rows; each pass needs the row of the one before.
+  reading.row.assign(passes == 1 ? row_bytes : row_bytes * height, 0);
+  for (int pass = 0; pass < passes; ++pass) {
+    for (png_uint_32 y = 0; y < height; ++y) {
+      std::uint8_t* row = reading.row.data() + (passes == 1 ? 0 : y * row_bytes);
+      png_read_row(png, row, nullptr);
+      for (png_uint_32 x = 0; x < width; ++x) image.level[std::size_t{y} * width + x] = row[x * channels];
+    }
+  }
+}
+
+Result<FirstChannel> read_png(std::string_view bytes, std::size_t most_pixels) {
+  // libpng reports errors by a jump; what must survive it and has a destructor lives outside this frame.
+  const auto reading = std::make_unique<PngReading>();
+  reading->bytes = bytes;
+  reading->most_pixels = most_pixels;
+  png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, reading.get(), png_failed, png_warned);
+  png_infop about = png ? png_create_info_struct(png) : nullptr;
+  if (!about) {
+    png_destroy_read_struct(&png, nullptr, nullptr);
+    return Error{{}, "cannot be decoded: out of memory"};
+  }
+  if (setjmp(png_jmpbuf(png)) == 0) {
+    png_set_read_fn(png, reading.get(), png_read_bytes);
+    png_set_user_limits(png, 0x7FFFFFFF, 0x7FFFFFFF);
+    png_read_rows(png, about, *reading);
+  }
+  png_destroy_read_struct(&png, &about, nullptr);
+  if (!reading->failure.empty()) return Error{{}, "is no readable PNG: " + reading->failure};
+  return std::move(reading->image);
+}
+
+/// The words and digits of a PNM header and of ASCII pixels; "#" starts a comment.
+class PnmText {
+ public:
+  PnmText(std::string_view bytes, std::size_t at) : bytes_(bytes), at_(at) {}
+
+  std::optional<std::uint32_t> number() {
+    skip_blanks();
+    std::uint64_t value = 0;
+    const std::size_t start = at_;
+    while (at_ < bytes_.size() && is_digit(bytes_[at_]) && value <= 0xFFFFFFFu) {
+      value = 10 * value + static_cast<std::uint64_t>(bytes_[at_++] - '0');
+    }
+    if (at_ == start) return std::nullopt;
+    return static_cast<std::uint32_t>(value);
+  }
+  /// One pixel of an ASCII PBM; they need no blanks between them.
+  std::optional<std::uint32_t> digit() {
+    skip_blanks();
+    if (at_ >= bytes_.size() || !is_digit(bytes_[at_])) return std::nullopt;
+    return static_cast<std::uint32_t>(bytes_[at_++] - '0');
+  }
+  std::size_t at() const { return at_; }
+
+ private:
+  static bool is_digit(char c) { return c >= '0' && c <= '9'; }
+  void skip_blanks() {
+    while (at_ < bytes_.size()) {
+      const char c = bytes_[at_];
+      if (c == '#') {
+        at_ = std::min(bytes_.find('\n', at_), bytes_.size());
+      } else if (c == ' ' || (c >= '\t' && c <= '\r')) {
+        ++at_;
+      } else {
+        return;
+      }
+    }
+  }
+  std::string_view bytes_;
+  std::size_t at_;
+};
+
+/// P1 (ASCII bits), P2 (ASCII grey), P3 (ASCII colour), P4 (bits): the kinds of PNM that stb_image lacks.
+Result<FirstChannel> read_pnm(std::string_view bytes, std::size_t most_pixels) {
+  const Error bad{{}, "is no readable PNM: the header is wrong or the pixels end too early"};
+  const char kind = bytes[1];
+  const bool bits = kind == '1' || kind == '4';
+  PnmText text(bytes, 2);
+  const auto width = text.number(), height = text.number();
+  const auto top = bits ? std::optional<std::uint32_t>(1) : text.number();
+  if (!width || !height || !top || *top == 0) return bad;
+  if (const auto size = check_size(*width, *height, most_pixels); !size) return size.error();
+  const std::size_t pixels = std::size_t{*width} * *height;
+  const std::size_t row_bytes = (std::size_t{*width} + 7) / 8;
+  const std::size_t data = text.at() + 1;
+  if (kind == '4' ? data + row_bytes * *height > bytes.size() : pixels > bytes.size()) return bad;
+  FirstChannel image{static_cast<int>(*width), static_cast<int>(*height), std::vector<std::uint8_t>(pixels)};
+  for (std::size_t i = 0; i < pixels; ++i) {
+    if (kind == '4') {
+      const auto byte = static_cast<unsigned char>(bytes[data + i / *width * row_bytes + i % *width / 8]);
+      image.level[i] = (byte >> (7 - i % *width % 8)) & 1 ? 0 : 255;
+      continue;
+    }
+    const auto value = bits ? text.digit() : text.number();
+    if (!value || *value > *top) return bad;
+    image.level[i] =
+        static_cast<std::uint8_t>(bits ? (*value ? 0 : 255) : *value * std::uint64_t{255} / *top);
+    if (kind == '3' && (!text.number() || !text.number())) return bad;
+  }
+  return image;
+}
+
+Result<FirstChannel> read_other(std::string_view bytes, std::size_t most_pixels) {
+  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+  const int size = static_cast<int>(bytes.size());
+  int width = 0, height = 0, channels = 0;
+  if (!stbi_info_from_memory(data, size, &width, &height, &channels)) {
+    return Error{{}, "is no PNG, PNM, BMP, GIF or JPEG image"};
+  }
+  const auto pixels_of = [](int side) { return static_cast<std::uint64_t>(side); };
+  if (const auto fits = check_size(pixels_of(width), pixels_of(height), most_pixels); !fits)
+    return fits.error();
+  const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
+      stbi_load_from_memory(data, size, &width, &height, &channels, channels), stbi_image_free);
+  if (!pixels) return Error{{}, std::string("cannot be decoded: ") + stbi_failure_reason()};
+  const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  FirstChannel image{width, height, std::vector<std::uint8_t>(count)};
+  for (std::size_t i = 0; i < count; ++i)
+    image.level[i] = pixels.get()[i * static_cast<std::size_t>(channels)];
+  return image;
+}
+
+}  // namespace
+
+Result<FirstChannel> read_first_channel(std::string_view bytes, std::size_t most_pixels) {
+  if (bytes.starts_with("\x89PNG\r\n\x1A\n")) return read_png(bytes, most_pixels);
+  if (bytes.size() > 2 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '4')
+    return read_pnm(bytes, most_pixels);
+  return read_other(bytes, most_pixels);
+}
+
+}  // namespace playhouse::scene

@@ -1,0 +1,23 @@
+#pragma once
+
+/// The image libraries behind one function each; nothing of theirs leaves image_file.cc.
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "playhouse/base/result.h"
+
+namespace playhouse::scene {
+
+/// The first channel of an image, 8 bits deep.
+struct FirstChannel {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> level;  // height x width, row-major
+};
+
+/// Reads a PNG through libpng, other formats (PNM, BMP, GIF, JPEG) through stb_image, ASCII PNM and PBM by
+/// itself. Fails on more than `most_pixels` before it allocates any.
+Result<FirstChannel> read_first_channel(std::string_view bytes, std::size_t most_pixels);
+
+}  // namespace playhouse::scene

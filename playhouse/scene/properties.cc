@@ -1,0 +1,129 @@
+#include "playhouse/scene/properties.h"
+
+#include <cmath>
+
+#include "playhouse/base/rng.h"
+#include "playhouse/scene/colors.h"
+
+namespace playhouse::scene {
+namespace {
+
+constexpr double kLargest =
+    1e9;  // m, rad and plain numbers; far beyond any scene, well inside all arithmetic
+constexpr std::uint64_t kColorStream = 0x636F6C6F72;  // "color"
+
+}  // namespace
+
+void LoadState::fail(SourceLine where, std::string text) {
+  if (!error) error = document.error(where, std::move(text));
+}
+
+void LoadState::warn(SourceLine where, std::string text) {
+  warnings.push_back(document.sources.at(where) + ": " + text);
+}
+
+SourceLine Properties::where(std::string_view key) const {
+  const Field* field = fields_.find(key);
+  return field ? field->where : where_;
+}
+
+double Properties::scaled(const Field& field, std::size_t element, char scale) const {
+  const std::string_view text = field.values[element].text;
+  const std::optional<double> value = parse_number(text);
+  if (!value || std::abs(*value) > kLargest) {
+    state_.fail(field.where, "\"" + std::string(field.key) + "\" needs a number" +
+                                 (value ? " of at most 1e9" : "") + ", found \"" + std::string(text) + "\"");
+    return 0;
+  }
+  return *value * (scale == 'L' ? state_.units.length : scale == 'A' ? state_.units.angle : 1.0);
+}
+
+bool Properties::tuple(std::string_view key, std::string_view scales, std::span<double> out,
+                       std::string_view form) const {
+  const Field* field = fields_.find(key);
+  if (!field) return false;
+  if (field->values.size() < scales.size()) {
+    state_.fail(field->where, "\"" + std::string(key) + "\" needs " + std::to_string(scales.size()) +
+                                  (scales.size() == 1 ? " value" : " values " + std::string(form)) +
+                                  ", found " + std::to_string(field->values.size()));
+    return false;
+  }
+  for (std::size_t i = 0; i < scales.size(); ++i) out[i] = scaled(*field, i, scales[i]);
+  return true;
+}
+
+double Properties::number(std::string_view key, double otherwise) const {
+  double value[1] = {otherwise};
+  tuple(key, "N", value, {});
+  return value[0];
+}
+
+double Properties::length(std::string_view key, double otherwise) const {
+  double value[1] = {otherwise};
+  tuple(key, "L", value, {});
+  return value[0];
+}
+
+double Properties::angle(std::string_view key, double otherwise) const {
+  double value[1] = {otherwise};
+  tuple(key, "A", value, {});
+  return value[0];
+}
+
+int Properties::integer(std::string_view key, int otherwise) const {
+  const double value = number(key, otherwise);
+  return static_cast<int>(value);  // numbers are at most 1e9; fractions are cut off as the original does
+}
+
+std::string Properties::text(std::string_view key, std::string_view otherwise) const {
+  const Field* field = fields_.find(key);
+  if (!field) return std::string(otherwise);
+  if (field->values.empty()) {
+    state_.fail(field->where, "\"" + std::string(key) + "\" needs a text in quotes, found an empty tuple");
+    return {};
+  }
+  return std::string(field->values.front().text);
+}
+
+std::vector<std::string> Properties::texts(std::string_view key) const {
+  std::vector<std::string> texts;
+  if (const Field* field = fields_.find(key)) {
+    for (const Value& value : field->values) texts.emplace_back(value.text);
+  }
+  return texts;
+}
+
+std::optional<geom::Pose> Properties::pose(std::string_view key) const {
+  double v[4] = {};
+  if (!tuple(key, "LLLA", v, "[x y z heading] (files for Stage 2 leave z out)")) return std::nullopt;
+  return geom::Pose{v[0], v[1], v[2], geom::normalize(v[3])};
+}
+
+geom::Size Properties::size(std::string_view key, geom::Size otherwise) const {
+  double v[3] = {otherwise.x, otherwise.y, otherwise.z};
+  tuple(key, "LLL", v, "[x y z] (files for Stage 2 leave z out)");
+  if (v[0] < 0 || v[1] < 0 || v[2] < 0)
+    state_.fail(where(key), "\"" + std::string(key) + "\" must not be negative");
+  return {v[0], v[1], v[2]};
+}
+
+Color Properties::color(Color otherwise, std::size_t row) const {
+  if (!has("color")) {
+    double v[4] = {otherwise.r, otherwise.g, otherwise.b, otherwise.a};
+    tuple("color_rgba", "NNNN", v, "[red green blue alpha] from 0 to 1");
+    return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]),
+            static_cast<float>(v[3])};
+  }
+  const std::string name = text("color", "");
+  if (name == "random") {
+    Rng rng(0, 0, row, kColorStream);
+    const auto channel = [&rng] { return static_cast<float>(rng.uniform()); };
+    const float r = channel(), g = channel(), b = channel();
+    return {r, g, b, 1};
+  }
+  if (const auto known = color_by_name(name)) return *known;
+  state_.warn(where("color"), "unknown color \"" + name + "\", red is used" + color_hint(name));
+  return {1, 0, 0, 1};
+}
+
+}  // namespace playhouse::scene

@@ -1,0 +1,67 @@
+#pragma once
+
+/// The properties of one entity of a world file as numbers in SI units. Reading never throws: the first fault
+/// is kept in a place the whole load shares, defaults are returned from then on, and the load checks the
+/// place once.
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "playhouse/scene/expand.h"
+
+namespace playhouse::scene {
+
+/// What all entities of one load share.
+struct LoadState {
+  const Document& document;
+  Units units;
+  std::optional<Error> error;         // the first fault
+  std::vector<std::string> warnings;  // "file:line: text"
+
+  void fail(SourceLine where, std::string text);
+  void warn(SourceLine where, std::string text);
+};
+
+/// How an element of a tuple is scaled: N as it is, L by the unit of length, A by the unit of angle.
+class Properties {
+ public:
+  Properties(LoadState& state, const Instance& instance)
+      : state_(state), where_(instance.where), fields_(instance.parts) {}
+  Properties(LoadState& state, std::span<const Field> fields) : state_(state), fields_(fields) {}
+
+  bool has(std::string_view key) const { return fields_.find(key) != nullptr; }
+  /// Where `key` was given, or where the entity starts.
+  SourceLine where(std::string_view key) const;
+  const FieldSet& fields() const { return fields_; }
+  LoadState& state() const { return state_; }
+
+  double number(std::string_view key, double otherwise) const;
+  double length(std::string_view key, double otherwise) const;
+  double angle(std::string_view key, double otherwise) const;
+  int integer(std::string_view key, int otherwise) const;
+  bool flag(std::string_view key, bool otherwise) const { return integer(key, otherwise ? 1 : 0) != 0; }
+  std::string text(std::string_view key, std::string_view otherwise) const;
+  std::vector<std::string> texts(std::string_view key) const;
+
+  /// Fills `out` with as many numbers as `scales` has letters (N, L, A); false when `key` is absent. Fewer
+  /// elements fail with `form`, as in "[x y z]"; more are ignored.
+  bool tuple(std::string_view key, std::string_view scales, std::span<double> out,
+             std::string_view form) const;
+
+  std::optional<geom::Pose> pose(std::string_view key) const;
+  geom::Size size(std::string_view key, geom::Size otherwise) const;
+  /// `color`, else `color_rgba`, else `otherwise`. `row` decides what "random" is.
+  Color color(Color otherwise, std::size_t row) const;
+
+ private:
+  double scaled(const Field& field, std::size_t element, char scale) const;
+
+  LoadState& state_;
+  SourceLine where_;
+  FieldSet fields_;
+};
+
+}  // namespace playhouse::scene

@@ -1,0 +1,62 @@
+#include "playhouse/scene/source_text.h"
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "playhouse/base/limits.h"
+
+namespace playhouse::scene {
+namespace {
+
+Error too_large() {
+  return {{}, "cannot be read: larger than " + std::to_string(limits::kFileBytes >> 20) + " MiB"};
+}
+
+}  // namespace
+
+Result<std::string> DiskFiles::read(const std::string& path) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) return Error{{}, "cannot be opened: no such file"};
+  if (!std::filesystem::is_regular_file(status)) return Error{{}, "cannot be opened: not a regular file"};
+  const auto bytes = std::filesystem::file_size(path, error);
+  if (error) return Error{{}, "cannot be opened: " + error.message()};
+  if (bytes > limits::kFileBytes) return too_large();
+  std::ifstream in(path, std::ios::binary);
+  if (!in) return Error{{}, std::string("cannot be opened: ") + std::strerror(errno)};
+  std::string text(bytes, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(bytes));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  return text;
+}
+
+Result<std::string> MemoryFiles::read(const std::string& path) {
+  const auto found = files_.find(path);
+  if (found == files_.end()) return Error{{}, "cannot be opened: no such file"};
+  if (found->second.size() > limits::kFileBytes) return too_large();
+  return found->second;
+}
+
+Result<std::uint32_t> SourceTexts::add(const std::string& path, std::string text) {
+  bytes_ += text.size();
+  if (bytes_ > limits::kFileBytes) return too_large();
+  const auto name = std::find(names_.begin(), names_.end(), path);
+  files_.push_back(static_cast<std::uint32_t>(name - names_.begin()));
+  if (name == names_.end()) names_.push_back(path);
+  texts_.push_back(std::move(text));
+  return static_cast<std::uint32_t>(texts_.size() - 1);
+}
+
+std::string folder_of(std::string_view path) {
+  const std::size_t slash = path.rfind('/');
+  return slash == std::string_view::npos ? std::string{} : std::string(path.substr(0, slash + 1));
+}
+
+std::string resolve(const std::string& folder, std::string_view name) {
+  if (!name.empty() && (name.front() == '/' || name.front() == '~')) return std::string(name);
+  return folder + std::string(name);
+}
+
+}  // namespace playhouse::scene

@@ -1,0 +1,67 @@
+#pragma once
+
+/// The bytes behind a scene or configuration: where they come from (disk, or memory in tests and fuzzers) and
+/// which file and line a piece of text belongs to. Knows no grammar.
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "playhouse/base/result.h"
+#include "playhouse/scene/scene_desc.h"
+
+namespace playhouse::scene {
+
+/// Gives the bytes of a file by name; at most limits::kFileBytes.
+class FileReader {
+ public:
+  virtual ~FileReader() = default;
+  /// Fails with a text that starts with "cannot" and names no file (the caller knows it).
+  virtual Result<std::string> read(const std::string& path) = 0;
+};
+
+/// Regular files of this machine.
+class DiskFiles final : public FileReader {
+ public:
+  Result<std::string> read(const std::string& path) override;
+};
+
+/// Files that exist in memory only.
+class MemoryFiles final : public FileReader {
+ public:
+  explicit MemoryFiles(std::map<std::string, std::string> files) : files_(std::move(files)) {}
+  Result<std::string> read(const std::string& path) override;
+
+ private:
+  std::map<std::string, std::string> files_;
+};
+
+/// Owns every text of one scene, so that views into them stay valid as long as it lives.
+class SourceTexts {
+ public:
+  /// Keeps `text` under `path`. Fails when all texts together exceed limits::kFileBytes.
+  Result<std::uint32_t> add(const std::string& path, std::string text);
+
+  std::string_view text(std::uint32_t row) const { return texts_[row]; }
+  /// Row of `file_names()` of a text; a file included twice has one name and two texts.
+  std::uint32_t file_of(std::uint32_t row) const { return files_[row]; }
+  const std::vector<std::string>& file_names() const { return names_; }
+  std::string at(SourceLine where) const { return names_[where.file] + ":" + std::to_string(where.line); }
+
+ private:
+  std::deque<std::string> texts_;  // a deque, so that views survive growth
+  std::vector<std::uint32_t> files_;
+  std::vector<std::string> names_;
+  std::size_t bytes_ = 0;
+};
+
+/// Folder part of a path with its final slash, or "".
+std::string folder_of(std::string_view path);
+
+/// `name` as it is when it starts with '/' or '~', else `folder` + `name`.
+std::string resolve(const std::string& folder, std::string_view name);
+
+}  // namespace playhouse::scene

@@ -1,0 +1,55 @@
+#pragma once
+
+/// Tokens -> sections and fields, the shape that Stage world files ("entities", "properties") and Player
+/// configuration files share. Macros are kept as they are written; expand.h applies them. Knows no field by
+/// name.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "playhouse/scene/tokens.h"
+
+namespace playhouse::scene {
+
+enum class ValueKind : std::uint8_t { kNumber, kString, kBool };
+
+struct Value {
+  ValueKind kind = ValueKind::kNumber;
+  std::string_view text;
+};
+
+/// `key value` or `key [ value ... ]`.
+struct Field {
+  std::string_view key;
+  std::vector<Value> values;
+  SourceLine where;
+};
+
+/// `name ( fields and sections )`, in file order within each kind.
+struct Section {
+  std::string_view name;
+  SourceLine where;
+  std::vector<Field> fields;
+  std::vector<Section> sections;
+};
+
+/// A section at top level, or, when `base` is not empty, the macro `define section.name base ( ... )`.
+struct Statement {
+  Section section;
+  std::string_view base;
+};
+
+/// A parsed file with its includes. Move only; views point into `sources`.
+struct Document {
+  SourceTexts sources;
+  std::vector<Field> fields;  // outside all sections
+  std::vector<Statement> statements;
+
+  Error error(SourceLine where, std::string text) const { return {sources.at(where), std::move(text)}; }
+};
+
+/// Parses `text`, which was read from `path`. Fails with one error, "file:line: what".
+Result<Document> parse_document(Format format, const std::string& path, std::string text, FileReader& files);
+
+}  // namespace playhouse::scene

@@ -1,0 +1,290 @@
+#include "playhouse/scene/world_loader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+
+#include "playhouse/scene/bitmap.h"
+#include "playhouse/scene/body.h"
+#include "playhouse/scene/expand.h"
+#include "playhouse/scene/properties.h"
+#include "playhouse/scene/syntax.h"
+#include "playhouse/scene/token_names.h"
+#include "playhouse/scene/vocabulary.h"
+#include "playhouse/scene/world_models.h"
+
+namespace playhouse::scene {
+namespace {
+
+class WorldLoader {
+ public:
+  WorldLoader(const Document& document, FileReader& files, const WorldLimits& limits)
+      : document_(document),
+        files_(files),
+        limits_(limits),
+        macros_(document),
+        state_{document, {}, {}, {}} {}
+
+  Result<SceneDesc> load();
+
+ private:
+  using Loops = std::vector<std::vector<geom::Vec2>>;
+
+  void read_globals();
+  void define(const Statement& statement);
+  /// The section with its macros applied, counted against the limits.
+  std::optional<Instance> instance(const Section& section);
+  void load_window(const Instance& window);
+  /// A model and everything inside it. `siblings` counts the models of each type in the parent.
+  void load_model(const Instance& instance, std::int32_t parent, std::map<std::string_view, int>& siblings);
+  /// The shape of a model from its bitmap and its `block` entities.
+  void read_body(const Properties& properties, const ModelType& type, Shape shape, ModelDesc& model);
+  const Loops* load_bitmap(const Properties& properties);
+  void fail_unknown_type(const Instance& instance);
+
+  const Document& document_;
+  FileReader& files_;
+  WorldLimits limits_;
+  Macros macros_;
+  LoadState state_;
+  VocabularyCheck vocabulary_;
+  SceneDesc scene_;
+  TokenNames names_{scene_, state_};
+  std::vector<bool> stacks_children_;  // by row of models
+  std::map<std::string, Loops> bitmaps_;
+  std::set<std::string_view> plain_types_;  // warned of
+  bool has_window_ = false;
+  std::size_t fields_ = 0;
+};
+
+Result<SceneDesc> WorldLoader::load() {
+  scene_.files = document_.sources.file_names();
+  scene_.path = scene_.files.front();
+  read_globals();
+  // The original's invisible ground is model:0.
+  std::map<std::string_view, int> siblings{{"model", 1}};
+  for (const Statement& statement : document_.statements) {
+    if (state_.error) break;
+    if (!statement.base.empty()) {
+      define(statement);
+    } else if (const auto entity = instance(statement.section)) {
+      if (entity->type == "window") {
+        load_window(*entity);
+      } else {
+        load_model(*entity, -1, siblings);
+      }
+    }
+  }
+  if (state_.error) return *state_.error;
+  names_.check_follow_model();
+  scene_.warnings = std::move(state_.warnings);
+  return std::move(scene_);
+}
+
+void WorldLoader::read_globals() {
+  const Properties properties(state_, document_.fields);
+  const Result<Units> units = read_units(document_, properties.fields());
+  if (!units) {
+    state_.error = units.error();
+    return;
+  }
+  state_.units = *units;
+  vocabulary_.check(Vocabulary::kWorld, "", properties);
+  scene_.name = properties.text("name", scene_.path);
+  scene_.interval = std::round(properties.number("interval_sim", 100) * 1000) / 1e6;
+  if (!(scene_.interval > 0))
+    state_.fail(properties.where("interval_sim"), "\"interval_sim\" must be above 0 ms");
+  scene_.resolution = properties.number("resolution", scene_.resolution);
+  if (!(scene_.resolution > 0))
+    state_.fail(properties.where("resolution"), "\"resolution\" must be above 0 m");
+  scene_.quit_time = std::max(0.0, properties.number("quit_time", 0));
+  scene_.speedup = properties.number("speedup", 1);
+  scene_.paused = properties.flag("paused", false);
+}
+
+void WorldLoader::define(const Statement& statement) {
+  if (macros_.define(statement)) return;
+  const std::string_view name = statement.section.name;
+  state_.warn(statement.section.where, "macro \"" + std::string(name) + "\" is defined at " +
+                                           document_.sources.at(macros_.find(name)->section.where) +
+                                           " already; the first definition counts");
+}
+
+std::optional<Instance> WorldLoader::instance(const Section& section) {
+  Result<Instance> instance = macros_.instance(section);
+  if (!instance) {
+    state_.error = instance.error();
+    return std::nullopt;
+  }
+  for (const Section* part : instance->parts) fields_ += 1 + part->fields.size();
+  if (fields_ > limits_.fields) {
+    state_.fail(section.where,
+                "the macros expand to more than " + std::to_string(limits_.fields) + " properties");
+    return std::nullopt;
+  }
+  return std::move(*instance);
+}
+
+void WorldLoader::load_window(const Instance& window) {
+  if (has_window_) {
+    state_.warn(window.where, "a second window has no effect");
+    return;
+  }
+  has_window_ = true;
+  const Properties properties(state_, window);
+  vocabulary_.check(Vocabulary::kWindow, "", properties);
+  scene_.window = read_window(properties);
+}
+
+void WorldLoader::fail_unknown_type(const Instance& instance) {
+  const auto later =
+      std::find_if(document_.statements.begin(), document_.statements.end(),
+                   [&](const Statement& s) { return !s.base.empty() && s.section.name == instance.type; });
+  if (later != document_.statements.end()) {
+    state_.fail(instance.where, "macro \"" + std::string(instance.type) +
+                                    "\" is used before its definition at " +
+                                    document_.sources.at(later->section.where));
+  } else {
+    state_.fail(instance.where, unknown_type(instance.type, macros_.names()));
+  }
+}
+
+void WorldLoader::load_model(const Instance& entity, std::int32_t parent,
+                             std::map<std::string_view, int>& siblings) {
+  if (entity.type == "block" || entity.type == "sensor" || entity.type == "window") {
+    const std::string_view place = entity.type == "block"    ? "a model"
+                                   : entity.type == "sensor" ? "a ranger"
+                                                             : "no model, but at the top level";
+    state_.fail(entity.where, "\"" + std::string(entity.type) + "\" belongs into " + std::string(place));
+    return;
+  }
+  const ModelType* type = find_model_type(entity.type);
+  if (!type) return fail_unknown_type(entity);
+  const std::size_t row = scene_.models.size();
+  if (row >= limits_.models) {
+    return state_.fail(entity.where,
+                       "the world holds more than " + std::to_string(limits_.models) + " models");
+  }
+  if (!type->simulated && plain_types_.insert(type->name).second) {
+    state_.warn(entity.where, "model type \"" + std::string(type->name) +
+                                  "\" is not simulated yet and loads as a plain " +
+                                  (type->has_body ? "body" : "model without a body"));
+  }
+
+  const Properties properties(state_, entity);
+  vocabulary_.check(Vocabulary::kModel, type->name, properties);
+  ModelDesc model;
+  model.where = entity.where;
+  model.parent = parent;
+  read_model(properties, *type, row, scene_.interval, model);
+  if (parent >= 0 && stacks_children_[static_cast<std::size_t>(parent)]) {
+    model.X_PM.z += scene_.models[static_cast<std::size_t>(parent)].size.z;
+  }
+  names_.name(model, properties.text("name", ""), siblings[type->name]++);
+
+  // Blocks and sensors are parts of this model, all other entities are models of their own, which follow it.
+  Shape shape;
+  std::vector<Instance> children;
+  for (const Section* part : entity.parts) {
+    for (const Section& section : part->sections) {
+      std::optional<Instance> child = instance(section);
+      if (!child || state_.error) return;
+      const bool block = child->type == "block", sensor = child->type == "sensor";
+      if (!block && !(sensor && type->kind == ModelKind::kRanger)) {
+        children.push_back(std::move(*child));
+        continue;
+      }
+      for (const Section* body : child->parts) {
+        if (!body->sections.empty()) {
+          return state_.fail(body->sections.front().where,
+                             "a " + std::string(child->type) + " holds no entities");
+        }
+      }
+      const Properties own(state_, *child);
+      vocabulary_.check(block ? Vocabulary::kBlock : Vocabulary::kSensor, "", own);
+      if (block) {
+        shape.prisms.push_back(read_block(own));
+      } else {
+        model.sensors.push_back(read_sensor(own, row));
+      }
+    }
+  }
+  read_body(properties, *type, std::move(shape), model);
+  stacks_children_.push_back(properties.flag("stack_children", true));
+  scene_.models.push_back(std::move(model));
+
+  std::map<std::string_view, int> grandchildren;
+  for (const Instance& child : children) {
+    if (state_.error) return;
+    load_model(child, static_cast<std::int32_t>(row), grandchildren);
+  }
+}
+
+void WorldLoader::read_body(const Properties& properties, const ModelType& type, Shape shape,
+                            ModelDesc& model) {
+  const Loops* loops = load_bitmap(properties);
+  if (state_.error || !(model.size.x > 0) || !(model.size.y > 0)) return;
+  if (loops) shape.contours = *loops;
+  fit_shape(shape, model.size, state_, model);
+  const bool boundary = properties.flag("boundary", false);
+  const bool replaced = loops || boundary || !shape.prisms.empty() || properties.flag("noblocks", false);
+  if (type.has_body && !replaced) model.blocks.push_back(box_block(model.size));
+  if (boundary) {
+    for (Block& wall : boundary_walls(model.size)) model.blocks.push_back(std::move(wall));
+  }
+}
+
+const WorldLoader::Loops* WorldLoader::load_bitmap(const Properties& properties) {
+  const std::string name = properties.text("bitmap", "");
+  if (name.empty() || state_.error) return nullptr;
+  const SourceLine where = properties.where("bitmap");
+  std::string path = resolve(folder_of(scene_.path), name);
+  if (const auto known = bitmaps_.find(path); known != bitmaps_.end()) return &known->second;
+  Result<std::string> bytes = files_.read(path);
+  if (!bytes) {
+    // Where the original would look only beside the world, a file beside the one that names it is meant as
+    // well.
+    Result<std::string> beside = files_.read(resolve(folder_of(scene_.files[where.file]), name));
+    if (beside) bytes = std::move(beside);
+  }
+  if (!bytes) {
+    state_.fail(where, "bitmap " + path + " " + bytes.error().text);
+    return nullptr;
+  }
+  const Result<Bitmap> bitmap = decode_bitmap(*bytes, limits_.pixels);
+  if (!bitmap) {
+    state_.fail(where, "bitmap " + path + " " + bitmap.error().text);
+    return nullptr;
+  }
+  Loops loops = trace_contours(*bitmap);
+  if (loops.empty()) state_.warn(where, "bitmap " + path + " has no dark pixel, so it is no body");
+  return &bitmaps_.emplace(std::move(path), std::move(loops)).first->second;
+}
+
+}  // namespace
+
+Result<SceneDesc> load_world_text(std::string text, const std::string& path, FileReader& files,
+                                  const WorldLimits& limits) {
+  const Result<Document> document = parse_document(Format::kWorld, path, std::move(text), files);
+  if (!document) return document.error();
+  return WorldLoader(*document, files, limits).load();
+}
+
+Result<SceneDesc> load_world(const std::string& path) {
+  DiskFiles files;
+  Result<std::string> text = files.read(path);
+  if (text) return load_world_text(std::move(*text), path, files);
+  const char* folders = std::getenv("STAGEPATH");
+  std::string_view rest = folders ? folders : "";
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find(':'), rest.size());
+    const std::string found = std::string(rest.substr(0, end)) + "/" + path.substr(folder_of(path).size());
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    if (Result<std::string> elsewhere = files.read(found))
+      return load_world_text(std::move(*elsewhere), found, files);
+  }
+  return Error{path, text.error().text + (folders ? ", also not in STAGEPATH" : "")};
+}
+
+}  // namespace playhouse::scene

@@ -1,0 +1,30 @@
+#pragma once
+
+/// Stage world files (.world, .inc) -> SceneDesc. The format is described in docs/worldfile.md.
+
+#include <string>
+
+#include "playhouse/base/limits.h"
+#include "playhouse/base/result.h"
+#include "playhouse/scene/scene_desc.h"
+#include "playhouse/scene/source_text.h"
+
+namespace playhouse::scene {
+
+/// Loads a world file. When `path` cannot be opened, its base name is looked for in the folders of the
+/// environment variable STAGEPATH. Fails with one error, "file:line: what (did you mean "x"?)"; lesser faults
+/// are warnings.
+Result<SceneDesc> load_world(const std::string& path);
+
+/// How much a world may hold; smaller in fuzzers than limits.h allows.
+struct WorldLimits {
+  std::size_t models = limits::kEntities;
+  std::size_t fields = limits::kExpandedFields;
+  std::size_t pixels = limits::kBitmapPixels;
+};
+
+/// The same for a text that was read from `path`; included files and bitmaps come from `files`.
+Result<SceneDesc> load_world_text(std::string text, const std::string& path, FileReader& files,
+                                  const WorldLimits& limits = {});
+
+}  // namespace playhouse::scene
