@@ -1,0 +1,158 @@
+/// Controllers from shared libraries: what reaches them, what they order, and what becomes of bad ones.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "playhouse/controllers/attach.h"
+#include "playhouse/controllers/testing/scenes.h"
+
+namespace playhouse::controllers {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+/// Two robots with a ring of four sensors and the same `ctrl`.
+struct Fixture {
+  explicit Fixture(const std::string& ctrl)
+      : scene(testing::robots(2, testing::ring(4), ctrl)), world(scene, 7) {
+    const std::vector<std::filesystem::path> folders{TEST_LIBRARIES};
+    const auto attached = attach(world, folders);
+    error = attached ? "" : attached.error().line();
+    warnings = attached ? attached->size() : 0;
+  }
+  void tick() {
+    testing::measure(world, {1.5f});
+    testing::decide(world);
+  }
+
+  scene::SceneDesc scene;
+  world::World world;
+  std::string error;
+  std::size_t warnings = 0;
+};
+
+TEST(Loaded, reads_ranges_and_bearings_and_drives) {
+  Fixture f("probe drive");
+  ASSERT_EQ(f.error, "");
+  f.tick();
+  EXPECT_EQ(f.world.positions.command[1], (geom::Twist{1.5, 0, 0, 0}));
+}
+
+TEST(Loaded, sends_a_robot_to_a_pose) {
+  Fixture f("probe go");
+  f.tick();
+  EXPECT_EQ(f.world.positions.mode[0], world::ControlMode::kPosition);
+  EXPECT_EQ(f.world.positions.goal[0], (geom::Pose{1, 2, 0, 3}));
+}
+
+TEST(Loaded, knows_the_time_and_whether_a_scan_is_new) {
+  Fixture f("probe speak");
+  f.tick();
+  EXPECT_EQ(f.world.models.say[0], "t=0.100000 fresh");
+  ++f.world.tick_;
+  testing::decide(f.world);
+  EXPECT_EQ(f.world.models.say[0], "t=0.200000");
+}
+
+TEST(Loaded, carries_flags) {
+  Fixture f("probe carry");
+  f.tick();
+  f.tick();
+  EXPECT_EQ(f.world.models.flags[0], 2);
+}
+
+TEST(Loaded, draws_random_numbers_that_differ_by_robot_and_tick_and_repeat_with_the_seed) {
+  Fixture f("probe random"), again("probe random");
+  f.tick();
+  again.tick();
+  const double first = f.world.positions.command[0].x;
+  EXPECT_EQ(first, again.world.positions.command[0].x);
+  EXPECT_NE(first, f.world.positions.command[1].x);
+  f.tick();
+  EXPECT_NE(first, f.world.positions.command[0].x);
+}
+
+TEST(Loaded, wakes_only_the_rangers_that_the_controller_uses) {
+  Fixture all("probe"), deaf("probe deaf");
+  EXPECT_EQ(all.world.models.subscribers[1], 1u);
+  EXPECT_EQ(deaf.world.models.subscribers[1], 0u);
+  EXPECT_EQ(deaf.world.models.subscribers[0], 1u);
+}
+
+TEST(Loaded, ends_a_controller_that_throws_and_stops_its_robot) {
+  for (const char* ctrl : {"probe throw", "probe throw_int", "probe nan"}) {
+    Fixture f(ctrl);
+    ASSERT_EQ(f.error, "");
+    f.world.positions.command[0] = {0.3, 0, 0, 0};
+    const std::uint64_t before = f.world.hash();
+    f.tick();
+    EXPECT_EQ(f.world.positions.command[0], geom::Twist{}) << ctrl;
+    f.world.positions.command[0] = {0.3, 0, 0, 0};
+    f.tick();
+    EXPECT_EQ(f.world.positions.command[0].x, 0.3) << ctrl << " is not called again";
+    EXPECT_NE(before, f.world.hash());
+  }
+}
+
+TEST(Loaded, refuses_a_robot_with_the_text_of_the_controller) {
+  EXPECT_EQ(Fixture("probe refuse").error,
+            "test.world:1: controller \"probe\" of \"r0\": wants another robot");
+}
+
+TEST(Library, of_another_version_is_refused) {
+  EXPECT_THAT(Fixture("old").error, AllOf(StartsWith("test.world:1: controller \"old\": "),
+                                          HasSubstr("version 999"), EndsWith("build it again")));
+}
+
+TEST(Library, whose_controller_can_not_be_made_is_refused) {
+  EXPECT_THAT(Fixture("broken").error, EndsWith("has no batteries"));
+}
+
+TEST(Library, built_for_stage_is_explained) {
+  EXPECT_THAT(Fixture("stage_style").error, HasSubstr("built for Stage's library"));
+}
+
+TEST(Library, that_is_no_controller_is_refused) {
+  EXPECT_THAT(Fixture("stranger").error, HasSubstr("lacks PLAYHOUSE_CONTROLLER"));
+}
+
+TEST(Library, that_is_no_library_is_refused) {
+  const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "no_library";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "text.so") << "this is no shared library\n";
+  const scene::SceneDesc scene = testing::robots(1, testing::ring(4), "text");
+  world::World world(scene, 7);
+  const auto attached = attach(world, std::vector<std::filesystem::path>{folder});
+  ASSERT_FALSE(attached);
+  EXPECT_THAT(attached.error().line(), HasSubstr("can't be loaded"));
+}
+
+TEST(Library, of_a_stage_demonstration_does_not_stop_the_world) {
+  Fixture f("fasr");
+  EXPECT_EQ(f.error, "");
+  EXPECT_EQ(f.warnings, 1u);
+}
+
+TEST(Library, names_are_suggested_when_one_is_misspelt) {
+  EXPECT_THAT(Fixture("prob").error, EndsWith("no controller \"prob\" (did you mean \"probe\"?)"));
+}
+
+TEST(Library, is_looked_for_beside_the_world_then_in_the_environment_then_with_the_program) {
+  setenv("PLAYHOUSE_PATH", "/a:/b", 1);
+  setenv("STAGEPATH", ":/c", 1);
+  scene::SceneDesc scene;
+  scene.path = "worlds/x.world";
+  const std::vector<std::filesystem::path> expected{"worlds", "/a", "/b", "/c", "/program"};
+  EXPECT_EQ(library_folders(scene, "/program"), expected);
+  unsetenv("PLAYHOUSE_PATH");
+  unsetenv("STAGEPATH");
+}
+
+}  // namespace
+}  // namespace playhouse::controllers
