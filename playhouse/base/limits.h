@@ -20,9 +20,10 @@ inline constexpr std::size_t kSessions = 4096;
 inline constexpr std::size_t kSessionQueueMessages = 1024;        // data waiting for one client
 inline constexpr std::size_t kSessionQueueBytes = 64u << 20;      // the same in bytes, headers included
 inline constexpr std::size_t kSessionRules = 256;                 // replace rules of one client
-inline constexpr std::size_t kSessionAnswers = 4096;              // answers a client has not read yet; more close it
+inline constexpr std::size_t kSessionAnswers = 4096;              // answers owed to one client; its further requests wait
 inline constexpr std::size_t kRequestQueue = 4096;                // requests waiting for a tick
 inline constexpr std::size_t kSubscriptions = 8192;               // devices one client may hold open
+inline constexpr std::size_t kOutboxBytes = 64u << 20;            // data the io thread has not taken yet
 
 // Files.
 inline constexpr std::size_t kFileBytes = 16u << 20;

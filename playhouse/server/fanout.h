@@ -1,0 +1,50 @@
+#pragma once
+
+/// Fanout: which sessions read which device, and one encoding of each message for all of them. Io thread
+/// only.
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "playhouse/device/address.h"
+#include "playhouse/device/driver.h"
+#include "playhouse/server/frame.h"
+
+namespace playhouse::server {
+
+/// Where data goes.
+class Reader {
+ public:
+  virtual ~Reader() = default;
+  virtual void deliver(const Frame& frame) = 0;
+};
+
+class Fanout {
+ public:
+  /// A reader joins a device once; joining again and leaving what was not joined do nothing.
+  void join(device::DeviceId device, Reader& reader);
+  void leave(device::DeviceId device, Reader& reader);
+  bool has_readers(device::DeviceId device) const;
+
+  /// Encodes the message if anybody reads the device, and delivers it in the order of joining. A timestamp
+  /// that does not increase is raised by the least step, because clients take equal ones for old data; one
+  /// that is no number becomes `now`. Data over limits::kBodyBytes goes to nobody and is logged once.
+  void publish(const device::Publication& publication, device::Address address, double now);
+
+  std::uint64_t messages_encoded() const { return encoded_; }
+
+ private:
+  struct Channel {
+    std::vector<Reader*> readers;
+    std::map<std::uint8_t, double> last_timestamp;  // by subtype
+  };
+  Channel& channel(device::DeviceId device);
+  double next_timestamp(Channel& channel, const device::Publication& publication, double now);
+
+  std::vector<Channel> channels_;  // by device row
+  std::uint64_t encoded_ = 0;
+  bool logged_too_long_ = false;
+};
+
+}  // namespace playhouse::server

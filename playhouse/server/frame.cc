@@ -1,0 +1,22 @@
+#include "playhouse/server/frame.h"
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include "playhouse/base/assert.h"
+#include "playhouse/base/limits.h"
+
+namespace playhouse::server {
+
+Frame make_frame(wire::Header header, std::span<const std::byte> body) {
+  PLAYHOUSE_ASSERT(body.size() <= limits::kBodyBytes);
+  header.size = static_cast<std::uint32_t>(body.size());
+  auto bytes = std::make_shared<std::vector<std::byte>>(limits::kHeaderBytes + body.size());
+  wire::encode_header(header,
+                      std::span<std::byte, limits::kHeaderBytes>(bytes->data(), limits::kHeaderBytes));
+  std::copy(body.begin(), body.end(), bytes->begin() + limits::kHeaderBytes);
+  return {std::move(bytes), header.interf, header.index, header.type, header.subtype};
+}
+
+}  // namespace playhouse::server

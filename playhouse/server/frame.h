@@ -1,0 +1,33 @@
+#pragma once
+
+/// Frame: one message as it leaves the server, encoded once and shared by every session that sends it. A
+/// value.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "playhouse/net/network.h"
+#include "playhouse/wire/header.h"
+
+namespace playhouse::server {
+
+struct Frame {
+  net::SharedBytes bytes;  // header and body
+  std::uint16_t interf = 0;
+  std::uint16_t index = 0;
+  wire::MessageType type = wire::MessageType::kData;
+  std::uint8_t subtype = 0;
+
+  bool is_answer() const { return type == wire::MessageType::kAck || type == wire::MessageType::kNack; }
+  /// Equal for messages that may replace each other in the queue of one session.
+  std::uint64_t kind() const {
+    return std::uint64_t{interf} << 32 | std::uint64_t{index} << 16 |
+           std::uint64_t{static_cast<std::uint8_t>(type)} << 8 | subtype;
+  }
+};
+
+/// `header.size` is set from the body, which is at most limits::kBodyBytes (asserted).
+Frame make_frame(wire::Header header, std::span<const std::byte> body);
+
+}  // namespace playhouse::server

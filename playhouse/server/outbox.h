@@ -1,0 +1,43 @@
+#pragma once
+
+/// Outbox: hand-over 3. Drivers on any thread leave data and answers here; the io thread takes them in order.
+
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <variant>
+#include <vector>
+
+#include "playhouse/device/driver.h"
+
+namespace playhouse::server {
+
+struct Answer {
+  std::uint64_t ticket = 0;
+  bool ack = false;
+  std::vector<std::byte> body;
+};
+
+class Outbox {
+ public:
+  using Item = std::variant<device::Publication, Answer>;
+
+  /// True if the io thread has to be woken: nothing was waiting. When the io thread is so far behind that
+  /// more than limits::kOutboxBytes of data would wait, the data that waits is dropped for the new; answers
+  /// never are.
+  [[nodiscard]] bool put(std::vector<device::Publication> batch);
+  [[nodiscard]] bool put(Answer answer);
+  std::vector<Item> take_all();
+  std::uint64_t data_dropped() const;
+
+ private:
+  bool wake();  // holding the mutex
+
+  mutable std::mutex mutex_;
+  std::vector<Item> items_;
+  std::size_t data_bytes_ = 0;
+  std::uint64_t dropped_ = 0;
+  bool woken_ = false;
+};
+
+}  // namespace playhouse::server

@@ -1,0 +1,166 @@
+// Requests to the server itself: the meta device player:0.
+
+#include "playhouse/base/limits.h"
+#include "playhouse/base/log.h"
+#include "playhouse/server/session.h"
+#include "playhouse/wire/codec.h"
+#include "playhouse/wire/generated/common.h"
+#include "playhouse/wire/generated/player.h"
+
+namespace playhouse::server {
+namespace {
+
+namespace player = wire::player;
+
+// Access codes of servers before version 3, when devices were opened like files. They travel as numbers.
+constexpr std::uint8_t kReadLetter = 'r', kWriteLetter = 'w', kAllLetter = 'a', kCloseLetter = 'c';
+
+QueueAction queue_action(std::int32_t code) {
+  switch (code) {
+    case player::kMsgReplaceRuleReplace:
+      return QueueAction::kReplace;
+    case player::kMsgReplaceRuleIgnore:
+      return QueueAction::kIgnore;
+    default:
+      return QueueAction::kAccept;
+  }
+}
+
+}  // namespace
+
+void Session::player_message(const wire::Header& header, Body body) {
+  // Even commands get an answer here, as they always have.
+  if (header.type != wire::MessageType::kReq)
+    return refuse(header, Fault::kNotForServer, "only requests go there");
+  switch (header.subtype) {
+    case player::kReqDevlist:
+      return list_devices(header);
+    case player::kReqDriverinfo:
+      return tell_driver(header, body);
+    case player::kReqDev:
+      return open_or_close(header, body);
+    case player::kReqData:
+      return queue_.request_data(make_reply(header, true, {}));
+    case player::kReqDatamode:
+      return set_data_mode(header, body);
+    case player::kReqAddReplaceRule:
+      return add_replace_rule(header, body);
+    default:
+      return refuse(header, Fault::kUnknownMessage, "no such request");
+  }
+}
+
+void Session::list_devices(const wire::Header& header) {
+  player::DeviceDevlist list;
+  for (const device::DeviceId id : board_.devices.devices_of(robot_)) {
+    const device::Address address = board_.devices[id].address;
+    list.devices.push_back({wire::kLocalhost, robot_, address.interf, address.index});
+  }
+  reply(header, true, wire::encode(list));
+}
+
+void Session::tell_driver(const wire::Header& header, Body body) {
+  const auto asked = wire::decode<player::DeviceDriverinfo>(body);
+  if (!asked) return refuse(header, Fault::kUndecodable, asked.error().text);
+  const device::DeviceId device = board_.devices.find({robot_, asked->addr.interf, asked->addr.index});
+  if (!device.valid()) return refuse(header, Fault::kUnknownDevice, "no such device");
+  player::DeviceDriverinfo answer;
+  answer.addr = {wire::kLocalhost, robot_, asked->addr.interf, asked->addr.index};
+  answer.driver_name = wire::c_string(board_.devices[device].driver->name());
+  reply(header, true, wire::encode(answer));
+}
+
+void Session::open_or_close(const wire::Header& header, Body body) {
+  const auto asked = wire::decode<player::DeviceReq>(body);
+  if (!asked) return refuse(header, Fault::kUndecodable, asked.error().text);
+
+  player::DeviceReq answer;
+  answer.addr = {wire::kLocalhost, robot_, asked->addr.interf, asked->addr.index};
+  answer.access = player::kErrorMode;
+  const device::DeviceId device = board_.devices.find({robot_, asked->addr.interf, asked->addr.index});
+  if (!device.valid()) {
+    ++board_.counters.requests_refused;
+    log_once(Fault::kUnknownDevice, header, "no such device; answered NACK");
+    return reply(header, false, wire::encode(answer));
+  }
+  answer.driver_name = wire::c_string(board_.devices[device].driver->name());
+  switch (asked->access) {
+    case player::kOpenMode:
+    case kAllLetter:
+      answer.access = open(device, Access::kAll, asked->access, header);
+      break;
+    case kReadLetter:
+      answer.access = open(device, Access::kRead, asked->access, header);
+      break;
+    case kWriteLetter:
+      answer.access = open(device, Access::kWrite, asked->access, header);
+      break;
+    case player::kCloseMode:
+    case kCloseLetter:
+      if (close(device)) answer.access = asked->access;
+      break;
+    default:
+      break;
+  }
+  reply(header, true, wire::encode(answer));
+}
+
+// Returns the access code of the answer: the one asked for, or that of an error.
+std::uint8_t Session::open(device::DeviceId device, Access access, std::uint8_t code,
+                           const wire::Header& header) {
+  auto found = open_.find(device);
+  if (found == open_.end()) {
+    if (open_.size() >= limits::kSubscriptions) {
+      log_once(Fault::kLimit, header, "too many devices open");
+      return player::kErrorMode;
+    }
+    if (const Result<void> started = board_.devices.open(device); !started) {
+      log_once(Fault::kStart, header, "the device cannot start: " + started.error().line());
+      return player::kErrorMode;
+    }
+    found = open_.try_emplace(device).first;
+  }
+  found->second.access = access;
+  ++found->second.opens;
+  if (access == Access::kWrite) {
+    const device::Address address = board_.devices[device].address;
+    board_.fanout.leave(device, *this);
+    queue_.forget(address.interf, address.index);
+  } else {
+    board_.fanout.join(device, *this);
+  }
+  return code;
+}
+
+// False if this session does not have the device open; nobody else notices such a close.
+bool Session::close(device::DeviceId device) {
+  const auto found = open_.find(device);
+  if (found == open_.end()) return false;
+  if (--found->second.opens > 0) return true;
+  const device::Address address = board_.devices[device].address;
+  open_.erase(found);
+  board_.fanout.leave(device, *this);
+  queue_.forget(address.interf, address.index);
+  board_.devices.close(device);
+  return true;
+}
+
+void Session::set_data_mode(const wire::Header& header, Body body) {
+  const auto asked = wire::decode<player::DeviceDatamodeReq>(body);
+  if (!asked) return refuse(header, Fault::kUndecodable, asked.error().text);
+  if (asked->mode == player::kDatamodePush) queue_.set_mode(DeliveryMode::kPush);
+  if (asked->mode == player::kDatamodePull) queue_.set_mode(DeliveryMode::kPull);
+  reply(header, true);  // also for modes that do not exist, which change nothing
+}
+
+void Session::add_replace_rule(const wire::Header& header, Body body) {
+  const auto asked = wire::decode<player::AddReplaceRuleReq>(body);
+  if (!asked) return refuse(header, Fault::kUndecodable, asked.error().text);
+  if (!queue_.add_rule(
+          {asked->interf, asked->index, asked->type, asked->subtype, queue_action(asked->replace)})) {
+    return refuse(header, Fault::kLimit, "too many replace rules");
+  }
+  reply(header, true);
+}
+
+}  // namespace playhouse::server

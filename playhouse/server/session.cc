@@ -1,0 +1,232 @@
+#include "playhouse/server/session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+
+#include "playhouse/base/limits.h"
+#include "playhouse/base/log.h"
+#include "playhouse/wire/codec.h"
+#include "playhouse/wire/generated/common.h"
+#include "playhouse/wire/generated/player.h"
+
+namespace playhouse::server {
+namespace {
+
+constexpr std::size_t kKeptInputBytes = 1u << 20;  // a larger input buffer is given back once it is empty
+
+std::string describe(const wire::Header& header) {
+  const wire::InterfaceDef* interf = wire::find_interface(header.interf);
+  const wire::MessageDef* def = wire::find_message(header.interf, header.type, header.subtype);
+  const std::string device =
+      fmt::format("{}:{}", interf ? std::string(interf->name) : std::to_string(header.interf), header.index);
+  if (def) return fmt::format("{} to {}", def->name, device);
+  return fmt::format("{} {} to {}", wire::name(header.type), header.subtype, device);
+}
+
+/// True for requests that leave the device as it is, by the names of their messages.
+bool only_reads(const wire::MessageDef& def) {
+  constexpr std::array<std::string_view, 7> kReadersByOtherNames = {"ptz.req.geom",
+                                                                    "ptz.req.status",
+                                                                    "ir.req.pose",
+                                                                    "wifi.req.mac",
+                                                                    "limb.req.geom",
+                                                                    "audio.req.mixer_channel_list",
+                                                                    "audio.req.sample_retrieve"};
+  const std::string_view last = def.name.substr(def.name.rfind('.') + 1);
+  return last.starts_with("get_") || last == "capabilities" ||
+         std::find(kReadersByOtherNames.begin(), kReadersByOtherNames.end(), def.name) !=
+             kReadersByOtherNames.end();
+}
+
+}  // namespace
+
+Session::Session(Switchboard& board, std::uint32_t serial, std::uint32_t robot, std::string peer)
+    : board_(board),
+      serial_(serial),
+      robot_(robot),
+      peer_(std::move(peer)),
+      answer_limit_(limits::kSessionAnswers) {}
+
+Session::~Session() {
+  for (const auto& [device, opened] : open_) {
+    board_.fanout.leave(device, *this);
+    board_.devices.close(device);
+  }
+  if (commands_dropped_ > 1) log::warn("{}: {} commands were dropped in all", peer_, commands_dropped_);
+  if (queue_.dropped() > 0) log::warn("{}: {} data messages were dropped in all", peer_, queue_.dropped());
+}
+
+// --- input
+// -----------------------------------------------------------------------------------------------------------
+
+void Session::receive(std::span<const std::byte> bytes) {
+  if (!broken_.empty()) return;
+  input_.insert(input_.end(), bytes.begin(), bytes.end());
+  process();
+}
+
+void Session::work_on() {
+  process();
+}
+
+void Session::finish_input() {
+  answer_limit_ = std::numeric_limits<std::size_t>::max();
+  process();
+}
+
+std::size_t Session::owed_answers() const {
+  // Long answers count for more, so that the limit holds in bytes too.
+  constexpr std::size_t kShare = limits::kSessionQueueBytes / limits::kSessionAnswers;
+  return pending_.size() + std::max(queue_.answers_waiting(), queue_.answer_bytes_waiting() / kShare);
+}
+
+void Session::process() {
+  std::size_t at = 0;
+  while (broken_.empty() && wants_bytes() && input_.size() - at >= limits::kHeaderBytes) {
+    const Body rest = std::span(input_).subspan(at);
+    const wire::Header header = wire::decode_header(rest.first<limits::kHeaderBytes>());
+    if (header.size > limits::kBodyBytes) {
+      broken_ = fmt::format("{} claims {} bytes, over the limit of {}", describe(header), header.size,
+                            limits::kBodyBytes);
+      input_.clear();
+      return;
+    }
+    if (rest.size() - limits::kHeaderBytes < header.size) break;
+    dispatch(header, rest.subspan(limits::kHeaderBytes, header.size));
+    at += limits::kHeaderBytes + header.size;
+  }
+  input_.erase(input_.begin(), input_.begin() + static_cast<std::ptrdiff_t>(at));
+  if (input_.empty() && input_.capacity() > kKeptInputBytes) input_.shrink_to_fit();
+}
+
+void Session::dispatch(const wire::Header& header, Body body) {
+  ++board_.counters.messages_received;
+  if (header.interf == wire::player::kCode) return player_message(header, body);
+  switch (header.type) {
+    case wire::MessageType::kCmd:
+      return command(header, body);
+    case wire::MessageType::kReq:
+      return request(header, body);
+    default:
+      return drop_command(header, Fault::kNotForServer, "clients send commands and requests");
+  }
+}
+
+void Session::command(const wire::Header& header, Body body) {
+  const device::DeviceId device = board_.devices.find(address_of(header));
+  if (!device.valid()) return drop_command(header, Fault::kUnknownDevice, "no such device");
+  if (opened_for_reading_only(device))
+    return drop_command(header, Fault::kReadOnly, "opened for reading only");
+  const wire::MessageDef* def = wire::find_message(header.interf, header.type, header.subtype);
+  if (!def) return drop_command(header, Fault::kUnknownMessage, "no such command");
+  if (const std::string wrong = def->check(body); !wrong.empty()) {
+    return drop_command(header, Fault::kUndecodable, wrong);
+  }
+  const auto type = static_cast<std::uint8_t>(header.type);
+  if (!board_.devices[device].driver->command({device, type, header.subtype, body})) {
+    drop_command(header, Fault::kUnsupported, "the device has no such command");
+  }
+}
+
+void Session::request(const wire::Header& header, Body body) {
+  const device::DeviceId device = board_.devices.find(address_of(header));
+  if (!device.valid()) return refuse(header, Fault::kUnknownDevice, "no such device");
+  const wire::MessageDef* def = wire::find_message(header.interf, header.type, header.subtype);
+  if (!def) return refuse(header, Fault::kUnknownMessage, "no such request");
+  if (const std::string wrong = def->check(body); !wrong.empty())
+    return refuse(header, Fault::kUndecodable, wrong);
+  if (opened_for_reading_only(device) && !only_reads(*def)) {
+    return refuse(header, Fault::kReadOnly, "opened for reading only");
+  }
+  if (header.subtype == wire::kReqCapabilities) return capability(device, header, body);
+
+  const std::uint32_t number = next_request_++;
+  pending_[number] = {header};
+  const auto type = static_cast<std::uint8_t>(header.type);
+  board_.devices[device].driver->request({device, type, header.subtype, body},
+                                         device::Replier(*board_.outlet, make_ticket(serial_, number)));
+}
+
+void Session::capability(device::DeviceId device, const wire::Header& header, Body body) {
+  const Result<wire::CapabilitiesReq> asked = wire::decode<wire::CapabilitiesReq>(body);
+  constexpr std::uint32_t kLargest = std::numeric_limits<std::uint8_t>::max();
+  const bool capable = asked && asked->type <= kLargest && asked->subtype <= kLargest &&
+                       board_.devices[device].driver->capable(device, static_cast<std::uint8_t>(asked->type),
+                                                              static_cast<std::uint8_t>(asked->subtype));
+  reply(header, capable);
+}
+
+void Session::drop_command(const wire::Header& header, Fault fault, const std::string& why) {
+  ++commands_dropped_;
+  ++board_.counters.commands_dropped;
+  log_once(fault, header, why + "; dropped");
+}
+
+void Session::refuse(const wire::Header& header, Fault fault, const std::string& why) {
+  ++board_.counters.requests_refused;
+  log_once(fault, header, why + "; answered NACK");
+  reply(header, false);
+}
+
+void Session::log_once(Fault fault, const wire::Header& header, const std::string& why) {
+  if (logged_.insert(fault).second) log::warn("{}: {}: {}", peer_, describe(header), why);
+}
+
+device::Address Session::address_of(const wire::Header& header) const {
+  return {robot_, header.interf, header.index};
+}
+
+bool Session::opened_for_reading_only(device::DeviceId device) const {
+  const auto found = open_.find(device);
+  return found != open_.end() && found->second.access == Access::kRead;
+}
+
+// --- output
+// ----------------------------------------------------------------------------------------------------------
+
+void Session::answer(std::uint32_t number, bool ack, std::span<const std::byte> body) {
+  const auto found = pending_.find(number);
+  if (found == pending_.end()) return;  // answered before
+  const wire::Header header = found->second.header;
+  pending_.erase(found);
+  if (body.size() > limits::kBodyBytes)
+    return refuse(header, Fault::kLimit, "the answer is over the limit of a body");
+  reply(header, ack, body);
+}
+
+void Session::reply(const wire::Header& to, bool ack, Body body) {
+  queue_.add(make_reply(to, ack, body));
+}
+
+Frame Session::make_reply(const wire::Header& to, bool ack, Body body) const {
+  wire::Header header = to;
+  header.host = wire::kLocalhost;
+  header.robot = robot_;
+  header.type = ack ? wire::MessageType::kAck : wire::MessageType::kNack;
+  header.timestamp = board_.clock();
+  return make_frame(header, body);
+}
+
+void Session::deliver(const Frame& frame) {
+  const std::uint64_t dropped = queue_.dropped();
+  queue_.add(frame);
+  if (queue_.dropped() == dropped) return;
+  board_.counters.data_dropped += queue_.dropped() - dropped;
+  if (logged_.insert(Fault::kDrop).second) {
+    log::warn("{}: reads too slowly: {} messages wait, the oldest data is dropped", peer_, queue_.waiting());
+  }
+}
+
+void Session::take(std::vector<net::SharedBytes>& out, std::size_t max_bytes) {
+  const std::size_t before = out.size();
+  queue_.take(out, max_bytes, board_.clock());
+  messages_sent_ += out.size() - before;
+  board_.counters.messages_sent += out.size() - before;
+  for (std::size_t i = before; i < out.size(); ++i) board_.counters.bytes_sent += out[i]->size();
+}
+
+}  // namespace playhouse::server

@@ -1,0 +1,133 @@
+#pragma once
+
+/// Session: one client's half of the conversation, from its bytes to calls of drivers and to the frames it is
+/// owed. Knows no sockets: Server feeds it what arrives and sends what it gives. One connection, one session;
+/// io thread.
+///
+/// A session stops working on its input while it owes limits::kSessionAnswers answers (wants_bytes() is
+/// false), so a client that asks without reading holds up itself and nobody else.
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "playhouse/device/address.h"
+#include "playhouse/server/out_queue.h"
+#include "playhouse/server/switchboard.h"
+#include "playhouse/wire/header.h"
+#include "playhouse/wire/messages.h"
+
+namespace playhouse::server {
+
+/// How a session has a device open.
+enum class Access : std::uint8_t { kAll, kRead, kWrite };
+
+class Session final : public Reader {
+ public:
+  /// `serial` numbers the sessions of a server, never reused; `robot` is the port the client came in by;
+  /// `peer` is for log lines.
+  Session(Switchboard& board, std::uint32_t serial, std::uint32_t robot, std::string peer);
+  /// Closes every device the session had open.
+  ~Session() override;
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  /// Bytes from the client, in any segmentation.
+  void receive(std::span<const std::byte> bytes);
+  /// Goes on with input that had to wait. Call after answers have gone out.
+  void work_on();
+  /// No more bytes will come: carries out all that did.
+  void finish_input();
+  /// False while input waits for answers to go out: the connection should pause.
+  bool wants_bytes() const { return owed_answers() < answer_limit_; }
+  /// Why the session has to be closed; empty while it need not.
+  const std::string& broken() const { return broken_; }
+
+  /// A driver's answer to the request with this number (the low half of its ticket).
+  void answer(std::uint32_t number, bool ack, std::span<const std::byte> body);
+  void deliver(const Frame& frame) override;
+
+  /// Moves what may be sent now to the end of `out`, until it holds about `max_bytes`.
+  void take(std::vector<net::SharedBytes>& out, std::size_t max_bytes);
+
+  std::uint32_t robot() const { return robot_; }
+  const std::string& peer() const { return peer_; }
+  std::size_t devices_open() const { return open_.size(); }
+  std::size_t messages_waiting() const { return queue_.waiting(); }
+  std::uint64_t messages_sent() const { return messages_sent_; }
+  std::uint64_t data_dropped() const { return queue_.dropped(); }
+
+ private:
+  struct OpenDevice {
+    Access access = Access::kAll;
+    std::size_t opens = 0;  // closes that the client still owes
+  };
+  struct PendingRequest {
+    wire::Header header;
+  };
+  /// Why something was not done; each is logged once per session.
+  enum class Fault : std::uint8_t {
+    kUnknownDevice,
+    kUnknownMessage,
+    kUndecodable,
+    kReadOnly,
+    kUnsupported,
+    kNotForServer,
+    kLimit,
+    kStart,
+    kDrop,
+  };
+  using Body = std::span<const std::byte>;
+
+  // session.cc: framing, commands and requests
+  std::size_t owed_answers() const;
+  void process();
+  void dispatch(const wire::Header& header, Body body);
+  void command(const wire::Header& header, Body body);
+  void request(const wire::Header& header, Body body);
+  void capability(device::DeviceId device, const wire::Header& header, Body body);
+  void drop_command(const wire::Header& header, Fault fault, const std::string& why);
+  void refuse(const wire::Header& header, Fault fault, const std::string& why);
+  void reply(const wire::Header& to, bool ack, Body body = {});
+  Frame make_reply(const wire::Header& to, bool ack, Body body) const;
+  void log_once(Fault fault, const wire::Header& header, const std::string& why);
+  device::Address address_of(const wire::Header& header) const;
+  bool opened_for_reading_only(device::DeviceId device) const;
+
+  // player_requests.cc: requests to the server itself
+  void player_message(const wire::Header& header, Body body);
+  void list_devices(const wire::Header& header);
+  void tell_driver(const wire::Header& header, Body body);
+  void open_or_close(const wire::Header& header, Body body);
+  void set_data_mode(const wire::Header& header, Body body);
+  void add_replace_rule(const wire::Header& header, Body body);
+  std::uint8_t open(device::DeviceId device, Access access, std::uint8_t code, const wire::Header& header);
+  bool close(device::DeviceId device);
+
+  Switchboard& board_;
+  const std::uint32_t serial_;
+  const std::uint32_t robot_;
+  const std::string peer_;
+
+  std::vector<std::byte> input_;  // begins at a header
+  OutQueue queue_;
+  std::map<device::DeviceId, OpenDevice> open_;
+  std::map<std::uint32_t, PendingRequest> pending_;
+  std::uint32_t next_request_ = 0;
+  std::size_t answer_limit_;
+  std::string broken_;
+  std::set<Fault> logged_;
+  std::uint64_t messages_sent_ = 0, commands_dropped_ = 0;
+};
+
+/// The ticket of a session's request: what a driver hands back with its answer.
+constexpr std::uint64_t make_ticket(std::uint32_t serial, std::uint32_t number) {
+  return std::uint64_t{serial} << 32 | number;
+}
+
+}  // namespace playhouse::server
