@@ -1,5 +1,7 @@
 #include "playhouse/scene/syntax.h"
 
+#include <algorithm>
+
 #include "playhouse/base/limits.h"
 
 namespace playhouse::scene {
@@ -111,6 +113,11 @@ Result<void> Parser::parse_define(const Token& word) {
 
 Result<void> Parser::parse_item(const Token& name, std::vector<Field>& fields, std::vector<Section>& sections,
                                 int depth) {
+  const std::string subject = "\"" + std::string(name.text) + "\"";
+  if (std::count(name.text.begin(), name.text.end(), '[') >
+      std::count(name.text.begin(), name.text.end(), ']')) {
+    return error(name.where, subject + " needs a space before its \"[\"");
+  }
   if (is_value(tokens_.peek().kind) || tokens_.peek().kind == TokenKind::kTupleOpen) {
     Field field{name.text, {}, name.where};
     if (const Result<void> parsed = parse_value(field); !parsed) return parsed;
@@ -126,10 +133,6 @@ Result<void> Parser::parse_item(const Token& name, std::vector<Field>& fields, s
     }
     sections.push_back({name.text, name.where, {}, {}});
     return parse_body(sections.back(), depth + 1);
-  }
-  const std::string subject = "\"" + std::string(name.text) + "\"";
-  if (name.text.find('[') != std::string_view::npos && name.text.back() != ']') {
-    return error(name.where, subject + " needs a space before its \"[\"");
   }
   if (is_value(open.kind) || open.kind == TokenKind::kTupleOpen) {
     return error(name.where, "the value of " + subject + " must be on the same line");

@@ -1,0 +1,287 @@
+#include "playhouse/scene/cfg.h"
+
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "playhouse/base/nearest_word.h"
+#include "playhouse/scene/colors.h"
+
+namespace playhouse::scene {
+
+struct CfgDocument {
+  Document document;
+  Units units;
+  std::string folder;
+};
+
+CfgSection::CfgSection(std::shared_ptr<const CfgDocument> file, const Instance& instance)
+    : file_(std::move(file)), where_(instance.where), fields_(instance.parts) {}
+
+std::string CfgSection::at() const {
+  return file_->document.sources.at(where_);
+}
+
+std::string CfgSection::at(std::string_view key) const {
+  const Field* field = fields_.find(key);
+  return field ? file_->document.sources.at(field->where) : at();
+}
+
+bool CfgSection::has(std::string_view key) const {
+  return ask(key) != nullptr;
+}
+
+std::size_t CfgSection::count(std::string_view key) const {
+  const Field* field = ask(key);
+  return field ? field->values.size() : 0;
+}
+
+const Field* CfgSection::ask(std::string_view key) const {
+  if (!asked_.contains(key)) asked_.emplace(key);
+  return fields_.find(key);
+}
+
+void CfgSection::fail(const Field& field, std::string text) const {
+  if (!fault_) fault_ = file_->document.error(field.where, std::move(text));
+}
+
+Result<void> CfgSection::fault() const {
+  return fault_ ? Result<void>(*fault_) : Result<void>();
+}
+
+double CfgSection::scaled(std::string_view key, double otherwise, std::size_t element, double factor) const {
+  const Field* field = ask(key);
+  if (!field || element >= field->values.size()) return otherwise;
+  const Value& value = field->values[element];
+  const std::optional<double> number =
+      value.kind == ValueKind::kBool ? std::nullopt : parse_number(value.text);
+  if (number) return *number * factor;
+  fail(*field, "\"" + std::string(key) + "\" needs a number, found \"" + std::string(value.text) + "\"");
+  return otherwise;
+}
+
+double CfgSection::number(std::string_view key, double otherwise, std::size_t element) const {
+  return scaled(key, otherwise, element, 1);
+}
+
+double CfgSection::length(std::string_view key, double otherwise, std::size_t element) const {
+  return scaled(key, otherwise, element, file_->units.length);
+}
+
+double CfgSection::angle(std::string_view key, double otherwise, std::size_t element) const {
+  return scaled(key, otherwise, element, file_->units.angle);
+}
+
+int CfgSection::integer(std::string_view key, int otherwise, std::size_t element) const {
+  const double value = number(key, otherwise, element);
+  if (std::abs(value) <= 2147483647.0) return static_cast<int>(value);
+  fail(*ask(key), "\"" + std::string(key) + "\" needs a smaller number");
+  return otherwise;
+}
+
+bool CfgSection::flag(std::string_view key, bool otherwise) const {
+  const Field* field = ask(key);
+  if (!field || field->values.empty()) return otherwise;
+  const std::string_view text = field->values.front().text;
+  if (text == "yes" || text == "true") return true;
+  if (text == "no" || text == "false") return false;
+  if (const auto number = parse_number(text)) return *number != 0;
+  fail(*field, "\"" + std::string(key) + "\" is yes or no, found \"" + std::string(text) + "\"");
+  return otherwise;
+}
+
+std::string CfgSection::text(std::string_view key, std::string_view otherwise, std::size_t element) const {
+  const Field* field = ask(key);
+  return std::string(field && element < field->values.size() ? field->values[element].text : otherwise);
+}
+
+std::vector<std::string> CfgSection::texts(std::string_view key) const {
+  std::vector<std::string> texts;
+  if (const Field* field = ask(key)) {
+    for (const Value& value : field->values) texts.emplace_back(value.text);
+  }
+  return texts;
+}
+
+std::string CfgSection::filename(std::string_view key, std::string_view otherwise) const {
+  const std::string name = text(key, otherwise);
+  return name.empty() ? name : resolve(file_->folder, name);
+}
+
+Color CfgSection::color(std::string_view key, Color otherwise) const {
+  const Field* field = ask(key);
+  if (!field) return otherwise;
+  const std::string name = text(key, "");
+  if (const auto known = color_by_name(name)) return *known;
+  fail(*field, "unknown color \"" + name + "\"" + color_hint(name));
+  return otherwise;
+}
+
+std::vector<DeviceAddress> CfgSection::addresses(std::string_view key) const {
+  std::vector<DeviceAddress> addresses;
+  const Field* field = ask(key);
+  if (!field) return addresses;
+  for (const Value& value : field->values) {
+    Result<DeviceAddress> address = parse_device_address(value.text);
+    if (address) {
+      addresses.push_back(std::move(*address));
+    } else {
+      fail(*field, address.error().text);
+    }
+  }
+  return addresses;
+}
+
+std::vector<std::string> CfgSection::unread() const {
+  const std::vector<std::string_view> asked(asked_.begin(), asked_.end());
+  std::vector<std::string> lines;
+  for (const Field* field : fields_.all()) {
+    if (asked_.contains(field->key)) continue;
+    lines.push_back(at(field->key) + ": \"" + std::string(field->key) + "\" is not used by driver \"" +
+                    name() + "\"" + did_you_mean(field->key, asked));
+  }
+  return lines;
+}
+
+/// Turns a parsed file into driver sections and checks what does not depend on the drivers.
+class CfgLoader {
+ public:
+  CfgLoader(std::shared_ptr<CfgDocument> file, std::uint16_t port)
+      : file_(std::move(file)), document_(file_->document), macros_(document_), port_(port) {}
+
+  Result<CfgFile> load();
+
+ private:
+  Result<void> read_globals();
+  Result<void> add_section(const Section& section);
+  Result<void> add_driver(const Instance& instance);
+  Result<void> check_interface(const Instance& instance);
+  Result<void> check_unique(const CfgSection& driver);
+  void warn(SourceLine where, const std::string& text) {
+    cfg_.warnings.push_back(document_.sources.at(where) + ": " + text);
+  }
+
+  std::shared_ptr<CfgDocument> file_;
+  const Document& document_;
+  Macros macros_;
+  std::uint16_t port_;
+  CfgFile cfg_;
+  std::map<std::tuple<std::string, std::uint16_t, std::string, std::uint16_t>, std::string>
+      provided_;  // to its line
+};
+
+Result<CfgFile> CfgLoader::load() {
+  cfg_.path = document_.sources.file_names().front();
+  file_->folder = folder_of(cfg_.path);
+  if (const auto globals = read_globals(); !globals) return globals.error();
+  for (const Statement& statement : document_.statements) {
+    if (!statement.base.empty()) {
+      if (!macros_.define(statement)) {
+        warn(statement.section.where, "macro \"" + std::string(statement.section.name) +
+                                          "\" is defined already; the first definition counts");
+      }
+      continue;
+    }
+    if (const auto added = add_section(statement.section); !added) return added.error();
+  }
+  if (cfg_.drivers.empty())
+    return Error{cfg_.path, "has no driver ( ... ) section, so there is nothing to serve"};
+  return std::move(cfg_);
+}
+
+Result<void> CfgLoader::read_globals() {
+  static constexpr std::string_view kWords[] = {"unit_length", "unit_angle", "plugin", "test"};
+  for (const Field& field : document_.fields) {
+    if (field.key == "unit_length" || field.key == "unit_angle") continue;
+    if (field.key == "plugin" || field.key == "test") {
+      warn(field.where,
+           "\"" + std::string(field.key) + "\" has no effect: " +
+               (field.key == "test" ? "use playhouse check" : "all drivers are part of the program"));
+    } else {
+      warn(field.where, "unknown field \"" + std::string(field.key) + "\" outside all sections" +
+                            did_you_mean(field.key, kWords));
+    }
+  }
+  const Result<Units> units = read_units(document_, FieldSet(std::span<const Field>(document_.fields)));
+  if (!units) return units.error();
+  file_->units = *units;
+  return {};
+}
+
+Result<void> CfgLoader::add_section(const Section& section) {
+  const Result<Instance> instance = macros_.instance(section);
+  if (!instance) return instance.error();
+  if (instance->type == "driver") return add_driver(*instance);
+  if (instance->type == "interface") return check_interface(*instance);
+  std::vector<std::string_view> words = macros_.names();
+  words.insert(words.end(), {"driver", "interface"});
+  warn(section.where,
+       "section \"" + std::string(section.name) + "\" has no effect" + did_you_mean(section.name, words));
+  return {};
+}
+
+Result<void> CfgLoader::add_driver(const Instance& instance) {
+  CfgSection driver(file_, instance);
+  if (driver.name().empty())
+    return document_.error(instance.where, "a driver needs a name, as in: name \"stage\"");
+  driver.ask("plugin");  // all drivers are built in; naming where one used to come from is no mistake
+  if (driver.count("provides") == 0) {
+    return document_.error(instance.where,
+                           "driver \"" + driver.name() +
+                               "\" needs the devices it provides, as in: provides [ \"position2d:0\" ]");
+  }
+  for (const Section* part : instance.parts) {
+    for (const Section& inner : part->sections) {
+      warn(inner.where, "section \"" + std::string(inner.name) + "\" inside a driver has no effect");
+    }
+  }
+  if (const auto unique = check_unique(driver); !unique) return unique;
+  driver.addresses("requires");
+  driver.flag("alwayson", false);
+  if (const auto fault = driver.fault(); !fault) return fault;
+  cfg_.drivers.push_back(std::move(driver));
+  return {};
+}
+
+Result<void> CfgLoader::check_unique(const CfgSection& driver) {
+  for (const DeviceAddress& address : driver.addresses("provides")) {
+    const std::string host = address.host == "localhost" ? "" : address.host;
+    const auto [taken, fresh] = provided_.try_emplace(
+        {host, address.port.value_or(port_), address.interf, address.index}, driver.at("provides"));
+    if (!fresh) {
+      return Error{driver.at("provides"),
+                   "device \"" + address.text() + "\" is provided at " + taken->second + " already"};
+    }
+  }
+  return {};
+}
+
+Result<void> CfgLoader::check_interface(const Instance& instance) {
+  const CfgSection section(file_, instance);
+  for (const std::string_view key : {"name", "code", "plugin"}) {
+    if (!section.has(key)) return document_.error(instance.where, "an interface needs " + std::string(key));
+  }
+  const int code = section.integer("code", 0);
+  if (const auto fault = section.fault(); !fault) return fault;
+  if (code < 0 || code > 65535) return Error{section.at("code"), "\"code\" must be from 0 to 65535"};
+  warn(instance.where,
+       "interface \"" + section.name() + "\" has no effect: interfaces cannot be added by plug-ins");
+  return {};
+}
+
+Result<CfgFile> load_cfg_text(std::string text, const std::string& path, FileReader& files,
+                              std::uint16_t port) {
+  Result<Document> document = parse_document(Format::kConfiguration, path, std::move(text), files);
+  if (!document) return document.error();
+  auto file = std::make_shared<CfgDocument>(CfgDocument{std::move(*document), {}, {}});
+  return CfgLoader(std::move(file), port).load();
+}
+
+Result<CfgFile> load_cfg(const std::string& path, std::uint16_t port) {
+  DiskFiles files;
+  Result<std::string> text = files.read(path);
+  if (!text) return Error{path, text.error().text};
+  return load_cfg_text(std::move(*text), path, files, port);
+}
+
+}  // namespace playhouse::scene

@@ -1,0 +1,86 @@
+#pragma once
+
+/// Player configuration files (.cfg) -> driver sections whose fields are read by name, in SI units. The
+/// format is described in docs/configuration.md. Knows no driver and no interface by name.
+
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "playhouse/base/result.h"
+#include "playhouse/scene/device_address.h"
+#include "playhouse/scene/expand.h"
+#include "playhouse/scene/source_text.h"
+
+namespace playhouse::scene {
+
+struct CfgDocument;  // what the sections of one file share
+
+/// One `driver ( ... )`. Accessors return `otherwise` for an absent field; what they read and asked for is
+/// noted. The first field of the wrong form is kept as fault(), so that a driver reads all it needs and
+/// checks once.
+class CfgSection {
+ public:
+  std::string name() const { return text("name", ""); }
+  /// "file:line" of the section, and of a field of it.
+  std::string at() const;
+  std::string at(std::string_view key) const;
+  bool has(std::string_view key) const;
+  /// Number of elements of a field; 0 when absent, 1 for a single value.
+  std::size_t count(std::string_view key) const;
+
+  double number(std::string_view key, double otherwise, std::size_t element = 0) const;
+  /// Metres, or metres per second.
+  double length(std::string_view key, double otherwise, std::size_t element = 0) const;
+  /// Radians, or radians per second.
+  double angle(std::string_view key, double otherwise, std::size_t element = 0) const;
+  int integer(std::string_view key, int otherwise, std::size_t element = 0) const;
+  /// yes, true, a number other than 0; no, false, 0.
+  bool flag(std::string_view key, bool otherwise) const;
+  std::string text(std::string_view key, std::string_view otherwise, std::size_t element = 0) const;
+  std::vector<std::string> texts(std::string_view key) const;
+  /// A path, relative to the folder of the configuration file.
+  std::string filename(std::string_view key, std::string_view otherwise) const;
+  Color color(std::string_view key, Color otherwise) const;
+  /// The addresses of `provides`, `requires` or another field of that form.
+  std::vector<DeviceAddress> addresses(std::string_view key) const;
+
+  /// The first field that could not be read as asked for, "file:line: what".
+  Result<void> fault() const;
+  /// One line for each field that nothing has read, with the nearest word that was asked for.
+  std::vector<std::string> unread() const;
+
+ private:
+  friend class CfgLoader;
+  CfgSection(std::shared_ptr<const CfgDocument> file, const Instance& instance);
+
+  const Field* ask(std::string_view key) const;
+  void fail(const Field& field, std::string text) const;
+  double scaled(std::string_view key, double otherwise, std::size_t element, double factor) const;
+
+  std::shared_ptr<const CfgDocument> file_;  // shared by the sections of one file, which live as long as any driver
+  SourceLine where_;
+  FieldSet fields_;
+  mutable std::set<std::string, std::less<>> asked_;
+  mutable std::optional<Error> fault_;
+};
+
+struct CfgFile {
+  std::string path;
+  std::vector<CfgSection> drivers;    // in file order
+  std::vector<std::string> warnings;  // "file:line: text", of the file itself
+};
+
+/// Loads a configuration file. Fails with one error, "file:line: what": bad syntax, a driver without `name`
+/// or `provides`, a malformed address, or two drivers that provide the same one. `port` stands for the port
+/// of addresses that have none.
+Result<CfgFile> load_cfg(const std::string& path, std::uint16_t port = 6665);
+
+/// The same for a text that was read from `path`; included files come from `files`.
+Result<CfgFile> load_cfg_text(std::string text, const std::string& path, FileReader& files,
+                              std::uint16_t port = 6665);
+
+}  // namespace playhouse::scene
