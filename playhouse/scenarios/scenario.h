@@ -1,0 +1,40 @@
+#pragma once
+
+/// Scenarios: worlds of any number of robots, the same for tests, benches and demonstrations. 100 ms ticks,
+/// Pioneer bodies, poses without overlaps that depend on nothing but the name and the number.
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+#include "playhouse/base/result.h"
+#include "playhouse/scene/scene_desc.h"
+
+namespace playhouse::scenarios {
+
+/// Robots per square metre of the walled squares of `sonar` and `laser`.
+inline constexpr double kDensity = 0.39;
+inline constexpr std::size_t kMostRobots = 100000;
+
+struct Scenario {
+  std::string_view name;
+  std::string_view about;  // one line for a person
+  std::size_t robots;      // unless asked otherwise
+  double seconds;          // simulated, unless asked otherwise
+};
+
+inline constexpr std::array<Scenario, 3> kScenarios{{
+    {"sonar", "robots with 16 sonars of 5 m spread over a walled square (expand_swarm)", 1000, 60},
+    {"laser", "robots with 180 laser beams of 8 m wander in a walled square (wander)", 1000, 60},
+    {"cave", "robots with 16 sonars and an idle laser spread through the 16 m cave (expand_pioneer)", 100,
+     60},
+}};
+
+/// The scenario of that name with `robots` robots, "r0", "r1", ... `cave` grows with the robots above 100, so
+/// that they have the same room. Fails on an unknown name and on a number outside 1 .. kMostRobots.
+Result<scene::SceneDesc> make(std::string_view name, std::size_t robots);
+
+/// Row of kScenarios, or null.
+const Scenario* find(std::string_view name);
+
+}  // namespace playhouse::scenarios

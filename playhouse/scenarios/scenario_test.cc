@@ -1,0 +1,128 @@
+#include "playhouse/scenarios/scenario.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "playhouse/scenarios/embedded.h"
+#include "playhouse/scenarios/start_poses.h"
+#include "playhouse/scene/world_loader.h"
+
+namespace playhouse::scenarios {
+namespace {
+
+/// Smallest distance between two of some points; the oracle sorts by x and looks along it.
+double closest_pair(std::vector<geom::Pose> poses) {
+  std::sort(poses.begin(), poses.end(), [](const geom::Pose& a, const geom::Pose& b) { return a.x < b.x; });
+  double closest = 1e9;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    for (std::size_t k = i + 1; k < poses.size() && poses[k].x - poses[i].x < closest; ++k) {
+      closest = std::min(closest, std::hypot(poses[k].x - poses[i].x, poses[k].y - poses[i].y));
+    }
+  }
+  return closest;
+}
+
+std::vector<geom::Pose> robot_poses(const scene::SceneDesc& scene) {
+  std::vector<geom::Pose> poses;
+  for (const scene::ModelDesc& model : scene.models) {
+    if (model.kind == scene::ModelKind::kPosition) poses.push_back(model.X_PM);
+  }
+  return poses;
+}
+
+void expect_no_overlaps(std::string_view name, std::size_t robots) {
+  const Result<scene::SceneDesc> scene = make(name, robots);
+  ASSERT_TRUE(scene) << scene.error().line();
+  const std::vector<geom::Pose> poses = robot_poses(*scene);
+  ASSERT_EQ(poses.size(), robots);
+  EXPECT_GE(closest_pair(poses), 2 * kRobotRadius - 1e-9) << name << " with " << robots;
+}
+
+TEST(Scenario, holds_any_number_of_robots_without_overlaps) {
+  for (const Scenario& scenario : kScenarios) {
+    for (const std::size_t robots : {1, 2, 3, 5, 10, 99, 100, 101, 150, 1000, 5000}) {
+      expect_no_overlaps(scenario.name, robots);
+    }
+  }
+}
+
+RC_GTEST_PROP(Scenario, keeps_robots_apart_and_inside_the_walls, ()) {
+  const auto count = *rc::gen::inRange<std::size_t>(1, 3000);
+  const double side = std::sqrt(static_cast<double>(count) / kDensity);
+  const std::vector<geom::Pose> poses = in_square(count, side);
+  RC_ASSERT(poses.size() == count);
+  RC_ASSERT(closest_pair(poses) >= 2 * kRobotRadius - 1e-9);
+  for (const geom::Pose& pose : poses) {
+    RC_ASSERT(std::max(std::fabs(pose.x), std::fabs(pose.y)) <= side / 2 - kRobotRadius + 1e-9);
+  }
+}
+
+TEST(Scenario, has_room_for_the_most_robots) {
+  const double side = std::sqrt(static_cast<double>(kMostRobots) / kDensity);
+  EXPECT_EQ(in_square(kMostRobots, side).size(), kMostRobots);
+  const auto rock = scene::decode_bitmap(embedded_files().at("worlds/bitmaps/cave.png"));
+  ASSERT_TRUE(rock);
+  EXPECT_EQ(in_cave(kMostRobots, *rock, 16 * std::sqrt(kMostRobots / 100.0)).size(), kMostRobots);
+}
+
+TEST(Scenario, starts_no_robot_in_the_rock) {
+  const auto rock = scene::decode_bitmap(embedded_files().at("worlds/bitmaps/cave.png"));
+  ASSERT_TRUE(rock);
+  const double pixel = 16.0 / rock->width;
+  const int reach = static_cast<int>(kRobotRadius / pixel);
+  for (const geom::Pose& pose : in_cave(100, *rock, 16)) {
+    const int x = static_cast<int>((pose.x + 8) / pixel), y = static_cast<int>((8 - pose.y) / pixel);
+    for (int v = -reach; v <= reach; ++v) {
+      for (int u = -reach; u <= reach; ++u) {
+        if (u * u + v * v <= reach * reach) {
+          ASSERT_FALSE(rock->at(x + u, y + v));
+        }
+      }
+    }
+  }
+}
+
+TEST(Scenario, has_the_sensors_and_controllers_it_names) {
+  const auto sonar = make("sonar", 2), laser = make("laser", 2), cave = make("cave", 2);
+  ASSERT_TRUE(sonar && laser && cave);
+  const auto part = [](const scene::SceneDesc& scene, std::string_view name) {
+    return std::find_if(scene.models.begin(), scene.models.end(),
+                        [&](const auto& m) { return m.name == name; });
+  };
+  EXPECT_EQ(part(*sonar, "r1")->ctrl, std::vector<std::string>{"expand_swarm"});
+  EXPECT_EQ(part(*sonar, "r1.ranger:0")->sensors.size(), 16u);
+  EXPECT_EQ(part(*sonar, "r1.ranger:0")->sensors[0].range_max, 5);
+  EXPECT_EQ(part(*laser, "r1")->ctrl, std::vector<std::string>{"wander"});
+  EXPECT_EQ(part(*laser, "r1.ranger:0")->sensors[0].samples, 180u);
+  EXPECT_EQ(part(*laser, "r1.ranger:0")->sensors[0].range_max, 8);
+  EXPECT_NEAR(part(*laser, "r1.ranger:0")->sensors[0].fov, geom::kPi, 1e-12);
+  EXPECT_EQ(part(*cave, "r1")->ctrl, std::vector<std::string>{"expand_pioneer"});
+  EXPECT_EQ(part(*cave, "r1.ranger:1")->parent, part(*cave, "r1") - cave->models.begin());
+  EXPECT_FALSE(part(*cave, "cave")->bitmaps.empty());
+  EXPECT_EQ(part(*sonar, "r1")->blocks[0].points.size(), 8u);
+  for (const auto* scene : {&sonar.value(), &laser.value(), &cave.value()}) {
+    EXPECT_TRUE(scene->warnings.empty()) << scene->warnings[0];
+    EXPECT_EQ(scene->interval, 0.1);
+  }
+}
+
+TEST(Scenario, refuses_what_it_can_not_make) {
+  EXPECT_EQ(make("sonr", 5).error().line(), "no scenario \"sonr\" (did you mean \"sonar\"?)");
+  EXPECT_FALSE(make("sonar", 0));
+  EXPECT_FALSE(make("cave", kMostRobots + 1));
+}
+
+TEST(Worlds, of_ours_load_without_a_warning) {
+  for (const char* file : {"worlds/cave.world", "worlds/simple.world", "worlds/square.world",
+                           "worlds/fiducial.world", "worlds/swarm.world", "examples/controller/shy.world"}) {
+    const auto scene = scene::load_world(std::string(PLAYHOUSE_SOURCE_DIR) + "/" + file);
+    ASSERT_TRUE(scene) << scene.error().line();
+    EXPECT_TRUE(scene->warnings.empty()) << scene->warnings[0];
+  }
+}
+
+}  // namespace
+}  // namespace playhouse::scenarios

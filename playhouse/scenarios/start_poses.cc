@@ -1,0 +1,93 @@
+#include "playhouse/scenarios/start_poses.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "playhouse/base/assert.h"
+#include "playhouse/base/rng.h"
+
+namespace playhouse::scenarios {
+namespace {
+
+constexpr std::uint64_t kSeed = 2026;
+enum Stream : std::uint64_t { kSquare, kOrder, kHeading };
+
+double draw_heading(std::size_t robot) {
+  return Rng(kSeed, 0, robot, kHeading).uniform(-geom::kPi, geom::kPi);
+}
+
+/// Pixels whose middle is further than `reach` pixels (along either axis) from solid ones.
+std::vector<std::uint8_t> room_around(const scene::Bitmap& rock, int reach) {
+  const auto index = [&](int x, int y) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(rock.width) + x;
+  };
+  // First along rows, then along columns: a square of (2 reach + 1) pixels.
+  std::vector<std::uint8_t> in_row(rock.solid.size(), 1), room(rock.solid.size(), 1);
+  for (int y = 0; y < rock.height; ++y) {
+    for (int x = 0; x < rock.width; ++x) {
+      if (!rock.at(x, y)) continue;
+      for (int u = std::max(0, x - reach); u <= std::min(rock.width - 1, x + reach); ++u)
+        in_row[index(u, y)] = 0;
+    }
+  }
+  for (int y = 0; y < rock.height; ++y) {
+    for (int x = 0; x < rock.width; ++x) {
+      if (in_row[index(x, y)]) continue;
+      for (int v = std::max(0, y - reach); v <= std::min(rock.height - 1, y + reach); ++v)
+        room[index(x, v)] = 0;
+    }
+  }
+  return room;
+}
+
+/// Fisher-Yates with fixed numbers.
+void shuffle(std::vector<geom::Vec2>& spots) {
+  for (std::size_t k = spots.size(); k > 1; --k) {
+    std::swap(spots[k - 1], spots[Rng(kSeed, 0, k, kOrder).bits() % k]);
+  }
+}
+
+}  // namespace
+
+std::vector<geom::Pose> in_square(std::size_t count, double side) {
+  const auto columns = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(count))));
+  const double cell = side / static_cast<double>(columns);
+  const double jitter = cell / 2 - kRobotRadius;
+  PLAYHOUSE_ASSERT(jitter >= 0);
+  std::vector<geom::Pose> poses;
+  poses.reserve(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    Rng random(kSeed, 0, k, kSquare);
+    const double x =
+        (static_cast<double>(k % columns) + 0.5) * cell - side / 2 + random.uniform(-jitter, jitter);
+    const double y =
+        (static_cast<double>(k / columns) + 0.5) * cell - side / 2 + random.uniform(-jitter, jitter);
+    poses.push_back({x, y, 0, draw_heading(k)});
+  }
+  return poses;
+}
+
+std::vector<geom::Pose> in_cave(std::size_t count, const scene::Bitmap& rock, double side) {
+  const double pixel = side / rock.width;
+  const std::vector<std::uint8_t> room = room_around(rock, static_cast<int>(std::ceil(kRobotRadius / pixel)));
+  std::vector<geom::Vec2> spots;
+  const auto steps = static_cast<std::size_t>(side / (2 * kRobotRadius));
+  const double step = side / static_cast<double>(steps);
+  for (std::size_t row = 0; row < steps; ++row) {
+    for (std::size_t column = 0; column < steps; ++column) {
+      const geom::Vec2 at{(static_cast<double>(column) + 0.5) * step,
+                          (static_cast<double>(row) + 0.5) * step};
+      const auto x = static_cast<std::size_t>(at.x / pixel), y = static_cast<std::size_t>(at.y / pixel);
+      if (room[y * static_cast<std::size_t>(rock.width) + x])
+        spots.push_back({at.x - side / 2, side / 2 - at.y});
+    }
+  }
+  shuffle(spots);
+  spots.resize(std::min(spots.size(), count));
+  std::vector<geom::Pose> poses;
+  for (std::size_t k = 0; k < spots.size(); ++k)
+    poses.push_back({spots[k].x, spots[k].y, 0, draw_heading(k)});
+  return poses;
+}
+
+}  // namespace playhouse::scenarios
