@@ -1,0 +1,81 @@
+"""Interface power, code 2. Battery and charger of a robot.
+
+Generated from interfaces/002_power.toml by codegen; do not edit.
+"""
+
+from dataclasses import dataclass
+
+from ..wire import Kind, MessageType, Reader, Struct, Writer
+
+CODE = 2
+
+# Bits of Data.valid: which of the fields hold something.
+MASK_VOLTS = 1
+MASK_WATTS = 2
+MASK_JOULES = 4
+MASK_PERCENT = 8
+MASK_CHARGING = 16
+
+
+@dataclass
+class Data(Struct):
+    """State of charge; only the fields named in `valid` count. (player_power_data_t)"""
+
+    # Bits of the fields that hold something.
+    valid: int = 0
+    # In V.
+    volts: float = 0.0
+    # Share of a full charge, 0 to 100 (in %).
+    percent: float = 0.0
+    # Energy that is left (in J).
+    joules: float = 0.0
+    # Power that flows out of the battery; negative while charging (in W).
+    watts: float = 0.0
+    # 1 charging, 0 not, -1 charging is impossible.
+    charging: int = 0
+
+    def write(self, writer: Writer) -> None:
+        writer.number("I", self.valid)
+        writer.number("f", self.volts)
+        writer.number("f", self.percent)
+        writer.number("f", self.joules)
+        writer.number("f", self.watts)
+        writer.number("i", self.charging)
+
+    @classmethod
+    def read(cls, reader: Reader) -> "Data":
+        self = cls()
+        self.valid = reader.number("I")
+        self.volts = reader.number("f")
+        self.percent = reader.number("f")
+        self.joules = reader.number("f")
+        self.watts = reader.number("f")
+        self.charging = reader.number("i")
+        return self
+
+
+@dataclass
+class ChargepolicyConfig(Struct):
+    """Which flows of power are allowed. (player_power_chargepolicy_config_t)"""
+
+    # 1 the battery may be charged.
+    enable_input: int = 0
+    # 1 the battery may feed others.
+    enable_output: int = 0
+
+    def write(self, writer: Writer) -> None:
+        writer.number("B", self.enable_input)
+        writer.number("B", self.enable_output)
+
+    @classmethod
+    def read(cls, reader: Reader) -> "ChargepolicyConfig":
+        self = cls()
+        self.enable_input = reader.number("B")
+        self.enable_output = reader.number("B")
+        return self
+
+
+# State of charge.
+DATA_STATE = MessageType(2, Kind.DATA, 1, "power.data.state", Data)
+# Says whether the battery may take and give power.
+REQ_SET_CHARGING_POLICY = MessageType(2, Kind.REQ, 1, "power.req.set_charging_policy", ChargepolicyConfig)

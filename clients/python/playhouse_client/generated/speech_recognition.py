@@ -1,0 +1,34 @@
+"""Interface speech_recognition, code 50. Tells what was said.
+
+Generated from interfaces/050_speech_recognition.toml by codegen; do not edit.
+"""
+
+from dataclasses import dataclass
+
+from ..wire import Kind, MessageType, Reader, Struct, Writer
+
+CODE = 50
+
+
+@dataclass
+class Data(Struct):
+    """What was said. (player_speech_recognition_data_t)"""
+
+    # With its final NUL.
+    text: bytes = b""
+
+    def write(self, writer: Writer) -> None:
+        writer.length("text", len(self.text), 33554392)
+        writer.length("text", len(self.text), 33554392)
+        writer.opaque(self.text)
+
+    @classmethod
+    def read(cls, reader: Reader) -> "Data":
+        self = cls()
+        text_count = reader.number("I")
+        self.text = reader.opaque(reader.length("text", text_count, 1))
+        return self
+
+
+# The words that were understood.
+DATA_STRING = MessageType(50, Kind.DATA, 1, "speech_recognition.data.string", Data)
