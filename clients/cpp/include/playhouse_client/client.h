@@ -1,0 +1,102 @@
+#pragma once
+
+/// Client: a program's connection to a Player server. One thread per client and all its devices.
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "playhouse/base/result.h"
+#include "playhouse_client/device.h"
+
+namespace playhouse::client {
+
+inline constexpr std::uint16_t kDefaultPort = 6665;
+
+/// When the server sends data: at once, or in rounds that the client asks for.
+enum class Mode : std::uint8_t { kPush = 1, kPull = 2 };
+
+struct Options {
+  Mode mode = Mode::kPull;
+  Seconds timeout{5.0};  // patience of connecting, of every request and of read()
+};
+
+/// What happens to a message for this client when one like it is still waiting in the server.
+enum class Rule : std::int32_t { kAccept = 0, kReplace = 1, kIgnore = 2 };
+
+/// The messages that a rule is about; -1 stands for any.
+struct RuleScope {
+  std::int32_t interf = -1;
+  std::int32_t index = -1;
+  std::int32_t type = -1;
+  std::int32_t subtype = -1;
+};
+
+/// One line of the server's device list.
+struct DeviceEntry {
+  std::uint16_t interf = 0;  // interface code
+  std::uint16_t index = 0;
+  std::string driver;
+
+  /// "position2d:0"; the code where the interface has no known name.
+  std::string name() const;
+};
+
+class Client {
+ public:
+  static Result<Client> connect(const std::string& host, std::uint16_t port, const Options& options = {});
+  /// `address` is "host", "host:port" or ":port"; what is missing is localhost and 6665.
+  static Result<Client> connect(std::string_view address, const Options& options = {});
+
+  Client(Client&&) noexcept = default;
+  Client& operator=(Client&&) noexcept;
+  /// As close(). Devices may outlive the client; they are then of no use, and harmless.
+  ~Client();
+
+  /// What the server said first, "Player v.3.1" for instance.
+  const std::string& banner() const;
+  /// "localhost:6665".
+  const std::string& peer() const;
+  /// False once the server is gone or this client closed.
+  bool connected() const;
+
+  /// What the server offers, in its own order, with the driver behind each device.
+  Result<std::vector<DeviceEntry>> devices();
+
+  Result<void> set_mode(Mode mode);
+  Result<void> set_replace_rule(Rule rule, const RuleScope& scope = {});
+
+  /// Waits for the next data and hands them to the devices; how many messages there were, 0 if none came in time.
+  /// In pull mode this is one round: everything the server holds for this client; a round that is not complete in
+  /// time goes on in the next call. In push mode it is what has arrived. The only errors are a lost connection, a
+  /// refusing server and a call from inside a callback.
+  Result<std::size_t> read();
+  Result<std::size_t> read(Seconds patience);
+
+  /// Data messages that were lost because they were not read in time, here or in the server.
+  std::uint64_t overflow_count() const;
+  /// Messages that nobody waited for or that made no sense.
+  std::uint64_t skipped_count() const;
+
+  /// Says goodbye and waits up to a second until the server has read everything that was sent.
+  void close();
+
+ private:
+  friend class Device;
+  explicit Client(std::shared_ptr<Session> session) : session_(std::move(session)) {}
+
+  std::shared_ptr<Session> session_;
+};
+
+/// "host:port" and its parts with their defaults, or an error that says what is wrong.
+struct Address {
+  std::string host = "localhost";
+  std::uint16_t port = kDefaultPort;
+};
+Result<Address> parse_address(std::string_view text);
+
+}  // namespace playhouse::client

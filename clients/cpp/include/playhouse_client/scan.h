@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "playhouse/wire/generated/common.h"
+
+namespace playhouse::client {
+
+/// Distances (m) and their directions (rad, counter-clockwise from the sensor's front), one for one, in the order of
+/// measurement.
+struct Scan {
+  std::vector<double> ranges;
+  std::vector<double> angles;
+  double max_range = 0;  // m
+  double timestamp = 0;  // server's time, s; 0 before the first data
+
+  /// The shortest range between two directions; max_range if nothing is measured there.
+  double nearest(double low, double high) const;
+
+  /// Where the beams end, in the sensor's frame.
+  std::vector<wire::Point2d> points() const;
+};
+
+/// `count` angles from `low` to `high`.
+std::vector<double> spread_angles(double low, double high, std::size_t count);
+
+}  // namespace playhouse::client

@@ -1,0 +1,28 @@
+#pragma once
+
+/// A ring of sonars. SI units and radians.
+
+#include "playhouse/wire/generated/sonar.h"
+#include "playhouse_client/client.h"
+
+namespace playhouse::client {
+
+class Sonar {
+ public:
+  static Result<Sonar> open(Client& client, std::uint16_t index, Access access = Access::kAll);
+
+  /// In m, one per sonar, in the order of poses(); empty before the first data.
+  std::vector<double> ranges() const;
+  /// Where the sonars sit on the robot.
+  Result<std::vector<wire::Pose3d>> poses();
+  Result<void> set_power(bool on);
+
+  Device& device() { return device_; }
+
+ private:
+  explicit Sonar(Device device) : device_(std::move(device)) {}
+
+  Device device_;
+};
+
+}  // namespace playhouse::client

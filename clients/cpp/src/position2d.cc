@@ -1,0 +1,80 @@
+#include "playhouse_client/position2d.h"
+
+#include <utility>
+
+namespace playhouse::client {
+
+namespace position2d = wire::position2d;
+
+namespace {
+
+Result<void> done(const Result<Nothing>& answer) { return answer ? Result<void>() : answer.error(); }
+
+}  // namespace
+
+Result<Position2d> Position2d::open(Client& client, std::uint16_t index, Access access) {
+  Result<Device> device = Device::open(client, position2d::kCode, index, access);
+  if (!device) return device.error();
+  return Position2d(std::move(*device));
+}
+
+Position2d& Position2d::operator=(Position2d&& other) noexcept {
+  if (this == &other) return *this;
+  static_cast<void>(close().ok());
+  device_ = std::move(other.device_);
+  moving_ = other.moving_;
+  return *this;
+}
+
+Position2d::~Position2d() { static_cast<void>(close().ok()); }
+
+Position2d::State Position2d::state() const {
+  const auto data = device_.latest<position2d::Data>(position2d::kDataState);
+  if (!data) return {};
+  return {data->pos, data->vel, data->stall != 0, device_.timestamp()};
+}
+
+Result<void> Position2d::drive(double vx, double va, double vy) {
+  moving_ = vx != 0.0 || vy != 0.0 || va != 0.0;
+  position2d::CmdVel command;
+  command.vel = {vx, vy, va};
+  command.state = 1;
+  return device_.command(position2d::kCmdVel, command);
+}
+
+Result<void> Position2d::drive_car(double speed, double steering) {
+  moving_ = speed != 0.0;
+  return device_.command(position2d::kCmdCar, position2d::CmdCar{speed, steering});
+}
+
+Result<void> Position2d::go_to(const wire::Pose2d& pose, double speed) {
+  moving_ = true;
+  position2d::CmdPos command;
+  command.pos = pose;
+  command.vel.px = speed;
+  command.state = 1;
+  return device_.command(position2d::kCmdPos, command);
+}
+
+Result<void> Position2d::set_motor_power(bool on) {
+  return done(device_.request(position2d::kReqMotorPower, position2d::PowerConfig{static_cast<std::uint8_t>(on)}));
+}
+
+Result<void> Position2d::set_odometry(const wire::Pose2d& pose) {
+  return done(device_.request(position2d::kReqSetOdom, position2d::SetOdomReq{pose}));
+}
+
+Result<void> Position2d::reset_odometry() { return done(device_.request(position2d::kReqResetOdom)); }
+
+Result<position2d::Geom> Position2d::geometry() {
+  return device_.request<position2d::Geom>(position2d::kReqGetGeom);
+}
+
+Result<void> Position2d::close() {
+  if (!device_.is_open()) return {};
+  const Result<void> stopped = moving_ ? stop() : Result<void>();
+  const Result<void> closed = device_.close();
+  return stopped ? closed : stopped;
+}
+
+}  // namespace playhouse::client

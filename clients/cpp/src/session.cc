@@ -1,0 +1,219 @@
+#include "session.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "playhouse/wire/codec.h"
+#include "playhouse/wire/generated/player.h"
+
+namespace playhouse::client {
+
+namespace {
+
+/// Patience of the goodbye at the end of a connection.
+constexpr Seconds kGoodbye{1.0};
+
+/// Seconds since the epoch, which is what clients put into their headers.
+double now() {
+  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
+bool is_answer(const wire::Header& header) {
+  return header.type == wire::MessageType::kAck || header.type == wire::MessageType::kNack;
+}
+
+}  // namespace
+
+Result<void> Session::set_mode(Mode mode) {
+  wire::player::DeviceDatamodeReq body;
+  body.mode = static_cast<std::uint8_t>(mode);
+  const auto answer = request(wire::player::kCode, 0, wire::player::kReqDatamode, wire::encode(body));
+  if (!answer) return answer.error();
+  mode_ = mode;
+  return {};
+}
+
+Result<void> Session::send(const wire::Header& address, std::span<const std::byte> body) {
+  wire::Header header = address;
+  header.timestamp = now();
+  // As libplayerc does it: the port in what is meant for a device, nothing in what is meant for the server.
+  header.robot = header.interf == wire::player::kCode ? 0u : connection_.port();
+  return connection_.send(header, body, deadline_after(timeout_));
+}
+
+Result<std::vector<std::byte>> Session::request(std::uint16_t interf, std::uint16_t index, std::uint8_t subtype,
+                                                std::span<const std::byte> body) {
+  return request(interf, index, subtype, body, deadline_after(timeout_));
+}
+
+Result<std::vector<std::byte>> Session::request(std::uint16_t interf, std::uint16_t index, std::uint8_t subtype,
+                                                std::span<const std::byte> body, Deadline deadline) {
+  wire::Header header;
+  header.interf = interf;
+  header.index = index;
+  header.type = wire::MessageType::kReq;
+  header.subtype = subtype;
+  header.seq = sequence_;
+  if (const Result<void> sent = send(header, body); !sent) return sent.error();
+  const Key key{interf, index, subtype};
+  Result<Message> came = answer(key, deadline);
+  if (!came) return came.error();
+  if (came->header.type == wire::MessageType::kNack) {
+    return Error{connection_.peer(), "refused: " + describe(key)};
+  }
+  return std::move(came->body);
+}
+
+/// The answer to the request of this key, the last one sent.
+Result<Message> Session::answer(const Key& key, Deadline deadline) {
+  bool settled = false;
+  for (;;) {
+    Result<std::optional<Message>> got = connection_.receive(deadline);
+    if (!got) return got.error();
+    if (!*got) break;
+    Message& message = **got;
+    const Match whose = match(message.header, key);
+    if (whose == Match::kOurs) return std::move(message);
+    if (whose == Match::kOther) {
+      sort(std::move(message));
+      continue;
+    }
+    ++skipped_count_;
+    const auto old = std::find(abandoned_.begin(), abandoned_.end(), key);
+    if (old != abandoned_.end()) {
+      abandoned_.erase(old);
+      settled = true;
+    }
+  }
+  // From now on requests are numbered, so that the answer to this one, should it still come, is not taken for
+  // another's. If an abandoned request of this kind got its answer meanwhile, the books are even.
+  ++sequence_;
+  if (!settled) abandoned_.push_back(key);
+  return Error{connection_.peer(), "no answer in time: " + describe(key)};
+}
+
+Session::Match Session::match(const wire::Header& header, const Key& key) const {
+  if (!is_answer(header) || key != Key{header.interf, header.index, header.subtype}) return Match::kOther;
+  if (header.seq == sequence_ && sequence_ != 0) return Match::kOurs;
+  // Number 0 is what an old request had, and what servers send that do not return numbers.
+  return header.seq == 0 && !is_abandoned(key) ? Match::kOurs : Match::kLate;
+}
+
+bool Session::is_abandoned(const Key& key) const {
+  return std::find(abandoned_.begin(), abandoned_.end(), key) != abandoned_.end();
+}
+
+/// Puts a message that no request waits for where it belongs.
+void Session::sort(Message message) {
+  if (message.header.type == wire::MessageType::kData) {
+    if (waiting_.size() == kWaitingMessages) {
+      waiting_.pop_front();
+      ++overflow_count_;
+    }
+    waiting_.push_back(std::move(message));
+  } else if (message.header.type == wire::MessageType::kSynch) {
+    end_round(message);
+  } else {
+    ++skipped_count_;
+  }
+}
+
+void Session::end_round(const Message& message) {
+  round_open_ = false;
+  if (message.header.subtype != wire::player::kSynchOverflow) return;
+  const Result<wire::Uint32> lost = wire::decode<wire::Uint32>(message.body);
+  overflow_count_ += lost ? std::max(lost->value, 1u) : 1u;
+}
+
+/// False when the deadline passes first.
+Result<bool> Session::sort_next(Deadline deadline) {
+  Result<std::optional<Message>> got = connection_.receive(deadline);
+  if (!got) return got.error();
+  if (*got) sort(std::move(**got));
+  return got->has_value();
+}
+
+Result<std::size_t> Session::read(Seconds patience) {
+  if (reading_) return Error{connection_.peer(), "read() was called from a callback that read() itself is running"};
+  reading_ = true;
+  const Deadline deadline = deadline_after(patience);
+  Result<std::size_t> delivered = mode_ == Mode::kPull ? read_round(deadline) : read_pushed(deadline);
+  reading_ = false;
+  return delivered;
+}
+
+Result<std::size_t> Session::read_round(Deadline deadline) {
+  std::size_t delivered = deliver();
+  if (!round_open_) {
+    round_open_ = true;  // the request counts for the server, whatever happens to its answer
+    const auto begun = request(wire::player::kCode, 0, wire::player::kReqData, {}, deadline);
+    if (!begun && (!connection_.is_open() || Clock::now() < deadline)) return begun.error();
+    delivered += deliver();
+  }
+  while (round_open_) {
+    const Result<bool> more = sort_next(deadline);
+    if (!more) return more.error();
+    delivered += deliver();
+    if (!*more) break;
+  }
+  return delivered;
+}
+
+Result<std::size_t> Session::read_pushed(Deadline deadline) {
+  std::size_t delivered = deliver();
+  while (delivered == 0 || connection_.has_message()) {
+    const Result<bool> more = sort_next(deadline);
+    if (!more) return more.error();
+    if (!*more) break;
+    delivered += deliver();
+  }
+  return delivered;
+}
+
+/// Hands the waiting data to the devices; how many messages found one.
+std::size_t Session::deliver() {
+  std::size_t count = 0;
+  while (!waiting_.empty()) {
+    const Message message = std::move(waiting_.front());
+    waiting_.pop_front();
+    if (deliver_one(message)) {
+      ++count;
+    } else {
+      ++skipped_count_;
+    }
+  }
+  return count;
+}
+
+bool Session::deliver_one(const Message& message) {
+  const wire::Header& header = message.header;
+  const wire::MessageDef* row = wire::find_message(header.interf, wire::MessageType::kData, header.subtype);
+  if (row == nullptr || !row->check(message.body).empty()) return false;
+  bool taken = false;
+  const std::vector<Slot*> slots = slots_;  // a callback may open and close devices
+  for (Slot* slot : slots) {
+    if (std::find(slots_.begin(), slots_.end(), slot) == slots_.end()) continue;
+    if (slot->interf != header.interf || slot->index != header.index) continue;
+    slot->latest[header.subtype] = message.body;
+    slot->timestamp = header.timestamp;
+    slot->fresh = true;
+    taken = true;
+    const Device::OnData on_data = slot->on_data;
+    if (on_data) on_data(header.subtype, message.body, header.timestamp);
+  }
+  return taken;
+}
+
+void Session::remove(Slot& slot) { std::erase(slots_, &slot); }
+
+void Session::close() { connection_.close(deadline_after(kGoodbye)); }
+
+std::string Session::describe(const Key& key) const {
+  const wire::MessageDef* row = wire::find_message(key.interf, wire::MessageType::kReq, key.subtype);
+  const std::string name = row != nullptr ? std::string(row->name) : "request " + std::to_string(key.subtype);
+  const wire::InterfaceDef* interface = wire::find_interface(key.interf);
+  const std::string device = interface != nullptr ? std::string(interface->name) : std::to_string(key.interf);
+  return name + " to " + device + ":" + std::to_string(key.index);
+}
+
+}  // namespace playhouse::client

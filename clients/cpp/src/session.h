@@ -1,0 +1,95 @@
+#pragma once
+
+/// One conversation with a server: whose an answer is, which data wait, when a round of data is over, and which
+/// devices take the data. One thread.
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "connection.h"
+#include "playhouse_client/client.h"
+
+namespace playhouse::client {
+
+/// Data that wait for the next read(); as many as libplayerc's ring holds. Older ones give way and are counted.
+inline constexpr std::size_t kWaitingMessages = 512;
+
+/// An open device, as the session sees it.
+struct Slot {
+  std::uint16_t interf = 0;
+  std::uint16_t index = 0;
+  std::string driver;
+  std::map<std::uint8_t, std::vector<std::byte>> latest;  // body by subtype
+  double timestamp = 0;                                   // s
+  bool fresh = false;
+  Device::OnData on_data;
+};
+
+class Session {
+ public:
+  Session(Connection connection, const Options& options)
+      : connection_(std::move(connection)), timeout_(options.timeout) {}
+
+  const Connection& connection() const { return connection_; }
+  std::uint64_t overflow_count() const { return overflow_count_; }
+  std::uint64_t skipped_count() const { return skipped_count_; }
+  Seconds timeout() const { return timeout_; }
+
+  Result<void> set_mode(Mode mode);
+
+  /// Sends without waiting for anything. `sequence` goes into the header.
+  Result<void> send(const wire::Header& address, std::span<const std::byte> body);
+
+  /// Sends a request and waits for its ACK, whose body is the result. `what` names the request in errors.
+  Result<std::vector<std::byte>> request(std::uint16_t interf, std::uint16_t index, std::uint8_t subtype,
+                                         std::span<const std::byte> body);
+  Result<std::vector<std::byte>> request(std::uint16_t interf, std::uint16_t index, std::uint8_t subtype,
+                                         std::span<const std::byte> body, Deadline deadline);
+
+  Result<std::size_t> read(Seconds patience);
+
+  /// `slot` must stay where it is until remove().
+  void add(Slot& slot) { slots_.push_back(&slot); }
+  void remove(Slot& slot);
+
+  void close();
+
+ private:
+  struct Key {
+    std::uint16_t interf;
+    std::uint16_t index;
+    std::uint8_t subtype;
+    friend bool operator==(const Key&, const Key&) = default;
+  };
+  enum class Match { kOther, kOurs, kLate };
+
+  Result<Message> answer(const Key& key, Deadline deadline);
+  Match match(const wire::Header& header, const Key& key) const;
+  bool is_abandoned(const Key& key) const;
+  void sort(Message message);
+  void end_round(const Message& message);
+  Result<bool> sort_next(Deadline deadline);
+  Result<std::size_t> read_round(Deadline deadline);
+  Result<std::size_t> read_pushed(Deadline deadline);
+  std::size_t deliver();
+  bool deliver_one(const Message& message);
+  std::string describe(const Key& key) const;
+
+  Connection connection_;
+  Seconds timeout_;
+  Mode mode_ = Mode::kPush;  // what a server starts with
+  bool round_open_ = false;
+  bool reading_ = false;
+  std::uint64_t overflow_count_ = 0;
+  std::uint64_t skipped_count_ = 0;
+  std::uint32_t sequence_ = 0;
+  std::vector<Key> abandoned_;  // requests whose answer did not come in time
+  std::deque<Message> waiting_;
+  std::vector<Slot*> slots_;
+};
+
+}  // namespace playhouse::client

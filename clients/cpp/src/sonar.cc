@@ -1,0 +1,31 @@
+#include "playhouse_client/sonar.h"
+
+#include <utility>
+
+namespace playhouse::client {
+
+namespace sonar = wire::sonar;
+
+Result<Sonar> Sonar::open(Client& client, std::uint16_t index, Access access) {
+  Result<Device> device = Device::open(client, sonar::kCode, index, access);
+  if (!device) return device.error();
+  return Sonar(std::move(*device));
+}
+
+std::vector<double> Sonar::ranges() const {
+  const auto data = device_.latest<sonar::Data>(sonar::kDataRanges);
+  return data ? std::vector<double>(data->ranges.begin(), data->ranges.end()) : std::vector<double>();
+}
+
+Result<std::vector<wire::Pose3d>> Sonar::poses() {
+  auto geometry = device_.request<sonar::Geom>(sonar::kReqGetGeom);
+  if (!geometry) return geometry.error();
+  return std::move(geometry->poses);
+}
+
+Result<void> Sonar::set_power(bool on) {
+  const auto done = device_.request(sonar::kReqPower, sonar::PowerConfig{static_cast<std::uint8_t>(on)});
+  return done ? Result<void>() : done.error();
+}
+
+}  // namespace playhouse::client

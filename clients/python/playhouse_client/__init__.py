@@ -1,0 +1,38 @@
+"""Player robots from Python: a client of Playhouse and of any Player 3 server.
+
+    import playhouse_client
+
+    with playhouse_client.connect("localhost:6665") as client:
+        robot = client.position2d(0)
+        robot.drive(0.2)
+        for state in robot.updates():
+            print(state.pose)
+"""
+
+from .client import Client, DeviceEntry, Mode, Rule, connect
+from .device import Access, Device
+from .errors import ConnectionLost, PlayerError, RequestRefused, RequestTimeout, WireError
+from .proxies import (
+    Fiducial,
+    Geometry,
+    Laser,
+    Marker,
+    Pose,
+    Pose3d,
+    Position2d,
+    Ranger,
+    Scan,
+    Simulation,
+    Size,
+    Sonar,
+    State,
+    Velocity,
+)
+
+__version__ = "0.1.0"
+
+__all__ = [
+    "Access", "Client", "ConnectionLost", "Device", "DeviceEntry", "Fiducial", "Geometry", "Laser", "Marker", "Mode",
+    "PlayerError", "Pose", "Pose3d", "Position2d", "Ranger", "RequestRefused", "RequestTimeout", "Rule", "Scan",
+    "Simulation", "Size", "Sonar", "State", "Velocity", "WireError", "connect",
+]

@@ -1,0 +1,341 @@
+"""What programs do with the common kinds of device. SI units and radians; x forward, y left, angles counter-clockwise.
+
+Reading a property never waits: it shows what the last Client.read() brought.
+"""
+
+import math
+from typing import Iterator, List, NamedTuple, Optional, Tuple, cast
+
+from .device import Device
+from .generated import common, fiducial, laser, position2d, ranger, simulation, sonar
+from .errors import WireError
+from .wire import c_string
+
+
+class Pose(NamedTuple):
+    """A place in the plane: x and y in m, a in rad."""
+
+    x: float = 0.0
+    y: float = 0.0
+    a: float = 0.0
+
+
+class Pose3d(NamedTuple):
+    """A place in space: m and rad."""
+
+    x: float = 0.0
+    y: float = 0.0
+    z: float = 0.0
+    roll: float = 0.0
+    pitch: float = 0.0
+    yaw: float = 0.0
+
+
+class Size(NamedTuple):
+    """Extents in m along x, y and z."""
+
+    x: float = 0.0
+    y: float = 0.0
+    z: float = 0.0
+
+
+class Velocity(NamedTuple):
+    """x and y in m/s, a in rad/s, in the robot's own frame."""
+
+    x: float = 0.0
+    y: float = 0.0
+    a: float = 0.0
+
+
+class Geometry(NamedTuple):
+    """Where a device sits on its robot (for a base: its own centre), and how big it is."""
+
+    pose: Pose3d
+    size: Size
+
+
+class State(NamedTuple):
+    """Odometry of a base: `pose` where it believes to be, `velocity` how it moves, `stalled` if it is blocked."""
+
+    pose: Pose = Pose()
+    velocity: Velocity = Velocity()
+    stalled: bool = False
+
+
+class Scan(NamedTuple):
+    """Distances in m and their directions in rad, one for one, in the order of measurement."""
+
+    ranges: List[float]
+    angles: List[float]
+    max_range: float
+
+    def nearest(self, low: float = -math.pi, high: float = math.pi) -> float:
+        """The shortest range between two directions; max_range if nothing is measured there."""
+        return min((r for r, a in zip(self.ranges, self.angles) if low <= a <= high), default=self.max_range)
+
+    def points(self) -> List[Tuple[float, float]]:
+        """Where the beams end, in the sensor's frame."""
+        return [(r * math.cos(a), r * math.sin(a)) for r, a in zip(self.ranges, self.angles)]
+
+
+class Marker(NamedTuple):
+    """A fiducial in sight: its number and where it is, seen from the sensor."""
+
+    id: int
+    pose: Pose3d
+
+    @property
+    def distance(self) -> float:
+        return math.hypot(self.pose.x, self.pose.y)
+
+    @property
+    def bearing(self) -> float:
+        return math.atan2(self.pose.y, self.pose.x)
+
+
+class Position2d(Device):
+    """A mobile base. Closing it while it moves stops it first."""
+
+    _moving = False
+
+    @property
+    def state(self) -> State:
+        data = cast(Optional[position2d.Data], self.latest(position2d.DATA_STATE))
+        return State() if data is None else State(_pose(data.pos), Velocity(*_pose(data.vel)), bool(data.stall))
+
+    def updates(self, timeout: Optional[float] = None) -> Iterator[State]:
+        """Reads for ever: one State for each time new data have come. Raises RequestTimeout."""
+        while True:
+            self.next_data(timeout)
+            yield self.state
+
+    @property
+    def pose(self) -> Pose:
+        return self.state.pose
+
+    @property
+    def velocity(self) -> Velocity:
+        return self.state.velocity
+
+    @property
+    def stalled(self) -> bool:
+        return self.state.stalled
+
+    def drive(self, vx: float, va: float = 0.0, vy: float = 0.0) -> None:
+        """Forward and to the left in m/s, turning in rad/s, until the next command."""
+        self._moving = (vx, vy, va) != (0.0, 0.0, 0.0)
+        self.command(position2d.CMD_VEL, position2d.CmdVel(common.Pose2d(vx, vy, va), 1))
+
+    def stop(self) -> None:
+        self.drive(0.0)
+
+    def drive_car(self, speed: float, steering: float) -> None:
+        """A base that steers like a car: m/s, and rad to the left."""
+        self._moving = speed != 0.0
+        self.command(position2d.CMD_CAR, position2d.CmdCar(speed, steering))
+
+    def go_to(self, x: float, y: float, a: float, speed: float = 0.0) -> None:
+        """To a pose in odometry's frame, with the driver's own planning; speed 0 is the driver's choice."""
+        self._moving = True
+        self.command(position2d.CMD_POS, position2d.CmdPos(common.Pose2d(x, y, a), common.Pose2d(speed, 0.0, 0.0), 1))
+
+    def set_motor_power(self, on: bool) -> None:
+        self.request(position2d.REQ_MOTOR_POWER, position2d.PowerConfig(int(on)))
+
+    def set_odometry(self, x: float, y: float, a: float) -> None:
+        """Says where the base is from now on; the robot does not move."""
+        self.request(position2d.REQ_SET_ODOM, position2d.SetOdomReq(common.Pose2d(x, y, a)))
+
+    def reset_odometry(self) -> None:
+        self.request(position2d.REQ_RESET_ODOM)
+
+    def geometry(self) -> Geometry:
+        return _geometry(_answer(self.request(position2d.REQ_GET_GEOM)))
+
+    def close(self) -> None:
+        if self._open and self._moving and self._session.connection.alive:
+            self.stop()
+        super().close()
+
+
+class Ranger(Device):
+    """A device that measures distances: a laser scanner, or a ring of sonars. Asks its set-up when it is opened."""
+
+    config = ranger.Config()
+    geom = ranger.Geom()
+
+    def prepare(self) -> None:
+        self.config = cast(ranger.Config, _answer(self.request(ranger.REQ_GET_CONFIG)))
+        self.geom = cast(ranger.Geom, _answer(self.request(ranger.REQ_GET_GEOM)))
+
+    @property
+    def ranges(self) -> List[float]:
+        """In m, in the order of measurement."""
+        data = cast(Optional[ranger.DataRange], self.latest(ranger.DATA_RANGE))
+        return data.ranges if data else []
+
+    @property
+    def intensities(self) -> List[float]:
+        data = cast(Optional[ranger.DataIntns], self.latest(ranger.DATA_INTNS))
+        return data.intensities if data else []
+
+    def scan(self) -> Scan:
+        """Ranges with directions: each element's own if there is one per range, else spread over the field of view."""
+        ranges, poses = self.ranges, self.geom.element_poses
+        if len(poses) == len(ranges) and len(ranges) > 1:
+            angles = [pose.pyaw for pose in poses]
+        else:
+            angles = _spread(self.config.min_angle, self.config.max_angle, len(ranges))
+        return Scan(ranges, angles, self.config.max_range)
+
+    def updates(self, timeout: Optional[float] = None) -> Iterator[Scan]:
+        """Reads for ever: one Scan for each time new data have come. Raises RequestTimeout."""
+        while True:
+            self.next_data(timeout)
+            yield self.scan()
+
+    def geometry(self) -> Geometry:
+        return _geometry(self.geom)
+
+    def set_power(self, on: bool) -> None:
+        self.request(ranger.REQ_POWER, ranger.PowerConfig(int(on)))
+
+    def set_intensities(self, on: bool) -> None:
+        """Whether intensities are wanted as well."""
+        self.request(ranger.REQ_INTNS, ranger.IntnsConfig(int(on)))
+
+    def set_config(self, config: ranger.Config) -> None:
+        """Asks for another set-up; `config` afterwards shows what the device made of it."""
+        self.request(ranger.REQ_SET_CONFIG, config)
+        self.config = cast(ranger.Config, _answer(self.request(ranger.REQ_GET_CONFIG)))
+
+
+class Laser(Device):
+    """A laser scanner; its data say where the beams point."""
+
+    def scan(self) -> Scan:
+        data = cast(Optional[laser.Data], self.latest(laser.DATA_SCAN))
+        if data is None:
+            return Scan([], [], 0.0)
+        return Scan(data.ranges, _spread(data.min_angle, data.max_angle, len(data.ranges)), data.max_range)
+
+    def updates(self, timeout: Optional[float] = None) -> Iterator[Scan]:
+        """Reads for ever: one Scan for each time new data have come. Raises RequestTimeout."""
+        while True:
+            self.next_data(timeout)
+            yield self.scan()
+
+    @property
+    def ranges(self) -> List[float]:
+        """In m, from min_angle to max_angle."""
+        return self.scan().ranges
+
+    @property
+    def intensities(self) -> bytes:
+        data = cast(Optional[laser.Data], self.latest(laser.DATA_SCAN))
+        return data.intensity if data else b""
+
+    def config(self) -> laser.Config:
+        return cast(laser.Config, _answer(self.request(laser.REQ_GET_CONFIG)))
+
+    def set_config(self, config: laser.Config) -> None:
+        self.request(laser.REQ_SET_CONFIG, config)
+
+    def geometry(self) -> Geometry:
+        return _geometry(_answer(self.request(laser.REQ_GET_GEOM)))
+
+
+class Sonar(Device):
+    """A ring of sonars."""
+
+    @property
+    def ranges(self) -> List[float]:
+        """In m, one per sonar, in the order of poses()."""
+        data = cast(Optional[sonar.Data], self.latest(sonar.DATA_RANGES))
+        return data.ranges if data else []
+
+    def poses(self) -> List[Pose3d]:
+        """Where the sonars sit on the robot."""
+        return [_pose3d(pose) for pose in cast(sonar.Geom, _answer(self.request(sonar.REQ_GET_GEOM))).poses]
+
+    def set_power(self, on: bool) -> None:
+        self.request(sonar.REQ_POWER, sonar.PowerConfig(int(on)))
+
+
+class Fiducial(Device):
+    """A finder of markers."""
+
+    @property
+    def markers(self) -> List[Marker]:
+        """What is in sight."""
+        data = cast(Optional[fiducial.Data], self.latest(fiducial.DATA_SCAN))
+        return [Marker(item.id, _pose3d(item.pose)) for item in data.fiducials] if data else []
+
+    def updates(self, timeout: Optional[float] = None) -> Iterator[List[Marker]]:
+        """Reads for ever: one list for each time new data have come. Raises RequestTimeout."""
+        while True:
+            self.next_data(timeout)
+            yield self.markers
+
+    def field_of_view(self) -> fiducial.Fov:
+        return cast(fiducial.Fov, _answer(self.request(fiducial.REQ_GET_FOV)))
+
+    def set_field_of_view(self, min_range: float, max_range: float, view_angle: float) -> None:
+        """Ranges in m, the whole angle in rad."""
+        self.request(fiducial.REQ_SET_FOV, fiducial.Fov(min_range, max_range, view_angle))
+
+    def geometry(self) -> Geometry:
+        return _geometry(_answer(self.request(fiducial.REQ_GET_GEOM)))
+
+
+class Simulation(Device):
+    """The simulator itself: poses of models by name, in the frame of the world."""
+
+    def pose(self, name: str) -> Pose:
+        """Raises RequestRefused if there is no model of that name."""
+        request = simulation.Pose2dReq(name=c_string(name))
+        return _pose(cast(simulation.Pose2dReq, _answer(self.request(simulation.REQ_GET_POSE2D, request))).pose)
+
+    def set_pose(self, name: str, x: float, y: float, a: float) -> None:
+        request = simulation.Pose2dReq(c_string(name), common.Pose2d(x, y, a))
+        self.request(simulation.REQ_SET_POSE2D, request)
+
+    def pose3d(self, name: str) -> Pose3d:
+        request = simulation.Pose3dReq(name=c_string(name))
+        return _pose3d(cast(simulation.Pose3dReq, _answer(self.request(simulation.REQ_GET_POSE3D, request))).pose)
+
+    def set_pose3d(self, name: str, pose: Pose3d) -> None:
+        request = simulation.Pose3dReq(c_string(name), common.Pose3d(*pose))
+        self.request(simulation.REQ_SET_POSE3D, request)
+
+    def pause(self) -> None:
+        """Stops the clock, or lets it go on."""
+        self.command(simulation.CMD_PAUSE)
+
+    def reset(self) -> None:
+        """Everything back to where the world file has it."""
+        self.command(simulation.CMD_RESET)
+
+
+def _answer(value):  # type: ignore[no-untyped-def]
+    if value is None:
+        raise WireError("an answer came without its contents")
+    return value
+
+
+def _pose(pose: common.Pose2d) -> Pose:
+    return Pose(pose.px, pose.py, pose.pa)
+
+
+def _pose3d(pose: common.Pose3d) -> Pose3d:
+    return Pose3d(pose.px, pose.py, pose.pz, pose.proll, pose.ppitch, pose.pyaw)
+
+
+def _geometry(geom) -> Geometry:  # type: ignore[no-untyped-def]
+    return Geometry(_pose3d(geom.pose), Size(geom.size.sl, geom.size.sw, geom.size.sh))
+
+
+def _spread(low: float, high: float, count: int) -> List[float]:
+    """`count` angles from low to high."""
+    step = (high - low) / (count - 1) if count > 1 else 0.0
+    return [low + i * step for i in range(count)]
