@@ -25,6 +25,18 @@ inline constexpr std::size_t kRequestQueue = 4096;                // requests wa
 inline constexpr std::size_t kSubscriptions = 8192;               // devices one client may hold open
 inline constexpr std::size_t kOutboxBytes = 64u << 20;            // data the io thread has not taken yet
 
+// Viewers: the browser page.
+inline constexpr std::size_t kHttpConnections = 256;
+inline constexpr std::size_t kHttpHeaderBytes = 16384;            // of one request
+inline constexpr int kHttpIdleSeconds = 30;                       // a silent connection is closed then
+inline constexpr std::size_t kViewers = 64;
+inline constexpr std::size_t kViewerCommandBytes = 4096;          // of one message from a page
+inline constexpr std::size_t kViewerFaults = 16;                  // messages refused before a viewer is closed
+inline constexpr std::size_t kViewerTextMessages = 32;            // notices waiting for a page
+inline constexpr std::size_t kViewerFrameBytes = 65536;           // the rest of the changes waits for the next frame
+inline constexpr std::uint32_t kViewerFramesInFlight = 4;         // sent and not acknowledged
+inline constexpr std::size_t kSnapshotBeams = 1u << 18;           // of all sensors shown to all viewers
+
 // Files.
 inline constexpr std::size_t kFileBytes = 16u << 20;
 inline constexpr int kIncludeDepth = 32;

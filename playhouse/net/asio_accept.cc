@@ -1,0 +1,123 @@
+#include "playhouse/net/asio_accept.h"
+
+#include <boost/asio/ip/v6_only.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <chrono>
+#include <utility>
+
+#include "playhouse/base/log.h"
+
+namespace playhouse::net {
+namespace {
+
+namespace asio = boost::asio;
+using asio::ip::tcp;
+using boost::system::error_code;
+
+constexpr std::chrono::milliseconds kAcceptPause{
+    100};  // after an accept that failed, e.g. for want of descriptors
+constexpr int kKeepAliveIdle = 30, kKeepAliveInterval = 10, kKeepAliveProbes = 3;  // s, s, count
+
+std::string endpoint_text(const tcp::endpoint& endpoint) {
+  const std::string address = endpoint.address().to_string();
+  const std::string port = std::to_string(endpoint.port());
+  return endpoint.address().is_v6() ? "[" + address + "]:" + port : address + ":" + port;
+}
+
+void tune(tcp::socket& socket) {
+  error_code ignored;
+  socket.non_blocking(true, ignored);
+  socket.set_option(tcp::no_delay(true), ignored);
+  socket.set_option(asio::socket_base::keep_alive(true), ignored);
+  const int descriptor = socket.native_handle();
+  setsockopt(descriptor, IPPROTO_TCP, TCP_KEEPIDLE, &kKeepAliveIdle, sizeof kKeepAliveIdle);
+  setsockopt(descriptor, IPPROTO_TCP, TCP_KEEPINTVL, &kKeepAliveInterval, sizeof kKeepAliveInterval);
+  setsockopt(descriptor, IPPROTO_TCP, TCP_KEEPCNT, &kKeepAliveProbes, sizeof kKeepAliveProbes);
+}
+
+/// Accepts for as long as its Listener lives.
+class AcceptLoop : public std::enable_shared_from_this<AcceptLoop> {
+ public:
+  AcceptLoop(IoLoop::Impl& loop, SocketAcceptor acceptor)
+      : acceptor_(loop.context), pause_(loop.context), accept_(std::move(acceptor)) {}
+
+  error_code open(const tcp::endpoint& endpoint) {
+    error_code error;
+    if (acceptor_.open(endpoint.protocol(), error)) return error;
+    acceptor_.set_option(tcp::acceptor::reuse_address(true), error);
+    if (endpoint.address().is_v6()) acceptor_.set_option(asio::ip::v6_only(false), error);
+    if (acceptor_.bind(endpoint, error)) return error;
+    acceptor_.listen(asio::socket_base::max_listen_connections, error);
+    if (!error) port_ = acceptor_.local_endpoint(error).port();
+    return error;
+  }
+
+  void accept_next() {
+    acceptor_.async_accept([self = shared_from_this()](const error_code& error, tcp::socket socket) {
+      if (!self->acceptor_.is_open()) return;
+      if (error) return self->wait_and_retry(error);
+      self->failing_ = false;
+      self->adopt(std::move(socket));
+      if (self->acceptor_.is_open()) self->accept_next();
+    });
+  }
+
+  void close() {
+    error_code ignored;
+    acceptor_.close(ignored);
+    pause_.cancel(ignored);
+  }
+
+  std::uint16_t port() const { return port_; }
+
+ private:
+  void adopt(tcp::socket socket) {
+    error_code error;
+    const tcp::endpoint peer = socket.remote_endpoint(error);
+    if (error) return;  // gone already
+    tune(socket);
+    accept_(std::move(socket), endpoint_text(peer));
+  }
+
+  // Out of descriptors or memory: the peer waits in the backlog meanwhile.
+  void wait_and_retry(const error_code& error) {
+    if (!std::exchange(failing_, true)) log::warn("port {}: cannot accept: {}", port_, error.message());
+    pause_.expires_after(kAcceptPause);
+    pause_.async_wait([self = shared_from_this()](const error_code& cancelled) {
+      if (!cancelled && self->acceptor_.is_open()) self->accept_next();
+    });
+  }
+
+  tcp::acceptor acceptor_;
+  asio::steady_timer pause_;
+  SocketAcceptor accept_;
+  std::uint16_t port_ = 0;
+  bool failing_ = false;
+};
+
+class TcpListener final : public Listener {
+ public:
+  explicit TcpListener(std::shared_ptr<AcceptLoop> loop) : loop_(std::move(loop)) {}
+  ~TcpListener() override { loop_->close(); }
+  std::uint16_t port() const override { return loop_->port(); }
+
+ private:
+  std::shared_ptr<AcceptLoop> loop_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Listener>> listen_tcp(IoLoop::Impl& impl, const std::string& bind, std::uint16_t port,
+                                             SocketAcceptor acceptor) {
+  error_code error;
+  const auto address = asio::ip::make_address(bind == "localhost" ? "127.0.0.1" : bind, error);
+  if (error) return Error{bind, "is not an IPv4 or IPv6 address"};
+  auto loop = std::make_shared<AcceptLoop>(impl, std::move(acceptor));
+  if (const error_code failed = loop->open({address, port})) {
+    return Error{endpoint_text({address, port}), "cannot listen: " + failed.message()};
+  }
+  loop->accept_next();
+  return std::unique_ptr<Listener>(std::make_unique<TcpListener>(std::move(loop)));
+}
+
+}  // namespace playhouse::net

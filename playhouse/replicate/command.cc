@@ -1,0 +1,127 @@
+#include "playhouse/replicate/command.h"
+
+#include <array>
+#include <boost/json.hpp>
+#include <cmath>
+#include <string>
+
+#include "playhouse/base/limits.h"
+#include "playhouse/base/nearest_word.h"
+
+namespace playhouse::replicate {
+namespace {
+
+namespace json = boost::json;
+
+constexpr std::array<std::string_view, 8> kWords = {"pause", "resume", "step", "speed", "drag", "select", "look", "ack"};
+
+/// Reads the members of one object; the first fault sticks. Done with nothing left over.
+class Members {
+ public:
+  explicit Members(const json::object& object) : object_(object) {}
+
+  std::string_view word(std::string_view key) {
+    const json::value* value = find(key);
+    if (value && value->is_string()) return value->get_string();
+    fault("\"" + std::string(key) + "\" must be a string");
+    return {};
+  }
+
+  double number(std::string_view key, double least, double most) {
+    const json::value* value = find(key);
+    const double number = value && value->is_number() ? value->to_number<double>() : std::nan("");
+    if (number >= least && number <= most) return number;
+    fault("\"" + std::string(key) + "\" must be a number within its range");
+    return 0;
+  }
+
+  std::uint32_t count(std::string_view key) {
+    const double value = number(key, 0, 4294967294.0);
+    if (value != std::floor(value)) fault("\"" + std::string(key) + "\" must be a whole number");
+    return static_cast<std::uint32_t>(value);
+  }
+
+  std::optional<std::uint32_t> count_or_null(std::string_view key) {
+    const json::value* value = object_.if_contains(key);
+    if (!value || !value->is_null()) return count(key);
+    ++read_;
+    return std::nullopt;
+  }
+
+  bool truth(std::string_view key) {
+    const json::value* value = find(key);
+    if (value && value->is_bool()) return value->get_bool();
+    fault("\"" + std::string(key) + "\" must be true or false");
+    return false;
+  }
+
+  void fault(std::string text) {
+    if (fault_.empty()) fault_ = std::move(text);
+  }
+
+  Result<Command> finish(Command command) {
+    if (fault_.empty() && read_ != object_.size()) fault("a key that \"do\" has no use for");
+    if (!fault_.empty()) return Error{"", fault_};
+    return command;
+  }
+
+ private:
+  const json::value* find(std::string_view key) {
+    const json::value* value = object_.if_contains(key);
+    if (value) ++read_;
+    return value;
+  }
+
+  const json::object& object_;
+  std::size_t read_ = 0;
+  std::string fault_;
+};
+
+Drag drag(Members& in) {
+  Drag drag;
+  drag.model = in.count("model");
+  drag.x = in.number("x", -kPlaceMost, kPlaceMost);
+  drag.y = in.number("y", -kPlaceMost, kPlaceMost);
+  drag.a = in.number("a", -kPlaceMost, kPlaceMost);
+  return drag;
+}
+
+Look look(Members& in) {
+  Look look;
+  look.view.x_min = in.number("x_min", -kPlaceMost, kPlaceMost);
+  look.view.y_min = in.number("y_min", -kPlaceMost, kPlaceMost);
+  look.view.x_max = in.number("x_max", -kPlaceMost, kPlaceMost);
+  look.view.y_max = in.number("y_max", -kPlaceMost, kPlaceMost);
+  look.sensors = in.truth("sensors");
+  return look;
+}
+
+Result<Command> read(const json::object& object) {
+  Members in(object);
+  const std::string_view what = in.word("do");
+  if (what == "pause") return in.finish(Pause{});
+  if (what == "resume") return in.finish(Resume{});
+  if (what == "step") return in.finish(Step{});
+  if (what == "speed") return in.finish(SetSpeed{in.number("times_real_time", 0, kSpeedMost)});
+  if (what == "drag") return in.finish(drag(in));
+  if (what == "select") return in.finish(Select{in.count_or_null("model")});
+  if (what == "look") return in.finish(look(in));
+  if (what == "ack") return in.finish(Acknowledge{in.count("frame")});
+  in.fault("no such command" + did_you_mean(what, kWords));
+  return in.finish(Pause{});
+}
+
+}  // namespace
+
+Result<Command> parse_command(std::string_view text) {
+  if (text.size() > limits::kViewerCommandBytes) return Error{"", "a command of more than 4096 bytes"};
+  json::parse_options options;
+  options.max_depth = 2;
+  json::error_code error;
+  const json::value value = json::parse(text, error, {}, options);
+  if (error) return Error{"", "not JSON: " + error.message()};
+  if (!value.is_object()) return Error{"", "a command is a JSON object"};
+  return read(value.get_object());
+}
+
+}  // namespace playhouse::replicate

@@ -1,0 +1,45 @@
+#pragma once
+
+/// What a viewer may ask for: one JSON object per message, read strictly. An unknown key, a missing one, a number
+/// out of its range or a long message is refused with one line that says why. docs/viewer-protocol.md lists them.
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <variant>
+
+#include "playhouse/base/result.h"
+#include "playhouse/geom/pose.h"
+
+namespace playhouse::replicate {
+
+struct Pause {};
+struct Resume {};
+struct Step {};
+struct SetSpeed {
+  double times_real_time = 1;  // 0: as fast as possible
+};
+struct Drag {
+  std::uint32_t model = 0;  // row; the receiver checks that it exists and may be dragged
+  double x = 0, y = 0;      // m, W
+  double a = 0;             // rad
+};
+struct Select {
+  std::optional<std::uint32_t> model;  // row; none: nothing is selected any more
+};
+struct Look {
+  geom::Box view;        // m, W
+  bool sensors = false;  // show the sensors of every robot in view
+};
+struct Acknowledge {
+  std::uint32_t frame = 0;
+};
+
+using Command = std::variant<Pause, Resume, Step, SetSpeed, Drag, Select, Look, Acknowledge>;
+
+inline constexpr double kSpeedMost = 1000;    // times real time
+inline constexpr double kPlaceMost = 1e6;     // m, of a coordinate from a viewer
+
+Result<Command> parse_command(std::string_view text);
+
+}  // namespace playhouse::replicate

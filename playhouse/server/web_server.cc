@@ -1,0 +1,283 @@
+#include "playhouse/server/web_server.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "playhouse/base/limits.h"
+#include "playhouse/base/log.h"
+#include "playhouse/net/http.h"
+#include "playhouse/replicate/scene_text.h"
+#include "playhouse/server/web_viewer.h"
+
+namespace playhouse::server {
+namespace {
+
+constexpr std::chrono::milliseconds kFramePeriod{33};
+
+constexpr std::string_view kNoPage =
+    "This program was built without its web page. Build it (cd web && npm ci && npm run build), then build the "
+    "program again.\n";
+
+/// "http://host:port" to "host:port".
+std::string_view authority(std::string_view origin) {
+  const std::size_t at = origin.find("://");
+  return at == std::string_view::npos ? origin : origin.substr(at + 3);
+}
+
+/// True for names of this very machine; `host` may carry a port.
+bool is_local(std::string_view host) {
+  const std::size_t bracket = host.find(']');
+  const std::size_t colon = host.find(':', bracket == std::string_view::npos ? 0 : bracket);
+  const std::string_view name = host.substr(0, colon);
+  return name == "localhost" || name == "127.0.0.1" || name == "[::1]";
+}
+
+/// Models of a robot that measure.
+std::vector<world::ModelRow> sensing_models(const world::World& world, const replicate::Layout& layout,
+                                            std::uint32_t robot) {
+  std::vector<world::ModelRow> rows;
+  for (const std::uint32_t row : layout.tree(robot)) {
+    const scene::ModelKind kind = world.models.kind[row];
+    if (kind == scene::ModelKind::kRanger || kind == scene::ModelKind::kFiducial) rows.push_back({row});
+  }
+  return rows;
+}
+
+}  // namespace
+
+class WebServer::Impl final : public net::HttpService,
+                              public WebViewerOwner,
+                              public std::enable_shared_from_this<WebServer::Impl> {
+ public:
+  Impl(net::IoLoop& loop, WebOptions options, world::Control& control, const world::World& world)
+      : loop_(loop), options_(std::move(options)), control_(control), layout_(world),
+        scene_(std::make_shared<const std::string>(replicate::scene_text(world, layout_))) {
+    sensing_.resize(layout_.root.size());
+    for (std::uint32_t row = 0; row < layout_.root.size(); ++row) {
+      if (layout_.root[row] == row) sensing_[row] = sensing_models(world, layout_, row);
+    }
+  }
+
+  Result<std::uint16_t> listen() {
+    auto listener = net::listen_http(loop_, options_.bind, options_.port, *this);
+    if (!listener) return listener.error();
+    listener_ = std::move(*listener);
+    return listener_->port();
+  }
+
+  void show(const world::World& world, const world::Pace& pace) {
+    if (watched_.load(std::memory_order_relaxed) == 0) return;
+    const auto now = std::chrono::steady_clock::now();
+    if (now - capture_time_ < kFramePeriod) return;
+    capture_time_ = now;
+    {
+      const std::lock_guard lock(mutex_);
+      tick_interest_ = interest_;
+    }
+    replicate::capture(world, pace, layout_, tick_interest_, back_);
+    {
+      const std::lock_guard lock(mutex_);
+      std::swap(back_, ready_);
+      fresh_ = true;
+    }
+    if (posted_.exchange(true)) return;
+    loop_.post([weak = weak_from_this()] {
+      if (const auto self = weak.lock()) self->serve();
+    });
+  }
+
+  void close() {
+    listener_.reset();
+    viewers_.clear();
+  }
+
+  WebStatus status() const {
+    WebStatus status = status_;
+    status.viewers = viewers_.size();
+    return status;
+  }
+
+ private:
+  /// Gives the newest snapshot to every viewer.
+  void serve() {
+    posted_ = false;
+    {
+      const std::lock_guard lock(mutex_);
+      if (std::exchange(fresh_, false)) std::swap(ready_, front_);
+    }
+    reconcile_subscriptions();
+    for (const auto& viewer : viewers_) viewer->offer(front_);
+  }
+
+  // HttpService
+
+  net::HttpReply get(const net::HttpRequest& request) override {
+    net::HttpReply reply;
+    if (options_.page.empty()) {
+      reply.status = 503;
+      reply.constant = kNoPage;
+      return reply;
+    }
+    const std::string_view path = request.path == "/" ? "/index.html" : std::string_view(request.path);
+    const auto file = std::ranges::find(options_.page, path, &PageFile::path);
+    if (file == options_.page.end()) {
+      reply.status = 404;
+      reply.constant = "There is no such page; the viewer is at /\n";
+      return reply;
+    }
+    const bool gzip = request.accepts_gzip && !file->gzip.empty();
+    reply.content_type = file->content_type;
+    reply.etag = file->etag;
+    reply.content_encoding = gzip ? "gzip" : "";
+    reply.constant = gzip ? file->gzip : file->bytes;
+    // The build puts a hash of the contents into the names under /assets/.
+    if (path.starts_with("/assets/")) reply.cache_control = "public, max-age=31536000, immutable";
+    return reply;
+  }
+
+  Result<void> may_upgrade(const net::HttpRequest& request) override {
+    if (request.path != "/live") return Error{"", "viewers connect to /live"};
+    const std::string_view from = authority(request.origin);
+    const bool same_site = from == request.host && (is_local(request.host) || !is_local(options_.bind));
+    if (!request.origin.empty() && !same_site && !is_local(from)) {
+      log::warn("web: {} refused: a page from {} may not control this program", request.peer, request.origin);
+      return Error{"", "pages from " + request.origin + " may not control this program"};
+    }
+    if (viewers_.size() < limits::kViewers) return {};
+    if (status_.viewers_refused++ == 0) {
+      log::warn("web: {} refused: {} viewers is the limit (told once)", request.peer, limits::kViewers);
+    }
+    return Error{"", "there are as many viewers as this program serves"};
+  }
+
+  void upgraded(std::unique_ptr<net::WebSocket> socket, const net::HttpRequest&) override {
+    viewers_.push_back(std::make_unique<WebViewer>(std::move(socket), layout_, *this));
+    log::info("web: {} watches ({} now)", viewers_.back()->peer(), viewers_.size());
+    watched_ = viewers_.size();
+    viewers_.back()->start(scene_);
+  }
+
+  // WebViewerOwner
+
+  Result<void> carry_out(const replicate::Command& command, WebViewer&) override {
+    ++status_.commands;
+    if (std::holds_alternative<replicate::Pause>(command)) control_.pause();
+    if (std::holds_alternative<replicate::Resume>(command)) control_.resume();
+    if (std::holds_alternative<replicate::Step>(command)) control_.step_once();
+    if (const auto* speed = std::get_if<replicate::SetSpeed>(&command)) control_.set_speed(speed->times_real_time);
+    if (const auto* drag = std::get_if<replicate::Drag>(&command)) return move(*drag);
+    if (std::holds_alternative<replicate::Select>(command) || std::holds_alternative<replicate::Look>(command)) {
+      interest_changed();
+    }
+    return {};
+  }
+
+  Result<void> move(const replicate::Drag& drag) {
+    if (drag.model >= layout_.traits.size()) return Error{"", "no such model to drag"};
+    if (!(layout_.traits[drag.model] & replicate::kMovable)) return Error{"", "this model may not be moved by hand"};
+    const bool posted = control_.post([drag](world::World& world) {
+      geom::Pose X_PM = world.models.X_PM[drag.model];
+      X_PM.x = drag.x;
+      X_PM.y = drag.y;
+      X_PM.a = geom::normalize(drag.a);
+      world::set_pose(world, {drag.model}, X_PM);
+    });
+    if (!posted) return Error{"", "the program is too busy to move it"};
+    return {};
+  }
+
+  void refused(const WebViewer& from, const std::string& why) override {
+    if (status_.commands_refused++ == 0) log::warn("web: {} sent a command that cannot be: {} (told once)", from.peer(), why);
+  }
+
+  void sent_frame(std::size_t bytes) override {
+    ++status_.frames_sent;
+    status_.bytes_sent += bytes;
+  }
+
+  void left(WebViewer& viewer, const std::string& why) override {
+    log::info("web: {} left: {}", viewer.peer(), why);
+    std::erase_if(viewers_, [&](const auto& other) { return other.get() == &viewer; });
+    watched_ = viewers_.size();
+    interest_changed();
+  }
+
+  /// What all viewers look at, for the next capture; and what they selected, for the sensors.
+  void interest_changed() {
+    replicate::Interest interest;
+    std::set<std::uint32_t> selected;
+    for (const auto& viewer : viewers_) {
+      const replicate::Wish& wish = viewer->wish();
+      if (wish.selected) selected.insert(*wish.selected);
+      if (!wish.sensors || wish.view.empty()) continue;
+      interest.view.add({wish.view.x_min, wish.view.y_min});
+      interest.view.add({wish.view.x_max, wish.view.y_max});
+    }
+    interest.selected.assign(selected.begin(), selected.end());
+    selected_ = std::move(selected);
+    {
+      const std::lock_guard lock(mutex_);
+      interest_ = std::move(interest);
+    }
+    reconcile_subscriptions();
+  }
+
+  /// A selected robot's sensors measure while somebody looks at them. What the tick's queue has no room for is
+  /// tried again with the next frame.
+  void reconcile_subscriptions() {
+    for (const std::uint32_t robot : selected_) {
+      if (!subscribed_.contains(robot) && post_for_sensors(robot, world::subscribe)) subscribed_.insert(robot);
+    }
+    std::erase_if(subscribed_, [this](std::uint32_t robot) {
+      return !selected_.contains(robot) && post_for_sensors(robot, world::unsubscribe);
+    });
+  }
+
+  bool post_for_sensors(std::uint32_t robot, void (*change)(world::World&, world::ModelRow)) {
+    return control_.post([rows = sensing_[robot], change](world::World& world) {
+      for (const world::ModelRow row : rows) change(world, row);
+    });
+  }
+
+  net::IoLoop& loop_;
+  const WebOptions options_;
+  world::Control& control_;
+  const replicate::Layout layout_;
+  const std::shared_ptr<const std::string> scene_;
+  std::vector<std::vector<world::ModelRow>> sensing_;  // per top-level row
+
+  // io thread
+  std::unique_ptr<net::Listener> listener_;
+  std::vector<std::unique_ptr<WebViewer>> viewers_;
+  std::set<std::uint32_t> selected_, subscribed_;  // top-level rows: wanted, and asked of the world
+  replicate::Snapshot front_;
+  WebStatus status_;
+
+  // tick thread
+  std::chrono::steady_clock::time_point capture_time_;
+  replicate::Interest tick_interest_;
+  replicate::Snapshot back_;
+
+  // both
+  std::atomic<std::size_t> watched_ = 0;
+  std::atomic<bool> posted_ = false;
+  std::mutex mutex_;  // guards the next three; held for copies of a few words
+  replicate::Interest interest_;
+  replicate::Snapshot ready_;
+  bool fresh_ = false;
+};
+
+WebServer::WebServer(net::IoLoop& loop, WebOptions options, world::Control& control, const world::World& world)
+    : impl_(std::make_shared<Impl>(loop, std::move(options), control, world)) {}
+WebServer::~WebServer() { impl_->close(); }
+
+Result<std::uint16_t> WebServer::listen() { return impl_->listen(); }
+void WebServer::show(const world::World& world, const world::Pace& pace) { impl_->show(world, pace); }
+WebStatus WebServer::status() const { return impl_->status(); }
+
+}  // namespace playhouse::server

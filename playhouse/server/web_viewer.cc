@@ -1,0 +1,67 @@
+#include "playhouse/server/web_viewer.h"
+
+#include <fmt/format.h>
+
+#include <boost/json/serialize.hpp>
+#include <boost/json/string.hpp>
+
+#include "playhouse/base/limits.h"
+
+namespace playhouse::server {
+namespace {
+
+/// A page that hears nothing for longer thinks that the program hangs.
+constexpr std::chrono::milliseconds kSignOfLife{1000};
+
+}  // namespace
+
+void WebViewer::start(std::shared_ptr<const std::string> scene) {
+  socket_->start(*this);
+  socket_->send_text(std::move(scene));
+}
+
+void WebViewer::offer(const replicate::Snapshot& snapshot) {
+  newest_ = &snapshot;
+  send_frame();
+}
+
+void WebViewer::notice(std::string_view text) {
+  if (socket_->messages_in_flight() >= limits::kViewerTextMessages) return;
+  const std::string quoted = boost::json::serialize(boost::json::string(text));
+  socket_->send_text(std::make_shared<const std::string>(fmt::format("{{\"notice\":{}}}", quoted)));
+}
+
+void WebViewer::received(std::string_view text) {
+  const Result<replicate::Command> command = replicate::parse_command(text);
+  const Result<void> done = command ? obey(*command) : Result<void>(command.error());
+  if (done) return;
+  owner_.refused(*this, done.error().text);
+  if (++faults_ < limits::kViewerFaults) return notice(done.error().text);
+  socket_->close("too many commands that cannot be: " + done.error().text);
+  owner_.left(*this, "too many commands that cannot be");
+}
+
+Result<void> WebViewer::obey(const replicate::Command& command) {
+  if (const auto* acknowledge = std::get_if<replicate::Acknowledge>(&command)) {
+    const Result<void> known = viewer_.acknowledge(acknowledge->frame);
+    if (known) send_frame();
+    return known;
+  }
+  if (const auto* look = std::get_if<replicate::Look>(&command)) viewer_.look(*look);
+  if (const auto* select = std::get_if<replicate::Select>(&command)) {
+    if (const Result<void> selected = viewer_.select(*select); !selected) return selected;
+  }
+  return owner_.carry_out(command, *this);
+}
+
+void WebViewer::send_frame() {
+  if (!newest_ || socket_->messages_in_flight() > 0) return;
+  const auto now = std::chrono::steady_clock::now();
+  const auto emit = now - frame_time_ >= kSignOfLife ? replicate::Emit::kAlways : replicate::Emit::kIfChanged;
+  if (!viewer_.next_frame(*newest_, emit, *frame_)) return;
+  frame_time_ = now;
+  owner_.sent_frame(frame_->size());
+  socket_->send_binary(frame_);
+}
+
+}  // namespace playhouse::server

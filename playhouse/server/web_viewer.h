@@ -1,0 +1,68 @@
+#pragma once
+
+/// WebViewer: one page's socket and what it was sent. Thread: io.
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "playhouse/net/websocket.h"
+#include "playhouse/replicate/viewer.h"
+
+namespace playhouse::server {
+
+class WebViewer;
+
+/// Who hears of a viewer's commands and its end.
+class WebViewerOwner {
+ public:
+  virtual ~WebViewerOwner() = default;
+  /// Carries out a command for everyone (the viewer's own view and selection are set already). An error is told to
+  /// the viewer.
+  virtual Result<void> carry_out(const replicate::Command& command, WebViewer& from) = 0;
+  virtual void refused(const WebViewer& from, const std::string& why) = 0;
+  virtual void sent_frame(std::size_t bytes) = 0;
+  /// May destroy the viewer.
+  virtual void left(WebViewer& viewer, const std::string& why) = 0;
+};
+
+class WebViewer final : public net::WebSocketEvents {
+ public:
+  WebViewer(std::unique_ptr<net::WebSocket> socket, const replicate::Layout& layout, WebViewerOwner& owner)
+      : socket_(std::move(socket)), viewer_(layout), owner_(owner) {}
+
+  /// Sends the scene and begins to listen.
+  void start(std::shared_ptr<const std::string> scene);
+
+  /// The newest snapshot, valid until the next call. A frame goes out now if the page keeps up, else as soon as it
+  /// has caught up, from what is newest then.
+  void offer(const replicate::Snapshot& snapshot);
+
+  /// A line for the person at the page; dropped when many wait already.
+  void notice(std::string_view text);
+
+  const replicate::Wish& wish() const { return viewer_.wish(); }
+  const std::string& peer() const { return socket_->peer(); }
+
+ private:
+  void received(std::string_view text) override;
+  void drained() override { send_frame(); }
+  void closed(const std::string& why) override { owner_.left(*this, why); }
+
+  Result<void> obey(const replicate::Command& command);
+  void send_frame();
+
+  std::unique_ptr<net::WebSocket> socket_;
+  replicate::Viewer viewer_;
+  WebViewerOwner& owner_;
+  const replicate::Snapshot* newest_ = nullptr;
+  // With the socket while a frame is under way, else ours alone and reused.
+  std::shared_ptr<std::vector<std::byte>> frame_ = std::make_shared<std::vector<std::byte>>();
+  std::chrono::steady_clock::time_point frame_time_;
+  std::size_t faults_ = 0;
+};
+
+}  // namespace playhouse::server
