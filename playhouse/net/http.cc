@@ -22,7 +22,9 @@ using beast::error_code;
 using Request = http::request<http::empty_body>;
 using Response = http::response<http::span_body<const char>>;
 
-std::string text_of(beast::string_view text) { return {text.data(), text.size()}; }
+std::string text_of(beast::string_view text) {
+  return {text.data(), text.size()};
+}
 
 HttpRequest request_of(const Request& from, const std::string& peer) {
   HttpRequest request;
@@ -45,7 +47,8 @@ HttpReply plain(unsigned status, std::string text) {
 /// One connection, kept alive by its own operations until it ends or is silent for too long.
 class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
  public:
-  HttpConnection(asio::ip::tcp::socket socket, std::string peer, HttpService& service, std::shared_ptr<int> place)
+  HttpConnection(asio::ip::tcp::socket socket, std::string peer, HttpService& service,
+                 std::shared_ptr<int> place)
       : stream_(std::move(socket)), peer_(std::move(peer)), service_(service), place_(std::move(place)) {}
 
   void read() {
@@ -53,15 +56,16 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     parser_->header_limit(static_cast<std::uint32_t>(limits::kHttpHeaderBytes));
     parser_->body_limit(0);
     stream_.expires_after(std::chrono::seconds(limits::kHttpIdleSeconds));
-    http::async_read(stream_, buffer_, *parser_, [self = shared_from_this()](const error_code& error, std::size_t) {
-      self->read_done(error);
-    });
+    http::async_read(
+        stream_, buffer_, *parser_,
+        [self = shared_from_this()](const error_code& error, std::size_t) { self->read_done(error); });
   }
 
  private:
   void read_done(const error_code& error) {
     if (error == http::error::body_limit) return answer(plain(413, "a request here has no body"), false);
-    if (error == http::error::header_limit) return answer(plain(431, "the request's header is too long"), false);
+    if (error == http::error::header_limit)
+      return answer(plain(431, "the request's header is too long"), false);
     if (error.category() == http::make_error_code(http::error::end_of_stream).category() &&
         error != http::error::end_of_stream && error != http::error::partial_message) {
       return answer(plain(400, "not an HTTP request"), false);
@@ -99,7 +103,8 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     response_->set(http::field::cache_control, sv(reply_.cache_control));
     response_->set("X-Content-Type-Options", "nosniff");
     if (!reply_.etag.empty()) response_->set(http::field::etag, sv(reply_.etag));
-    if (!reply_.content_encoding.empty()) response_->set(http::field::content_encoding, sv(reply_.content_encoding));
+    if (!reply_.content_encoding.empty())
+      response_->set(http::field::content_encoding, sv(reply_.content_encoding));
     if (reply_.status == 405) response_->set(http::field::allow, "GET, HEAD");
     if (reply_.status != 304) response_->content_length(body.size());
     if (with_body) response_->body() = beast::span<const char>(body.data(), body.size());
@@ -137,14 +142,14 @@ Result<std::unique_ptr<Listener>> listen_http(IoLoop& loop, const std::string& b
                                               HttpService& service) {
   // The listener and each connection own the counter; a connection over the limit is closed at once.
   auto places = std::make_shared<int>(0);
-  return listen_tcp(loop.impl(), bind, port,
-                    [&service, places](asio::ip::tcp::socket socket, std::string peer) {
-                      if (static_cast<std::size_t>(places.use_count()) > limits::kHttpConnections) {
-                        log::warn("web: {} turned away, {} connections are open", peer, limits::kHttpConnections);
-                        return;
-                      }
-                      std::make_shared<HttpConnection>(std::move(socket), std::move(peer), service, places)->read();
-                    });
+  return listen_tcp(
+      loop.impl(), bind, port, [&service, places](asio::ip::tcp::socket socket, std::string peer) {
+        if (static_cast<std::size_t>(places.use_count()) > limits::kHttpConnections) {
+          log::warn("web: {} turned away, {} connections are open", peer, limits::kHttpConnections);
+          return;
+        }
+        std::make_shared<HttpConnection>(std::move(socket), std::move(peer), service, places)->read();
+      });
 }
 
 }  // namespace playhouse::net

@@ -1,7 +1,7 @@
 #pragma once
 
-/// A small HTTP/1.1 server for GET and HEAD, and the door to WebSockets. Knows neither files nor viewers: a service
-/// answers each request at once from memory. Limits: limits::kHttp*. Everything is for the io thread.
+/// A small HTTP/1.1 server for GET and HEAD, and the door to WebSockets. Knows neither files nor viewers: a
+/// service answers each request at once from memory. Limits: limits::kHttp*. Everything is for the io thread.
 
 #include <memory>
 #include <string>
@@ -13,12 +13,12 @@
 namespace playhouse::net {
 
 struct HttpRequest {
-  std::string path;      // decoded nowhere: as the client wrote it, without the query
-  std::string host;      // of the Host header, with the port
-  std::string origin;    // of the Origin header; empty when there is none (not a browser, or the same site)
+  std::string path;    // decoded nowhere: as the client wrote it, without the query
+  std::string host;    // of the Host header, with the port
+  std::string origin;  // of the Origin header; empty when there is none (not a browser, or the same site)
   std::string if_none_match;
   bool accepts_gzip = false;
-  std::string peer;      // "address:port"
+  std::string peer;  // "address:port"
 };
 
 struct HttpReply {
@@ -40,7 +40,8 @@ class HttpService {
   virtual void upgraded(std::unique_ptr<WebSocket> socket, const HttpRequest& request) = 0;
 };
 
-/// Serves on bind:port (0: any free one) for as long as the Listener lives. The service outlives the loop's run.
+/// Serves on bind:port (0: any free one) for as long as the Listener lives. The service outlives the loop's
+/// run.
 Result<std::unique_ptr<Listener>> listen_http(IoLoop& loop, const std::string& bind, std::uint16_t port,
                                               HttpService& service);
 

@@ -160,10 +160,11 @@ class TcpConnection final : public Connection {
 
 Result<std::unique_ptr<Listener>> IoLoop::listen(const std::string& bind, std::uint16_t port,
                                                  Acceptor acceptor) {
-  return listen_tcp(*impl_, bind, port, [this, acceptor = std::move(acceptor)](tcp::socket socket, std::string peer) {
-    acceptor(std::make_unique<TcpConnection>(
-        std::make_shared<TcpStream>(std::move(socket), *impl_, std::move(peer))));
-  });
+  return listen_tcp(*impl_, bind, port,
+                    [this, acceptor = std::move(acceptor)](tcp::socket socket, std::string peer) {
+                      acceptor(std::make_unique<TcpConnection>(
+                          std::make_shared<TcpStream>(std::move(socket), *impl_, std::move(peer))));
+                    });
 }
 
 }  // namespace playhouse::net

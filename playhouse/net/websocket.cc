@@ -31,9 +31,10 @@ class Stream : public std::enable_shared_from_this<Stream> {
 
   template <typename Request, typename Done>
   void accept(const Request& request, Done done) {
-    socket_.async_accept(request, [self = shared_from_this(), done = std::move(done)](const error_code& error) {
-      if (!error) done(self);
-    });
+    socket_.async_accept(request,
+                         [self = shared_from_this(), done = std::move(done)](const error_code& error) {
+                           if (!error) done(self);
+                         });
   }
 
   void start(WebSocketEvents& events) {
@@ -89,7 +90,8 @@ class Stream : public std::enable_shared_from_this<Stream> {
   void write() {
     const auto& message = queued_.front();
     const bool text = message.index() == 0;
-    const asio::const_buffer bytes = text ? asio::buffer(*std::get<0>(message)) : asio::buffer(*std::get<1>(message));
+    const asio::const_buffer bytes =
+        text ? asio::buffer(*std::get<0>(message)) : asio::buffer(*std::get<1>(message));
     socket_.text(text);
     socket_.async_write(bytes, [self = shared_from_this()](const error_code& error, std::size_t) {
       self->write_done(error);

@@ -1,7 +1,7 @@
 #pragma once
 
-/// A WebSocket after its handshake: whole messages in both directions. http.h makes them. Everything is for the io
-/// thread. Built on Boost.Beast, which stays in the .cc files.
+/// A WebSocket after its handshake: whole messages in both directions. http.h makes them. Everything is for
+/// the io thread. Built on Boost.Beast, which stays in the .cc files.
 
 #include <memory>
 #include <string>
@@ -14,7 +14,8 @@ namespace playhouse::net {
 class WebSocketEvents {
  public:
   virtual ~WebSocketEvents() = default;
-  /// One text message; `text` is valid for the call. Binary messages and messages over the limit close the socket.
+  /// One text message; `text` is valid for the call. Binary messages and messages over the limit close the
+  /// socket.
   virtual void received(std::string_view text) = 0;
   /// The system has taken everything that was sent: messages_in_flight() is 0.
   virtual void drained() = 0;

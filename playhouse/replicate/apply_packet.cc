@@ -19,12 +19,15 @@ class PacketReader {
     replica_.pace.paused = (flags & 1) != 0;
     replica_.pace.speed = in_.f32();
     replica_.pace.real_time_factor = in_.f32();
-    section(replica_.models.size(), [this](std::uint8_t mask, std::uint32_t row) { model(mask, replica_.models[row]); });
+    section(replica_.models.size(),
+            [this](std::uint8_t mask, std::uint32_t row) { model(mask, replica_.models[row]); });
     section(replica_.positions.size(),
             [this](std::uint8_t mask, std::uint32_t row) { position(mask, replica_.positions[row]); });
     section(layout_.sensors.size(), [this](std::uint8_t tag, std::uint32_t row) { scan(tag, row); });
     section(layout_.finder_model.size(), [this](std::uint8_t tag, std::uint32_t row) { finding(tag, row); });
-    if (!in_.ok() || bad_) return Error{"", bad_ ? "a viewer packet names what the scene has not" : "a viewer packet is cut short"};
+    if (!in_.ok() || bad_)
+      return Error{"",
+                   bad_ ? "a viewer packet names what the scene has not" : "a viewer packet is cut short"};
     if (!in_.at_end()) return Error{"", "bytes follow a viewer packet"};
     return static_cast<std::uint32_t>(frame);
   }
@@ -121,7 +124,8 @@ class PacketReader {
 
 }  // namespace
 
-Result<std::uint32_t> apply_packet(std::span<const std::byte> packet, const Layout& layout, Replica& replica) {
+Result<std::uint32_t> apply_packet(std::span<const std::byte> packet, const Layout& layout,
+                                   Replica& replica) {
   return PacketReader(packet, layout, replica).read();
 }
 

@@ -13,7 +13,8 @@ namespace {
 
 namespace json = boost::json;
 
-constexpr std::array<std::string_view, 8> kWords = {"pause", "resume", "step", "speed", "drag", "select", "look", "ack"};
+constexpr std::array<std::string_view, 8> kWords = {"pause", "resume", "step", "speed",
+                                                    "drag",  "select", "look", "ack"};
 
 /// Reads the members of one object; the first fault sticks. Done with nothing left over.
 class Members {

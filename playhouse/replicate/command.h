@@ -1,7 +1,8 @@
 #pragma once
 
-/// What a viewer may ask for: one JSON object per message, read strictly. An unknown key, a missing one, a number
-/// out of its range or a long message is refused with one line that says why. docs/viewer-protocol.md lists them.
+/// What a viewer may ask for: one JSON object per message, read strictly. An unknown key, a missing one, a
+/// number out of its range or a long message is refused with one line that says why. docs/viewer-protocol.md
+/// lists them.
 
 #include <cstdint>
 #include <optional>
@@ -37,8 +38,8 @@ struct Acknowledge {
 
 using Command = std::variant<Pause, Resume, Step, SetSpeed, Drag, Select, Look, Acknowledge>;
 
-inline constexpr double kSpeedMost = 1000;    // times real time
-inline constexpr double kPlaceMost = 1e6;     // m, of a coordinate from a viewer
+inline constexpr double kSpeedMost = 1000;  // times real time
+inline constexpr double kPlaceMost = 1e6;   // m, of a coordinate from a viewer
 
 Result<Command> parse_command(std::string_view text);
 

@@ -18,19 +18,27 @@ std::int64_t turn_difference(std::uint16_t from, std::uint16_t to) {
 /// Writes one packet; every function of a section returns false when the budget is spent.
 class PacketWriter {
  public:
-  PacketWriter(const Layout& layout, const Snapshot& snapshot, const Wish& wish, std::size_t budget, Replica& replica,
-               std::vector<std::byte>& out)
-      : layout_(layout), snapshot_(snapshot), wish_(wish), budget_(budget), replica_(replica), out_(out), pack_(out) {}
+  PacketWriter(const Layout& layout, const Snapshot& snapshot, const Wish& wish, std::size_t budget,
+               Replica& replica, std::vector<std::byte>& out)
+      : layout_(layout),
+        snapshot_(snapshot),
+        wish_(wish),
+        budget_(budget),
+        replica_(replica),
+        out_(out),
+        pack_(out) {}
 
   void head(std::uint32_t frame) {
     const world::Pace& pace = snapshot_.pace;
     pack_.u8(kPacket);
-    pack_.u8(static_cast<std::uint8_t>((pace.paused ? kPaused : 0) | (snapshot_.beams_full ? kBeamsFull : 0)));
+    pack_.u8(
+        static_cast<std::uint8_t>((pace.paused ? kPaused : 0) | (snapshot_.beams_full ? kBeamsFull : 0)));
     pack_.varint(frame);
     pack_.varint(snapshot_.tick);
     pack_.f32(static_cast<float>(pace.speed));
     pack_.f32(static_cast<float>(pace.real_time_factor));
-    changed_ = replica_.tick != snapshot_.tick || replica_.pace.paused != pace.paused || replica_.pace.speed != pace.speed;
+    changed_ = replica_.tick != snapshot_.tick || replica_.pace.paused != pace.paused ||
+               replica_.pace.speed != pace.speed;
     replica_.tick = snapshot_.tick;
     replica_.pace = pace;
   }
@@ -67,7 +75,8 @@ class PacketWriter {
     drop_scans();
     // From the sensor where the last frame stopped, around.
     const auto begin = snapshot_.scans.begin(), end = snapshot_.scans.end();
-    const auto from = std::lower_bound(begin, end, next, [](const Scan& s, std::uint32_t row) { return s.sensor < row; });
+    const auto from =
+        std::lower_bound(begin, end, next, [](const Scan& s, std::uint32_t row) { return s.sensor < row; });
     auto stopped = walk_scans(from, end);
     if (stopped == end) {
       stopped = walk_scans(begin, from);
@@ -115,11 +124,14 @@ class PacketWriter {
     changed_ = true;
   }
 
-  bool selected(std::uint32_t model) const { return wish_.selected && layout_.root[model] == *wish_.selected; }
+  bool selected(std::uint32_t model) const {
+    return wish_.selected && layout_.root[model] == *wish_.selected;
+  }
 
   bool in_view(std::uint32_t model) const {
     const geom::Vec2 at = place_of(layout_, snapshot_, model);
-    return at.x >= wish_.view.x_min && at.x <= wish_.view.x_max && at.y >= wish_.view.y_min && at.y <= wish_.view.y_max;
+    return at.x >= wish_.view.x_min && at.x <= wish_.view.x_max && at.y >= wish_.view.y_min &&
+           at.y <= wish_.view.y_max;
   }
 
   bool wanted(std::uint32_t model) const { return selected(model) || (wish_.sensors && in_view(model)); }
@@ -144,7 +156,8 @@ class PacketWriter {
     ModelState& from = replica_.models[row];
     const ModelState& to = snapshot_.models[row];
     const int mask = (from.x != to.x ? 1 : 0) | (from.y != to.y ? 2 : 0) | (from.z != to.z ? 4 : 0) |
-                     (from.a != to.a ? 8 : 0) | (from.state != to.state ? 16 : 0) | (from.color != to.color ? 32 : 0);
+                     (from.a != to.a ? 8 : 0) | (from.state != to.state ? 16 : 0) |
+                     (from.color != to.color ? 32 : 0);
     if (mask == 0) return;
     item(static_cast<std::uint8_t>(mask), row);
     if (mask & 1) difference(from.x, to.x);

@@ -8,7 +8,8 @@ namespace playhouse::replicate {
 namespace {
 
 std::uint32_t channel(float value) {
-  return static_cast<std::uint32_t>(std::clamp(std::isfinite(value) ? value : 0.0f, 0.0f, 1.0f) * 255.0f + 0.5f);
+  return static_cast<std::uint32_t>(std::clamp(std::isfinite(value) ? value : 0.0f, 0.0f, 1.0f) * 255.0f +
+                                    0.5f);
 }
 
 /// Rows grouped by key, ascending within a group: group k is rows[start[k] .. start[k + 1]).
@@ -92,7 +93,8 @@ Layout::Layout(const world::World& world) {
 }
 
 std::span<const std::uint32_t> Layout::tree(std::uint32_t root_row) const {
-  return std::span(tree_rows_).subspan(tree_start_[root_row], tree_start_[root_row + 1] - tree_start_[root_row]);
+  return std::span(tree_rows_)
+      .subspan(tree_start_[root_row], tree_start_[root_row + 1] - tree_start_[root_row]);
 }
 
 std::span<const std::uint32_t> Layout::tree_positions(std::uint32_t root_row) const {

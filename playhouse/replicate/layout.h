@@ -1,8 +1,8 @@
 #pragma once
 
-/// Layout: what never changes while a world runs, as a viewer needs it: who is part of whom, which sensor belongs
-/// to which model, and the quantised state at the start, which is every viewer's first baseline. Made once from the
-/// world, before its first tick, then shared read-only by all threads.
+/// Layout: what never changes while a world runs, as a viewer needs it: who is part of whom, which sensor
+/// belongs to which model, and the quantised state at the start, which is every viewer's first baseline. Made
+/// once from the world, before its first tick, then shared read-only by all threads.
 
 #include <cstdint>
 #include <span>
@@ -35,9 +35,9 @@ struct PositionState {
 };
 
 struct SensorLayout {
-  std::uint32_t ranger = 0, model = 0;         // rows
+  std::uint32_t ranger = 0, model = 0;  // rows
   std::uint32_t first_beam = 0, beam_count = 0;
-  double range_max = 0;                        // m; a beam is sent as range / range_max * 65535
+  double range_max = 0;  // m; a beam is sent as range / range_max * 65535
 };
 
 inline constexpr std::uint8_t kMovable = 1;   // a person may drag it
@@ -46,12 +46,12 @@ inline constexpr std::uint8_t kAlwaysOn = 2;  // measures without subscribers
 struct Layout {
   explicit Layout(const world::World& world);
 
-  std::vector<std::uint32_t> root;             // per model
-  std::vector<std::uint8_t> traits;            // per model: the bits above
-  std::vector<SensorLayout> sensors;           // per sensor row
-  std::vector<std::uint32_t> position_model;   // per position row
-  std::vector<std::uint32_t> finder_model;     // per fiducial finder row
-  std::vector<ModelState> start;               // per model
+  std::vector<std::uint32_t> root;            // per model
+  std::vector<std::uint8_t> traits;           // per model: the bits above
+  std::vector<SensorLayout> sensors;          // per sensor row
+  std::vector<std::uint32_t> position_model;  // per position row
+  std::vector<std::uint32_t> finder_model;    // per fiducial finder row
+  std::vector<ModelState> start;              // per model
 
   /// Every model of the robot with this top-level row, itself first.
   std::span<const std::uint32_t> tree(std::uint32_t root_row) const;

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Varints and little-endian numbers of the viewer's packets. Reading never passes the end: the reader's error is
-/// sticky and checked once.
+/// Varints and little-endian numbers of the viewer's packets. Reading never passes the end: the reader's
+/// error is sticky and checked once.
 
 #include <bit>
 #include <cstddef>

@@ -11,7 +11,9 @@
 namespace playhouse::replicate {
 namespace {
 
-std::string quoted(std::string_view text) { return boost::json::serialize(boost::json::string(text)); }
+std::string quoted(std::string_view text) {
+  return boost::json::serialize(boost::json::string(text));
+}
 
 /// Metres and radians to a tenth of a millimetre: what a screen can show.
 std::string number(double value) {
@@ -22,7 +24,9 @@ std::string pose(const geom::Pose& X) {
   return fmt::format("[{},{},{},{}]", number(X.x), number(X.y), number(X.z), number(X.a));
 }
 
-std::string size(const geom::Size& s) { return fmt::format("[{},{},{}]", number(s.x), number(s.y), number(s.z)); }
+std::string size(const geom::Size& s) {
+  return fmt::format("[{},{},{}]", number(s.x), number(s.y), number(s.z));
+}
 
 std::string color(const scene::Color& c) {
   return fmt::format("[{},{},{},{}]", number(c.r), number(c.g), number(c.b), number(c.a));
@@ -61,9 +65,9 @@ std::string shape(const scene::ModelDesc& model) {
 
 std::string sensors(const scene::ModelDesc& model) {
   return list(model.sensors, [](const scene::RangerSensorDesc& sensor) {
-    return fmt::format(R"({{"pose":{},"size":{},"range":[{},{}],"fov":{},"samples":{},"color":{}}})", pose(sensor.X_BS),
-                       size(sensor.size), number(sensor.range_min), number(sensor.range_max), number(sensor.fov),
-                       sensor.samples, color(sensor.color));
+    return fmt::format(R"({{"pose":{},"size":{},"range":[{},{}],"fov":{},"samples":{},"color":{}}})",
+                       pose(sensor.X_BS), size(sensor.size), number(sensor.range_min),
+                       number(sensor.range_max), number(sensor.fov), sensor.samples, color(sensor.color));
   });
 }
 
@@ -87,31 +91,38 @@ class Texts {
 
 std::string window(const scene::WindowDesc& window) {
   return fmt::format(R"({{"center":[{},{}],"scale":{},"pitch":{},"yaw":{},"sensors":{},"follow":{}}})",
-                     number(window.center.x), number(window.center.y), number(window.scale), number(window.pitch),
-                     number(window.yaw), window.show_data, quoted(window.follow_model));
+                     number(window.center.x), number(window.center.y), number(window.scale),
+                     number(window.pitch), number(window.yaw), window.show_data, quoted(window.follow_model));
 }
 
 const char* kind(scene::ModelKind kind) {
   switch (kind) {
-    case scene::ModelKind::kPosition: return "position";
-    case scene::ModelKind::kRanger: return "ranger";
-    case scene::ModelKind::kFiducial: return "fiducial";
-    case scene::ModelKind::kPlain: break;
+    case scene::ModelKind::kPosition:
+      return "position";
+    case scene::ModelKind::kRanger:
+      return "ranger";
+    case scene::ModelKind::kFiducial:
+      return "fiducial";
+    case scene::ModelKind::kPlain:
+      break;
   }
   return "plain";
 }
 
-std::string model(const world::World& world, const Layout& layout, std::uint32_t row, Texts& shapes, Texts& sensor_sets) {
+std::string model(const world::World& world, const Layout& layout, std::uint32_t row, Texts& shapes,
+                  Texts& sensor_sets) {
   const scene::ModelDesc& desc = world.desc({row});
   const ModelState& start = layout.start[row];
-  std::string text = fmt::format(R"({{"name":{},"type":{},"kind":"{}","parent":{},"start":[{},{},{},{},{},{}])",
-                                 quoted(desc.name), quoted(desc.type), kind(desc.kind), desc.parent, start.x, start.y,
-                                 start.z, start.a, start.state, start.color);
+  std::string text =
+      fmt::format(R"({{"name":{},"type":{},"kind":"{}","parent":{},"start":[{},{},{},{},{},{}])",
+                  quoted(desc.name), quoted(desc.type), kind(desc.kind), desc.parent, start.x, start.y,
+                  start.z, start.a, start.state, start.color);
   auto out = std::back_inserter(text);
   if (desc.alias != desc.name) fmt::format_to(out, R"(,"alias":{})", quoted(desc.alias));
   if (desc.X_MB != geom::Pose{}) fmt::format_to(out, R"(,"origin":{})", pose(desc.X_MB));
   fmt::format_to(out, R"(,"size":{})", size(desc.size));
-  if (!desc.blocks.empty() || !desc.bitmaps.empty()) fmt::format_to(out, R"(,"shape":{})", shapes.row(shape(desc)));
+  if (!desc.blocks.empty() || !desc.bitmaps.empty())
+    fmt::format_to(out, R"(,"shape":{})", shapes.row(shape(desc)));
   if (layout.traits[row] & kMovable) text += R"(,"movable":true)";
   const std::int32_t fiducial = world.models.fiducial_return[row];
   if (fiducial != 0) fmt::format_to(out, R"(,"fiducial":{})", fiducial);
@@ -124,8 +135,8 @@ std::string model(const world::World& world, const Layout& layout, std::uint32_t
                    sensor_sets.row(sensors(desc)));
   }
   if (desc.kind == scene::ModelKind::kFiducial && desc.fiducial) {
-    fmt::format_to(out, R"(,"finder":{},"range":{},"fov":{})", world.models.part[row], number(desc.fiducial->range_max),
-                   number(desc.fiducial->fov));
+    fmt::format_to(out, R"(,"finder":{},"range":{},"fov":{})", world.models.part[row],
+                   number(desc.fiducial->range_max), number(desc.fiducial->fov));
   }
   return text += '}';
 }
@@ -140,9 +151,10 @@ std::string scene_text(const world::World& world, const Layout& layout) {
     models += model(world, layout, row, shapes, sensor_sets);
   }
   const scene::SceneDesc& scene = world.scene();
-  return fmt::format("{{\"protocol\":1,\"name\":{},\"interval\":{:.9g},\"window\":{},\n\"shapes\":[{}],\n\"sensors\":[{}],\n"
-                     "\"models\":[\n{}]}}\n",
-                     quoted(scene.name), scene.interval, window(scene.window), shapes.all(), sensor_sets.all(), models);
+  return fmt::format(
+      "{{\"protocol\":1,\"name\":{},\"interval\":{:.9g},\"window\":{},\n\"shapes\":[{}],\n\"sensors\":[{}],\n"
+      "\"models\":[\n{}]}}\n",
+      quoted(scene.name), scene.interval, window(scene.window), shapes.all(), sensor_sets.all(), models);
 }
 
 }  // namespace playhouse::replicate

@@ -7,9 +7,9 @@
 namespace playhouse::replicate {
 
 /// The scene as the JSON text that every viewer gets first: models with their names, types, parents, colours,
-/// shapes, sensors and start state (the very numbers of `layout.start`, the first baseline). Equal shapes and equal
-/// sets of sensors are written once and named by their place in a list, so that a thousand robots stay small.
-/// docs/viewer-protocol.md shows the fields.
+/// shapes, sensors and start state (the very numbers of `layout.start`, the first baseline). Equal shapes and
+/// equal sets of sensors are written once and named by their place in a list, so that a thousand robots stay
+/// small. docs/viewer-protocol.md shows the fields.
 std::string scene_text(const world::World& world, const Layout& layout);
 
 }  // namespace playhouse::replicate

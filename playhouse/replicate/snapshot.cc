@@ -112,8 +112,8 @@ class Capture {
 
 }  // namespace
 
-void capture(const world::World& world, const world::Pace& pace, const Layout& layout, const Interest& interest,
-             Snapshot& out) {
+void capture(const world::World& world, const world::Pace& pace, const Layout& layout,
+             const Interest& interest, Snapshot& out) {
   out.tick = world.tick();
   out.pace = pace;
   Capture capture(world, layout, interest, out);

@@ -1,7 +1,8 @@
 #pragma once
 
-/// Viewer: one watching page, without its socket: what it looks at, what it holds, how many frames are under way.
-/// A page that acknowledges slowly gets fewer frames; nothing queues for it. Thread: the thread that serves viewers.
+/// Viewer: one watching page, without its socket: what it looks at, what it holds, how many frames are under
+/// way. A page that acknowledges slowly gets fewer frames; nothing queues for it. Thread: the thread that
+/// serves viewers.
 
 #include "playhouse/base/limits.h"
 #include "playhouse/replicate/command.h"
@@ -26,8 +27,8 @@ class Viewer {
   /// False: too many frames are unacknowledged; ask again when one comes back.
   bool ready() const { return sent_ - acknowledged_ < limits::kViewerFramesInFlight; }
 
-  /// Writes the next frame into `out` and counts it as sent. False: there is nothing to send, or the viewer is not
-  /// ready. `waiting()` then says whether rows are left for the next frame.
+  /// Writes the next frame into `out` and counts it as sent. False: there is nothing to send, or the viewer
+  /// is not ready. `waiting()` then says whether rows are left for the next frame.
   bool next_frame(const Snapshot& snapshot, Emit emit, std::vector<std::byte>& out);
   bool waiting() const { return waiting_; }
 

@@ -20,7 +20,8 @@ namespace {
 constexpr std::chrono::milliseconds kFramePeriod{33};
 
 constexpr std::string_view kNoPage =
-    "This program was built without its web page. Build it (cd web && npm ci && npm run build), then build the "
+    "This program was built without its web page. Build it (cd web && npm ci && npm run build), then build "
+    "the "
     "program again.\n";
 
 /// "http://host:port" to "host:port".
@@ -55,7 +56,10 @@ class WebServer::Impl final : public net::HttpService,
                               public std::enable_shared_from_this<WebServer::Impl> {
  public:
   Impl(net::IoLoop& loop, WebOptions options, world::Control& control, const world::World& world)
-      : loop_(loop), options_(std::move(options)), control_(control), layout_(world),
+      : loop_(loop),
+        options_(std::move(options)),
+        control_(control),
+        layout_(world),
         scene_(std::make_shared<const std::string>(replicate::scene_text(world, layout_))) {
     sensing_.resize(layout_.root.size());
     for (std::uint32_t row = 0; row < layout_.root.size(); ++row) {
@@ -169,9 +173,11 @@ class WebServer::Impl final : public net::HttpService,
     if (std::holds_alternative<replicate::Pause>(command)) control_.pause();
     if (std::holds_alternative<replicate::Resume>(command)) control_.resume();
     if (std::holds_alternative<replicate::Step>(command)) control_.step_once();
-    if (const auto* speed = std::get_if<replicate::SetSpeed>(&command)) control_.set_speed(speed->times_real_time);
+    if (const auto* speed = std::get_if<replicate::SetSpeed>(&command))
+      control_.set_speed(speed->times_real_time);
     if (const auto* drag = std::get_if<replicate::Drag>(&command)) return move(*drag);
-    if (std::holds_alternative<replicate::Select>(command) || std::holds_alternative<replicate::Look>(command)) {
+    if (std::holds_alternative<replicate::Select>(command) ||
+        std::holds_alternative<replicate::Look>(command)) {
       interest_changed();
     }
     return {};
@@ -179,7 +185,8 @@ class WebServer::Impl final : public net::HttpService,
 
   Result<void> move(const replicate::Drag& drag) {
     if (drag.model >= layout_.traits.size()) return Error{"", "no such model to drag"};
-    if (!(layout_.traits[drag.model] & replicate::kMovable)) return Error{"", "this model may not be moved by hand"};
+    if (!(layout_.traits[drag.model] & replicate::kMovable))
+      return Error{"", "this model may not be moved by hand"};
     const bool posted = control_.post([drag](world::World& world) {
       geom::Pose X_PM = world.models.X_PM[drag.model];
       X_PM.x = drag.x;
@@ -192,7 +199,8 @@ class WebServer::Impl final : public net::HttpService,
   }
 
   void refused(const WebViewer& from, const std::string& why) override {
-    if (status_.commands_refused++ == 0) log::warn("web: {} sent a command that cannot be: {} (told once)", from.peer(), why);
+    if (status_.commands_refused++ == 0)
+      log::warn("web: {} sent a command that cannot be: {} (told once)", from.peer(), why);
   }
 
   void sent_frame(std::size_t bytes) override {
@@ -227,11 +235,12 @@ class WebServer::Impl final : public net::HttpService,
     reconcile_subscriptions();
   }
 
-  /// A selected robot's sensors measure while somebody looks at them. What the tick's queue has no room for is
-  /// tried again with the next frame.
+  /// A selected robot's sensors measure while somebody looks at them. What the tick's queue has no room for
+  /// is tried again with the next frame.
   void reconcile_subscriptions() {
     for (const std::uint32_t robot : selected_) {
-      if (!subscribed_.contains(robot) && post_for_sensors(robot, world::subscribe)) subscribed_.insert(robot);
+      if (!subscribed_.contains(robot) && post_for_sensors(robot, world::subscribe))
+        subscribed_.insert(robot);
     }
     std::erase_if(subscribed_, [this](std::uint32_t robot) {
       return !selected_.contains(robot) && post_for_sensors(robot, world::unsubscribe);
@@ -272,12 +281,21 @@ class WebServer::Impl final : public net::HttpService,
   bool fresh_ = false;
 };
 
-WebServer::WebServer(net::IoLoop& loop, WebOptions options, world::Control& control, const world::World& world)
+WebServer::WebServer(net::IoLoop& loop, WebOptions options, world::Control& control,
+                     const world::World& world)
     : impl_(std::make_shared<Impl>(loop, std::move(options), control, world)) {}
-WebServer::~WebServer() { impl_->close(); }
+WebServer::~WebServer() {
+  impl_->close();
+}
 
-Result<std::uint16_t> WebServer::listen() { return impl_->listen(); }
-void WebServer::show(const world::World& world, const world::Pace& pace) { impl_->show(world, pace); }
-WebStatus WebServer::status() const { return impl_->status(); }
+Result<std::uint16_t> WebServer::listen() {
+  return impl_->listen();
+}
+void WebServer::show(const world::World& world, const world::Pace& pace) {
+  impl_->show(world, pace);
+}
+WebStatus WebServer::status() const {
+  return impl_->status();
+}
 
 }  // namespace playhouse::server

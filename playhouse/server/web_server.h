@@ -1,9 +1,9 @@
 #pragma once
 
-/// WebServer: the page at http://bind:port/ and its viewers. Serves the built page from memory, sends every viewer
-/// the scene and then changes only (replicate), and carries out what viewers ask for through world::Control.
-/// Costs nothing while nobody watches. docs/viewer.md, docs/viewer-protocol.md.
-/// Threads: show() is for the tick thread, all else for the io thread or for before the loop runs.
+/// WebServer: the page at http://bind:port/ and its viewers. Serves the built page from memory, sends every
+/// viewer the scene and then changes only (replicate), and carries out what viewers ask for through
+/// world::Control. Costs nothing while nobody watches. docs/viewer.md, docs/viewer-protocol.md. Threads:
+/// show() is for the tick thread, all else for the io thread or for before the loop runs.
 
 #include <cstddef>
 #include <cstdint>
@@ -19,25 +19,25 @@
 namespace playhouse::server {
 
 struct WebOptions {
-  std::string bind = "127.0.0.1";    // numeric address
-  std::uint16_t port = 8080;         // 0: any free one
-  std::span<const PageFile> page;    // usually page_files()
+  std::string bind = "127.0.0.1";  // numeric address
+  std::uint16_t port = 8080;       // 0: any free one
+  std::span<const PageFile> page;  // usually page_files()
 };
 
 struct WebStatus {
   std::size_t viewers = 0;            // connected now
   std::uint64_t viewers_refused = 0;  // over limits::kViewers
   std::uint64_t frames_sent = 0;
-  std::uint64_t bytes_sent = 0;       // of frames
+  std::uint64_t bytes_sent = 0;  // of frames
   std::uint64_t commands = 0;
   std::uint64_t commands_refused = 0;
 };
 
 class WebServer {
  public:
-  /// Reads the world's fixed parts at once, so the first tick comes after. The loop and the control outlive the
-  /// server; destroy it when the loop no longer runs and the tick thread no longer calls show(). A control that is
-  /// still given changes (Control::post) may carry them out later: they touch only the world.
+  /// Reads the world's fixed parts at once, so the first tick comes after. The loop and the control outlive
+  /// the server; destroy it when the loop no longer runs and the tick thread no longer calls show(). A
+  /// control that is still given changes (Control::post) may carry them out later: they touch only the world.
   WebServer(net::IoLoop& loop, WebOptions options, world::Control& control, const world::World& world);
   ~WebServer();
   WebServer(const WebServer&) = delete;
@@ -46,9 +46,9 @@ class WebServer {
   /// Opens the port and returns its number.
   Result<std::uint16_t> listen();
 
-  /// Gives viewers the world's present state. Call it after each tick, and while paused at least ten times a second,
-  /// so that they see what was dragged and that the program lives. Copies at most 30 times a second of wall time, and
-  /// only when somebody watches; else it costs an atomic load.
+  /// Gives viewers the world's present state. Call it after each tick, and while paused at least ten times a
+  /// second, so that they see what was dragged and that the program lives. Copies at most 30 times a second
+  /// of wall time, and only when somebody watches; else it costs an atomic load.
   void show(const world::World& world, const world::Pace& pace);
 
   WebStatus status() const;

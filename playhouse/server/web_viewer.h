@@ -20,8 +20,8 @@ class WebViewer;
 class WebViewerOwner {
  public:
   virtual ~WebViewerOwner() = default;
-  /// Carries out a command for everyone (the viewer's own view and selection are set already). An error is told to
-  /// the viewer.
+  /// Carries out a command for everyone (the viewer's own view and selection are set already). An error is
+  /// told to the viewer.
   virtual Result<void> carry_out(const replicate::Command& command, WebViewer& from) = 0;
   virtual void refused(const WebViewer& from, const std::string& why) = 0;
   virtual void sent_frame(std::size_t bytes) = 0;
@@ -37,8 +37,8 @@ class WebViewer final : public net::WebSocketEvents {
   /// Sends the scene and begins to listen.
   void start(std::shared_ptr<const std::string> scene);
 
-  /// The newest snapshot, valid until the next call. A frame goes out now if the page keeps up, else as soon as it
-  /// has caught up, from what is newest then.
+  /// The newest snapshot, valid until the next call. A frame goes out now if the page keeps up, else as soon
+  /// as it has caught up, from what is newest then.
   void offer(const replicate::Snapshot& snapshot);
 
   /// A line for the person at the page; dropped when many wait already.

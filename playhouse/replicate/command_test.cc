@@ -1,0 +1,63 @@
+#include "playhouse/replicate/command.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace playhouse::replicate {
+namespace {
+
+TEST(Command, every_command_is_read) {
+  EXPECT_TRUE(std::holds_alternative<Pause>(*parse_command(R"({"do":"pause"})")));
+  EXPECT_TRUE(std::holds_alternative<Resume>(*parse_command(R"({"do":"resume"})")));
+  EXPECT_TRUE(std::holds_alternative<Step>(*parse_command(R"({"do":"step"})")));
+  EXPECT_EQ(std::get<SetSpeed>(*parse_command(R"({"do":"speed","times_real_time":2.5})")).times_real_time,
+            2.5);
+  const auto drag = std::get<Drag>(*parse_command(R"({"do":"drag","model":3,"x":1,"y":-2.5,"a":0.5})"));
+  EXPECT_EQ(drag.model, 3u);
+  EXPECT_EQ(drag.y, -2.5);
+  EXPECT_EQ(std::get<Select>(*parse_command(R"({"do":"select","model":4})")).model, 4u);
+  EXPECT_EQ(std::get<Select>(*parse_command(R"({"do":"select","model":null})")).model, std::nullopt);
+  const auto look = std::get<Look>(
+      *parse_command(R"({"do":"look","x_min":-1,"y_min":-2,"x_max":3,"y_max":4,"sensors":true})"));
+  EXPECT_EQ(look.view.y_max, 4);
+  EXPECT_TRUE(look.sensors);
+  EXPECT_EQ(std::get<Acknowledge>(*parse_command(R"({"do":"ack","frame":17})")).frame, 17u);
+}
+
+struct Refusal {
+  const char* text;
+  const char* why;
+};
+
+TEST(Command, what_cannot_be_is_refused_with_a_reason) {
+  const Refusal refusals[] = {
+      {"", "not JSON"},
+      {"{\"do\":\"pause\"", "not JSON"},
+      {"{\"do\":\"pause\"} x", "not JSON"},
+      {"[1]", "a command is a JSON object"},
+      {"{}", "\"do\" must be a string"},
+      {R"({"do":1})", "\"do\" must be a string"},
+      {R"({"do":"pasue"})", "did you mean \"pause\"?"},
+      {R"({"do":"pause","now":true})", "a key that"},
+      {R"({"do":"speed"})", "\"times_real_time\" must be a number"},
+      {R"({"do":"speed","times_real_time":-1})", "within its range"},
+      {R"({"do":"speed","times_real_time":1e9})", "within its range"},
+      {R"({"do":"drag","model":1.5,"x":0,"y":0,"a":0})", "whole number"},
+      {R"({"do":"drag","model":-1,"x":0,"y":0,"a":0})", "within its range"},
+      {R"({"do":"drag","model":1,"x":1e99,"y":0,"a":0})", "within its range"},
+      {R"({"do":"select"})", "\"model\" must be a number"},
+      {R"({"do":"look","x_min":-1,"y_min":-2,"x_max":3,"y_max":4,"sensors":1})", "true or false"},
+      {R"({"do":"ack","frame":[[[1]]]})", "not JSON"},
+  };
+  for (const Refusal& refusal : refusals) {
+    const Result<Command> command = parse_command(refusal.text);
+    ASSERT_FALSE(command.ok()) << refusal.text;
+    EXPECT_NE(command.error().text.find(refusal.why), std::string::npos)
+        << refusal.text << " -> " << command.error().text;
+  }
+  EXPECT_FALSE(parse_command(std::string(5000, ' ') + R"({"do":"pause"})").ok());
+}
+
+}  // namespace
+}  // namespace playhouse::replicate

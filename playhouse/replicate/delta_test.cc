@@ -1,0 +1,243 @@
+#include "playhouse/replicate/delta.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+
+#include "playhouse/base/limits.h"
+#include "playhouse/replicate/small_world.h"
+#include "playhouse/replicate/viewer.h"
+
+namespace playhouse::replicate {
+namespace {
+
+constexpr geom::Box kEverywhere{-1000, -1000, 1000, 1000};
+
+/// A viewer at both ends of a wire: what the writer thinks it holds, and what the packets made of it.
+struct Pair {
+  explicit Pair(const Layout& layout) : layout(layout), writer(layout), sender(layout), receiver(layout) {}
+
+  Sent send(const Snapshot& snapshot, const Wish& wish, std::size_t budget) {
+    const Sent sent = writer.write(snapshot, wish, ++frame, budget, sender, packet);
+    const Result<std::uint32_t> applied = apply_packet(packet, layout, receiver);
+    RC_ASSERT(applied.ok());
+    RC_ASSERT(*applied == frame);
+    RC_ASSERT(receiver.models == sender.models);
+    RC_ASSERT(receiver.positions == sender.positions);
+    RC_ASSERT(receiver.scans == sender.scans);
+    RC_ASSERT(receiver.findings == sender.findings);
+    return sent;
+  }
+
+  const Layout& layout;
+  DeltaWriter writer;
+  Replica sender, receiver;
+  std::vector<std::byte> packet;
+  std::uint32_t frame = 0;
+};
+
+void subscribe_all(world::World& world) {
+  for (std::uint32_t row = 0; row < world.models.size(); ++row) world::subscribe(world, {row});
+}
+
+Wish any_wish(int robots) {
+  Wish wish;
+  wish.sensors = *rc::gen::arbitrary<bool>();
+  if (*rc::gen::arbitrary<bool>()) wish.view = kEverywhere;
+  if (*rc::gen::arbitrary<bool>()) wish.selected = SmallWorld::robot(*rc::gen::inRange(0, robots));
+  return wish;
+}
+
+Interest interest_of(const Wish& wish) {
+  Interest interest;
+  if (wish.sensors) interest.view = wish.view;
+  if (wish.selected) interest.selected = {*wish.selected};
+  return interest;
+}
+
+/// The oracle: what a viewer with this wish must hold in the end.
+void expect_whole(const Snapshot& snapshot, const Wish& wish, const Layout& layout, const Replica& replica) {
+  const auto wanted = [&](std::uint32_t model) {
+    return (wish.sensors && !wish.view.empty()) || (wish.selected && layout.root[model] == *wish.selected);
+  };
+  RC_ASSERT(replica.models == snapshot.models);
+  std::map<std::uint32_t, std::vector<std::uint16_t>> scans;
+  for (const Scan& scan : snapshot.scans) {
+    if (!wanted(layout.sensors[scan.sensor].model)) continue;
+    const auto first = snapshot.beams.begin() + scan.first;
+    scans[scan.sensor].assign(first, first + layout.sensors[scan.sensor].beam_count);
+  }
+  RC_ASSERT(replica.scans == scans);
+  for (const Placed& placed : snapshot.positions)
+    RC_ASSERT(replica.positions[placed.position] == placed.state);
+  std::map<std::uint32_t, std::vector<HitState>> findings;
+  for (const Finding& finding : snapshot.findings) {
+    if (!wanted(layout.finder_model[finding.finder])) continue;
+    const auto first = snapshot.hits.begin() + finding.first;
+    findings[finding.finder].assign(first, first + finding.count);
+  }
+  RC_ASSERT(replica.findings == findings);
+}
+
+RC_GTEST_PROP(DeltaLaw,
+              packets_bring_a_viewer_to_the_snapshot_whatever_it_looks_at_and_however_small_they_are, ()) {
+  const int robots = *rc::gen::inRange(1, 12);
+  SmallWorld small(robots);
+  subscribe_all(small.world);
+  const Layout layout(small.world);
+  Pair pair(layout);
+  Snapshot snapshot;
+  for (int round = *rc::gen::inRange(1, 6); round > 0; --round) {
+    const Wish wish = any_wish(robots);
+    for (int ticks = *rc::gen::inRange(0, 3); ticks > 0; --ticks) small.tick();
+    capture(small.world, {}, layout, interest_of(wish), snapshot);
+    const auto budget = static_cast<std::size_t>(*rc::gen::inRange(40, 400));
+    int packets = 0;
+    while (pair.send(snapshot, wish, budget) == Sent::kPart) RC_ASSERT(++packets < 200);
+    expect_whole(snapshot, wish, layout, pair.receiver);
+    RC_ASSERT(pair.send(snapshot, wish, budget) == Sent::kNothing);
+  }
+}
+
+RC_GTEST_PROP(DeltaLaw, any_bytes_are_applied_or_refused, (const std::vector<std::uint8_t>& bytes)) {
+  SmallWorld small(2);
+  const Layout layout(small.world);
+  Replica replica(layout);
+  const Result<std::uint32_t> applied = apply_packet(std::as_bytes(std::span(bytes)), layout, replica);
+  RC_ASSERT(applied.ok() || !applied.error().text.empty());
+}
+
+TEST(Delta, a_packet_stays_near_its_budget_and_shows_the_selected_robot_first) {
+  SmallWorld small(300);
+  const Layout layout(small.world);
+  for (std::uint32_t k = 0; k < 300; ++k)
+    world::set_pose(small.world, {SmallWorld::robot(static_cast<int>(k))}, {50, 50, 0, 1});
+  Snapshot snapshot;
+  capture(small.world, {}, layout, {}, snapshot);
+  Pair pair(layout);
+  Wish wish;
+  wish.selected = SmallWorld::robot(299);
+  EXPECT_EQ(pair.send(snapshot, wish, 400), Sent::kPart);
+  EXPECT_LT(pair.packet.size(), 450u);
+  EXPECT_EQ(pair.receiver.models[SmallWorld::robot(299)].x, 50000);
+  EXPECT_NE(pair.receiver.models[SmallWorld::robot(298)].x, 50000);
+}
+
+TEST(Delta, what_is_in_view_goes_before_the_rest) {
+  SmallWorld small(100);
+  const Layout layout(small.world);
+  for (int k = 0; k < 100; ++k)
+    world::set_pose(small.world, {SmallWorld::robot(k)}, {k < 90 ? 500.0 : 2.0, 0, 0, 1});
+  Snapshot snapshot;
+  capture(small.world, {}, layout, {}, snapshot);
+  Pair pair(layout);
+  Wish wish;
+  wish.view = {0, -5, 5, 5};
+  pair.send(snapshot, wish, 250);
+  for (int k = 90; k < 100; ++k) EXPECT_EQ(pair.receiver.models[SmallWorld::robot(k)].x, 2000) << k;
+}
+
+TEST(Delta, an_unchanged_world_costs_a_head_and_four_ends) {
+  SmallWorld small(50);
+  const Layout layout(small.world);
+  Snapshot snapshot;
+  capture(small.world, {}, layout, {}, snapshot);
+  Pair pair(layout);
+  EXPECT_EQ(pair.send(snapshot, {}, 1000), Sent::kNothing);
+  EXPECT_EQ(pair.packet.size(), 1u + 1 + 1 + 1 + 4 + 4 + 4);
+}
+
+TEST(Delta, a_sensor_that_stops_measuring_is_taken_back) {
+  SmallWorld small(1);
+  const Layout layout(small.world);
+  subscribe_all(small.world);
+  small.tick();
+  Wish wish;
+  wish.selected = SmallWorld::robot(0);
+  Snapshot snapshot;
+  capture(small.world, {}, layout, interest_of(wish), snapshot);
+  Pair pair(layout);
+  pair.send(snapshot, wish, 1000);
+  EXPECT_EQ(pair.receiver.scans.size(), 3u);
+  for (std::uint32_t row = 0; row < small.world.models.size(); ++row) world::unsubscribe(small.world, {row});
+  capture(small.world, {}, layout, interest_of(wish), snapshot);
+  pair.send(snapshot, wish, 1000);
+  EXPECT_TRUE(pair.receiver.scans.empty());
+  EXPECT_TRUE(pair.receiver.findings.empty());
+}
+
+TEST(Snapshot, captures_sensors_only_of_robots_in_view_or_selected) {
+  SmallWorld small(3);
+  const Layout layout(small.world);
+  subscribe_all(small.world);
+  small.tick();
+  for (int k = 0; k < 3; ++k) world::set_pose(small.world, {SmallWorld::robot(k)}, {100.0 * k, 0, 0, 0});
+  Snapshot snapshot;
+  capture(small.world, {}, layout, {}, snapshot);
+  EXPECT_TRUE(snapshot.scans.empty());
+  Interest interest;
+  interest.view = {-1, -1, 1, 1};
+  interest.selected = {SmallWorld::robot(2)};
+  capture(small.world, {}, layout, interest, snapshot);
+  ASSERT_EQ(snapshot.scans.size(), 6u);
+  EXPECT_EQ(snapshot.scans[0].sensor, 0u);
+  EXPECT_EQ(snapshot.scans[3].sensor, 6u);
+}
+
+TEST(Quantization, keeps_millimetres_and_turns_and_survives_what_is_no_number) {
+  EXPECT_EQ(quantize(1.2344, 1000), 1234);
+  EXPECT_EQ(quantize(-1.2346, 1000), -1235);
+  EXPECT_EQ(quantize(1e300, 1000), 2147483647);
+  EXPECT_EQ(quantize(std::nan(""), 1000), 0);
+  EXPECT_EQ(quantize_angle(geom::kPi / 2), 16384);
+  EXPECT_EQ(quantize_angle(-geom::kPi / 2), 49152);
+  EXPECT_EQ(quantize_angle(-1e-9), 0);
+  EXPECT_EQ(quantize_range(4, 8), 32768);
+  EXPECT_EQ(quantize_range(9, 8), 65535);
+  EXPECT_EQ(quantize_range(std::nan(""), 8), 65535);
+}
+
+TEST(Viewer, gets_no_more_frames_than_it_acknowledges) {
+  SmallWorld small(3);
+  const Layout layout(small.world);
+  Viewer viewer(layout);
+  Snapshot snapshot;
+  std::vector<std::byte> packet;
+  std::uint32_t frames = 0;
+  for (int k = 0; k < 20; ++k) {
+    small.tick();
+    capture(small.world, {}, layout, {}, snapshot);
+    frames += viewer.next_frame(snapshot, Emit::kIfChanged, packet);
+  }
+  EXPECT_EQ(frames, limits::kViewerFramesInFlight);
+  EXPECT_FALSE(viewer.acknowledge(frames + 1).ok());
+  EXPECT_TRUE(viewer.acknowledge(1).ok());
+  EXPECT_TRUE(viewer.next_frame(snapshot, Emit::kIfChanged, packet));
+  EXPECT_FALSE(viewer.next_frame(snapshot, Emit::kAlways, packet));
+}
+
+TEST(Viewer, a_still_world_sends_nothing_unless_asked_to) {
+  SmallWorld small(3);
+  const Layout layout(small.world);
+  Viewer viewer(layout);
+  Snapshot snapshot;
+  std::vector<std::byte> packet;
+  capture(small.world, {}, layout, {}, snapshot);
+  EXPECT_FALSE(viewer.next_frame(snapshot, Emit::kIfChanged, packet));
+  EXPECT_TRUE(viewer.next_frame(snapshot, Emit::kAlways, packet));
+}
+
+TEST(Viewer, selects_the_robot_of_a_part_and_refuses_a_row_that_is_not_there) {
+  SmallWorld small(3);
+  const Layout layout(small.world);
+  Viewer viewer(layout);
+  EXPECT_TRUE(viewer.select({SmallWorld::robot(1) + 2}).ok());
+  EXPECT_EQ(viewer.wish().selected, SmallWorld::robot(1));
+  EXPECT_FALSE(viewer.select({1000}).ok());
+  EXPECT_TRUE(viewer.select({std::nullopt}).ok());
+  EXPECT_EQ(viewer.wish().selected, std::nullopt);
+}
+
+}  // namespace
+}  // namespace playhouse::replicate
