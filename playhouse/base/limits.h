@@ -37,6 +37,9 @@ inline constexpr std::size_t kViewerFrameBytes = 65536;           // the rest of
 inline constexpr std::uint32_t kViewerFramesInFlight = 4;         // sent and not acknowledged
 inline constexpr std::size_t kSnapshotBeams = 1u << 18;           // of all sensors shown to all viewers
 
+// Stage engine.
+inline constexpr unsigned kMotionSteps = 1024;                    // collision tests along one robot's way in one tick
+
 // Files.
 inline constexpr std::size_t kFileBytes = 16u << 20;
 inline constexpr int kIncludeDepth = 32;

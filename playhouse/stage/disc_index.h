@@ -1,0 +1,56 @@
+#pragma once
+
+/// DiscIndex: where things with a centre and a radius are, to find those near a place. Rebuilt by counting,
+/// at a cost linear in the number of things; things of a cell keep their order of rows.
+
+#include <cstdint>
+#include <vector>
+
+#include "playhouse/stage/torus.h"
+
+namespace playhouse::stage {
+
+class DiscIndex {
+ public:
+  struct Disc {
+    geom::Vec2 center;  // m, in W
+    double radius;      // m
+    double z_min, z_max;
+    std::uint32_t row;   // of whatever was indexed
+    std::uint32_t root;  // model row of the top of its tree
+  };
+
+  /// Sizes the cells for things of this mean radius.
+  DiscIndex(std::size_t count, double mean_radius);
+  DiscIndex() : DiscIndex(0, 0.25) {}
+
+  /// Replaces the contents. `disc(i)` gives thing i < count.
+  template <typename MakeDisc>
+  void rebuild(std::size_t count, const MakeDisc& disc) {
+    unsorted_.resize(count);
+    for (std::size_t i = 0; i < count; ++i) unsorted_[i] = disc(i);
+    sort();
+  }
+
+  double radius_max() const { return radius_max_; }
+
+  /// Calls visit(disc) for everything in cells that meet the box about p, widened by the largest radius. The
+  /// caller tests what it needs: there may be far things among them.
+  template <typename Visit>
+  void near(geom::Vec2 p, double reach, const Visit& visit) const {
+    torus_.runs(box_about(p, reach + radius_max_), [&](std::size_t first, std::size_t last) {
+      for (std::uint32_t i = first_[first]; i < first_[last + 1]; ++i) visit(discs_[i]);
+    });
+  }
+
+ private:
+  void sort();
+
+  Torus torus_;
+  double radius_max_ = 0;
+  std::vector<Disc> unsorted_, discs_;  // discs_ by cell
+  std::vector<std::uint32_t> cell_;     // of unsorted_
+  std::vector<std::uint32_t> first_;    // first disc of a cell (cells + 1)
+};
+
+}  // namespace playhouse::stage

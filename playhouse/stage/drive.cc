@@ -1,0 +1,120 @@
+#include "playhouse/stage/drive.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace playhouse::stage {
+namespace {
+
+using geom::Pose;
+using geom::Twist;
+using geom::Vec2;
+using scene::Drive;
+
+// Gains of Stage's position control. A robot asks for its remaining error per second, up to these speeds.
+constexpr double kSpeed = 0.4;               // m/s
+constexpr double kTurn = 1.0;                // rad/s
+constexpr double kArrived = 0.02;            // m, per axis
+constexpr double kFacing = geom::kPi / 16;   // rad; a diff robot drives once it faces its goal this well
+constexpr double kCarArrived = 0.05;         // m
+constexpr double kSteering = geom::kPi / 4;  // rad; a car on its way to a goal steers no harder
+
+/// The speed that removes `error` without overshooting within one tick.
+double approach(double error, double limit, double dt) {
+  return std::clamp(error * std::min(1.0, 1.0 / dt), -limit, limit);
+}
+
+Twist car(double speed, double steering, double wheelbase) {
+  const geom::SinCos sc = geom::sincos(steering);
+  return {speed * sc.cos, 0, 0, wheelbase > 0 ? speed * sc.sin / wheelbase : 0};
+}
+
+Twist follow_velocity(const scene::PositionDesc& desc, const Twist& command) {
+  switch (desc.drive) {
+    case Drive::kDiff:
+      return {command.x, 0, 0, command.a};
+    case Drive::kOmni:
+      return {command.x, command.y, 0, command.a};
+    case Drive::kCar:
+      return car(command.x, command.a, desc.wheelbase);
+  }
+  return {};
+}
+
+Twist diff_to_goal(Vec2 error_O, double distance, const Pose& X_OM, const Pose& goal, double dt) {
+  if (std::fabs(error_O.x) < kArrived && std::fabs(error_O.y) < kArrived)
+    return {0, 0, 0, approach(geom::normalize(goal.a - X_OM.a), kTurn, dt)};
+  const double angle = geom::normalize(geom::atan2(error_O.y, error_O.x) - X_OM.a);
+  const double ahead = std::fabs(angle) < kFacing ? approach(distance, kSpeed, dt) : 0;
+  return {ahead, 0, 0, approach(angle, kTurn, dt)};
+}
+
+Twist omni_to_goal(Vec2 error_M, const Pose& X_OM, const Pose& goal, double dt) {
+  return {approach(error_M.x, kSpeed, dt), approach(error_M.y, kSpeed, dt), 0,
+          approach(geom::normalize(goal.a - X_OM.a), kTurn, dt)};
+}
+
+/// Pure pursuit: the circle through the car, tangent to its heading, that meets the goal; backwards if that
+/// is behind.
+Twist car_to_goal(Vec2 error_M, double distance, double wheelbase, double dt) {
+  if (distance < kCarArrived) return {};
+  const double curvature = 2 * error_M.y / (distance * distance);
+  const double steering = std::clamp(geom::atan2(curvature * wheelbase, 1.0), -kSteering, kSteering);
+  const double speed = approach(distance, kSpeed, dt);
+  return car(error_M.x < 0 ? -speed : speed, steering, wheelbase);
+}
+
+Twist follow_goal(const scene::PositionDesc& desc, const Pose& X_OM, const Pose& goal, double dt) {
+  const Vec2 error_O = goal.xy() - X_OM.xy();
+  const double distance = std::sqrt(geom::dot(error_O, error_O));
+  if (desc.drive == Drive::kDiff) return diff_to_goal(error_O, distance, X_OM, goal, dt);
+  const Vec2 error_M = geom::Rotation::of(X_OM.a).inverse(error_O);
+  if (desc.drive == Drive::kOmni) return omni_to_goal(error_M, X_OM, goal, dt);
+  return car_to_goal(error_M, distance, desc.wheelbase, dt);
+}
+
+Twist accelerate(const scene::PositionDesc& desc, const Twist& velocity, const Twist& command, double dt) {
+  const scene::Bounds* bounds = desc.acceleration_bounds;
+  const bool omni = desc.drive == Drive::kOmni;
+  return {velocity.x + dt * std::clamp(command.x, bounds[0].min, bounds[0].max),
+          omni ? velocity.y + dt * std::clamp(command.y, bounds[1].min, bounds[1].max) : 0, 0,
+          velocity.a + dt * std::clamp(command.a, bounds[3].min, bounds[3].max)};
+}
+
+Twist within(const scene::Bounds* bounds, const Twist& velocity) {
+  return {std::clamp(velocity.x, bounds[0].min, bounds[0].max),
+          std::clamp(velocity.y, bounds[1].min, bounds[1].max), 0,
+          std::clamp(velocity.a, bounds[3].min, bounds[3].max)};
+}
+
+Twist velocity_of(const world::World& world, std::size_t robot) {
+  const world::Positions& positions = world.positions;
+  const std::uint32_t model = positions.model[robot].index;
+  if (world.models.subscribers[model] == 0 || !positions.motor_on[robot]) return {};
+  const scene::PositionDesc& desc = *world.desc({model}).position;
+  const double dt = world.scene().interval;
+  Twist wanted;
+  switch (positions.mode[robot]) {
+    case world::ControlMode::kVelocity:
+      wanted = follow_velocity(desc, positions.command[robot]);
+      break;
+    case world::ControlMode::kPosition:
+      wanted = follow_goal(desc, positions.X_OM[robot], positions.goal[robot], dt);
+      break;
+    case world::ControlMode::kAcceleration:
+      wanted = accelerate(desc, positions.velocity[robot], positions.command[robot], dt);
+      break;
+  }
+  return within(desc.velocity_bounds, wanted);
+}
+
+}  // namespace
+
+void act(world::World& world, world::Workers& workers) {
+  workers.run(world.positions.size(), 256, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t robot = begin; robot < end; ++robot)
+      world.positions.velocity[robot] = velocity_of(world, robot);
+  });
+}
+
+}  // namespace playhouse::stage

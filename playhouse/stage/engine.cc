@@ -1,0 +1,91 @@
+#include "playhouse/stage/engine.h"
+
+#include <cmath>
+
+#include "playhouse/base/log.h"
+#include "playhouse/stage/stage_engine.h"
+
+namespace playhouse::stage {
+namespace {
+
+bool finite(const Pose& pose) {
+  return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.z) && std::isfinite(pose.a);
+}
+
+bool finite(std::span<const Vec2> points) {
+  for (const Vec2 p : points)
+    if (!std::isfinite(p.x) || !std::isfinite(p.y)) return false;
+  return true;
+}
+
+bool finite(const scene::ModelDesc& model) {
+  if (!finite(model.X_PM) || !finite(model.X_MB)) return false;
+  for (const scene::Block& block : model.blocks)
+    if (!finite(block.points)) return false;
+  for (const scene::Contours& bitmap : model.bitmaps)
+    for (const std::vector<Vec2>& loop : bitmap.loops)
+      if (!finite(loop)) return false;
+  return true;
+}
+
+Result<void> check_model(const scene::SceneDesc& scene, const scene::ModelDesc& model) {
+  const auto fault = [&](const std::string& text) {
+    return Error{scene.at(model.where), "model " + model.name + text};
+  };
+  if (!finite(model)) return fault(" has a pose or a point that is not a finite number");
+  if (model.kind == scene::ModelKind::kPosition && !model.position) return fault(" lacks its drive");
+  if (model.kind == scene::ModelKind::kFiducial && !model.fiducial) return fault(" lacks its finder");
+  for (const scene::RangerSensorDesc& sensor : model.sensors) {
+    if (sensor.samples == 0) return fault(" has a sensor without samples");
+    if (!finite(sensor.X_BS) || !std::isfinite(sensor.range_max) || sensor.range_max < 0 ||
+        !(sensor.fov >= 0) || sensor.fov > 1e3)
+      return fault(" has a sensor whose pose, range or fov makes no sense");
+  }
+  if (!model.position) return {};
+  for (int axis = 0; axis < 4; ++axis)
+    if (!(model.position->velocity_bounds[axis].min <= model.position->velocity_bounds[axis].max) ||
+        !(model.position->acceleration_bounds[axis].min <= model.position->acceleration_bounds[axis].max))
+      return fault(" has bounds whose lower end is above the upper one");
+  return {};
+}
+
+/// Robots drive through floorplans that say obstacle_return 0, as the map.inc that comes with Stage does.
+void warn_of_ghost_walls(const scene::SceneDesc& scene) {
+  bool robots = false;
+  for (const scene::ModelDesc& model : scene.models) robots |= model.kind == scene::ModelKind::kPosition;
+  for (const scene::ModelDesc& model : scene.models) {
+    if (!robots || model.obstacle_return || model.bitmaps.empty()) continue;
+    log::warn("{}: model {} has obstacle_return 0: robots drive through it", scene.at(model.where),
+              model.name);
+    return;
+  }
+}
+
+}  // namespace
+
+StageEngine::StageEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers)
+    : world_(scene, seed),
+      workers_(workers),
+      trees_(make_trees(world_)),
+      solids_(make_solids(world_, trees_)),
+      walls_(solids_),
+      motion_(trees_, solids_, world_.models, workers_.count()),
+      rangers_(world_, solids_, workers_.count()),
+      fiducials_(world_, solids_) {
+  double radii = 0;
+  for (std::size_t row = 0; row < solids_.moving; ++row) radii += solids_.radius[row];
+  if (solids_.moving > 0) index_ = DiscIndex(solids_.moving, radii / static_cast<double>(solids_.moving));
+  index();
+}
+
+Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene,
+                                                   const EngineOptions& options) {
+  if (!(scene.interval > 0) || !std::isfinite(scene.interval))
+    return Error{scene.path, "the interval of a tick must be above 0"};
+  for (const scene::ModelDesc& model : scene.models)
+    if (const Result<void> checked = check_model(scene, model); !checked) return checked.error();
+  warn_of_ghost_walls(scene);
+  return std::unique_ptr<world::Engine>(std::make_unique<StageEngine>(scene, options.seed, options.workers));
+}
+
+}  // namespace playhouse::stage

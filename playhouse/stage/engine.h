@@ -1,0 +1,25 @@
+#pragma once
+
+/// The 2D engine: robots that drive, collide and measure in a plane of extruded polygons. Geometry is exact:
+/// bodies are polygons and bitmap contours, never a raster. The tick is in step.cc. Where it differs from
+/// Stage 4.3 is in docs/stage-compatibility.md.
+
+#include <memory>
+
+#include "playhouse/base/result.h"
+#include "playhouse/scene/scene_desc.h"
+#include "playhouse/world/engine.h"
+
+namespace playhouse::stage {
+
+struct EngineOptions {
+  std::uint64_t seed = 1;
+  unsigned workers = 1;  // threads; the result does not depend on it
+};
+
+/// An engine at tick 0. The scene must outlive it. Fails on a scene that no engine can run (an interval that
+/// is not positive, a kind without its description, numbers that are not finite).
+Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene,
+                                                   const EngineOptions& options);
+
+}  // namespace playhouse::stage

@@ -1,0 +1,267 @@
+#include "playhouse/stage/motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "playhouse/base/limits.h"
+
+namespace playhouse::stage {
+namespace {
+
+constexpr double kRounding = 1e-9;  // m; deeper by less than this is not deeper
+
+bool moves(const geom::Twist& velocity) {
+  return velocity.x != 0 || velocity.y != 0 || velocity.a != 0;
+}
+
+double distance(Vec2 a, Vec2 b) {
+  return std::sqrt(geom::dot(b - a, b - a));
+}
+
+bool z_overlaps(const Solids& solids, std::size_t a, std::size_t b) {
+  return solids.z_min[a] < solids.z_max[b] - kTouch && solids.z_min[b] < solids.z_max[a] - kTouch;
+}
+
+/// Where a body driving at `velocity` is after `dt`: straight along its first heading, turned at the end.
+Pose driven(const Pose& X_PM, const geom::Twist& velocity, double dt) {
+  const Vec2 p = Rotation::of(X_PM.a) * Vec2{velocity.x * dt, velocity.y * dt};
+  return {X_PM.x + p.x, X_PM.y + p.y, X_PM.z, geom::normalize(X_PM.a + velocity.a * dt)};
+}
+
+Outline outline_at(const Solids& solids, std::size_t row, Vec2 center, const Vec2* p) {
+  const std::size_t vertices = solids.first_vertex[row + 1] - solids.first_vertex[row];
+  return {{p, vertices}, center, solids.convex[row] != 0};
+}
+
+Outline outline_now(const Solids& solids, std::size_t row) {
+  return outline_at(solids, row, solids.center[row], solids.p.data() + solids.first_vertex[row]);
+}
+
+}  // namespace
+
+Motion::Motion(const Trees& trees, const Solids& solids, const world::Models& models, unsigned workers)
+    : trees_(&trees), proposes_(trees.size()), stalls_(trees.size()), reach_(trees.size()) {
+  Sweep sweep;
+  for (std::size_t tree = 0; tree < trees.size(); ++tree) {
+    const std::uint32_t begin = trees.first_model[tree], end = trees.first_model[tree + 1];
+    for (std::uint32_t i = begin; i < end; ++i) {
+      std::uint32_t parent = begin;
+      while (i > begin && trees.models[parent] != models.parent[trees.models[i]]) ++parent;
+      parent_.push_back(parent - begin);
+    }
+    const std::uint32_t first = trees.first_solid[tree], last = trees.first_solid[tree + 1];
+    sweep.X_PM.resize(std::max<std::size_t>(sweep.X_PM.size(), end - begin));
+    sweep.center.resize(std::max<std::size_t>(sweep.center.size(), last - first));
+    sweep.p.resize(
+        std::max<std::size_t>(sweep.p.size(), solids.first_vertex[last] - solids.first_vertex[first]));
+  }
+  sweep.X_WM.resize(sweep.X_PM.size());
+  sweep.rotation.resize(sweep.X_PM.size());
+  sweeps_.assign(workers, sweep);
+  X_PM_.resize(trees.models.size());
+  X_WM_.resize(trees.models.size());
+  rotation_.resize(trees.models.size());
+  center_.resize(solids.moving);
+  p_.resize(solids.first_vertex[solids.moving]);
+}
+
+TreeShape Motion::proposal(const Solids& solids, std::uint32_t tree) {
+  const std::uint32_t model = trees_->first_model[tree], models = trees_->first_model[tree + 1] - model;
+  const std::uint32_t solid = trees_->first_solid[tree], last = trees_->first_solid[tree + 1];
+  const std::uint32_t vertex = solids.first_vertex[solid];
+  return {{X_PM_.data() + model, models},
+          {X_WM_.data() + model, models},
+          {rotation_.data() + model, models},
+          {center_.data() + solid, last - solid},
+          {p_.data() + vertex, solids.first_vertex[last] - vertex}};
+}
+
+/// The tree after `fraction` of this tick's motion.
+void Motion::shape_at(const Surroundings& in, std::uint32_t tree, double fraction,
+                      const TreeShape& out) const {
+  const world::Models& models = in.world.models;
+  const double dt = in.world.scene().interval * fraction;
+  const std::uint32_t first = trees_->first_model[tree];
+  for (std::size_t i = 0; i < out.X_PM.size(); ++i) {
+    const std::uint32_t model = trees_->models[first + i];
+    out.X_PM[i] = models.kind[model] == scene::ModelKind::kPosition
+                      ? driven(models.X_PM[model], in.world.positions.velocity[models.part[model]], dt)
+                      : models.X_PM[model];
+    if (i == 0) {
+      out.X_WM[0] = out.X_PM[0];
+      out.rotation[0] = Rotation::of(out.X_WM[0].a);
+      continue;
+    }
+    const std::uint32_t parent = parent_[first + i];
+    const Pose &X_WP = out.X_WM[parent], &X_PM = out.X_PM[i];
+    const Vec2 p = X_WP.xy() + out.rotation[parent] * X_PM.xy();
+    out.X_WM[i] = {p.x, p.y, X_WP.z + X_PM.z, geom::normalize(X_WP.a + X_PM.a)};
+    out.rotation[i] = X_PM.a == 0 ? out.rotation[parent] : Rotation::of(out.X_WM[i].a);
+  }
+
+  const Solids& solids = in.solids;
+  const std::uint32_t first_solid = trees_->first_solid[tree], end = trees_->first_solid[tree + 1];
+  std::size_t local = 0, vertex = 0;
+  for (std::uint32_t row = first_solid; row < end; ++row) {
+    while (trees_->models[first + local] != solids.model[row]) ++local;
+    const Vec2 p = out.X_WM[local].xy();
+    const Rotation rotation = out.rotation[local];
+    out.center[row - first_solid] = p + rotation * solids.center_M[row];
+    for (std::uint32_t v = solids.first_vertex[row]; v < solids.first_vertex[row + 1]; ++v)
+      out.p[vertex++] = p + rotation * solids.p_M[v];
+  }
+}
+
+void Motion::propose(const Surroundings& in, std::uint32_t tree) {
+  proposes_[tree] = stalls_[tree] = 0;
+  reach_[tree] = 0;
+  for (std::uint32_t i = trees_->first_position[tree]; i < trees_->first_position[tree + 1]; ++i)
+    if (moves(in.world.positions.velocity[trees_->positions[i]])) proposes_[tree] = 1;
+  if (!proposes_[tree]) return;
+  const TreeShape shape = proposal(in.solids, tree);
+  shape_at(in, tree, 1.0, shape);
+  for (std::size_t i = 0; i < shape.center.size(); ++i)
+    reach_[tree] =
+        std::max(reach_[tree], distance(shape.center[i], in.solids.center[trees_->first_solid[tree] + i]));
+}
+
+/// Steps so short that nothing is jumped: each moves no solid by more than half its width.
+unsigned Motion::steps_of(const Surroundings& in, std::uint32_t tree) const {
+  double turn = 0;
+  for (std::uint32_t i = trees_->first_position[tree]; i < trees_->first_position[tree + 1]; ++i)
+    turn += std::fabs(in.world.positions.velocity[trees_->positions[i]].a) * in.world.scene().interval;
+  double steps = 1;
+  for (std::uint32_t row = trees_->first_solid[tree]; row < trees_->first_solid[tree + 1]; ++row) {
+    if (!in.solids.obstacle[row]) continue;
+    const double way = distance(center_[row], in.solids.center[row]) + turn * in.solids.radius[row];
+    steps = std::max(steps, way / std::max(0.5 * in.solids.width[row], kTouch));
+  }
+  return static_cast<unsigned>(std::ceil(std::min(steps, static_cast<double>(limits::kMotionSteps))));
+}
+
+/// True if the outline reaches deeper into a wall than it did.
+bool Motion::meets_wall(const Surroundings& in, std::size_t solid, const Outline& now,
+                        const Outline& then) const {
+  const double radius = in.solids.radius[solid];
+  const geom::Box box = box_about(then.center, radius);
+  bool met = false;
+  in.walls.near(box, [&](const Walls::Edge& edge) {
+    if (met || !in.solids.obstacle[edge.solid] || !z_overlaps(in.solids, solid, edge.solid)) return;
+    if (std::max(edge.a.x, edge.b.x) < box.x_min || std::min(edge.a.x, edge.b.x) > box.x_max) return;
+    if (std::max(edge.a.y, edge.b.y) < box.y_min || std::min(edge.a.y, edge.b.y) > box.y_max) return;
+    const double inside = length_inside(then, edge.a, edge.b);
+    met = inside > kRounding && inside > length_inside(now, edge.a, edge.b) + kRounding;
+  });
+  return met;
+}
+
+/// True if the outline overlaps another tree's solid where that is, or where a tree before this one proposes
+/// to be. Two that overlap already may part.
+bool Motion::meets_other(const Surroundings& in, std::size_t solid, const Outline& now, const Outline& then,
+                         std::size_t other) const {
+  const Outline other_now = outline_now(in.solids, other);
+  const double reach = in.solids.radius[solid] + in.solids.radius[other];
+  const auto meets_at = [&](const Outline& place) {
+    if (distance(then.center, place.center) >= reach || !overlap(then, place)) return false;
+    const bool parting =
+        distance(then.center, place.center) >= distance(now.center, other_now.center) - kRounding;
+    return !(parting && overlap(now, other_now));
+  };
+  if (meets_at(other_now)) return true;
+  const std::uint32_t tree = in.solids.tree[other];
+  return tree < in.solids.tree[solid] && proposes_[tree] &&
+         meets_at(outline_at(in.solids, other, center_[other], p_.data() + in.solids.first_vertex[other]));
+}
+
+bool Motion::meets(const Surroundings& in, std::uint32_t tree, const TreeShape& shape) const {
+  const Solids& solids = in.solids;
+  const std::uint32_t first = trees_->first_solid[tree], end = trees_->first_solid[tree + 1];
+  for (std::uint32_t row = first; row < end; ++row) {
+    if (!solids.obstacle[row]) continue;
+    const Vec2* p = shape.p.data() + (solids.first_vertex[row] - solids.first_vertex[first]);
+    const Outline now = outline_now(solids, row),
+                  then = outline_at(solids, row, shape.center[row - first], p);
+    if (meets_wall(in, row, now, then)) return true;
+    bool met = false;
+    const double reach = solids.radius[row] + reach_max_;
+    in.index.near(then.center, reach, [&](const DiscIndex::Disc& disc) {
+      if (met || disc.root == solids.root[row] || !solids.obstacle[disc.row]) return;
+      if (distance(disc.center, then.center) >= disc.radius + reach || !z_overlaps(solids, row, disc.row))
+        return;
+      met = meets_other(in, row, now, then, disc.row);
+    });
+    if (met) return true;
+  }
+  return false;
+}
+
+bool Motion::is_blocked(const Surroundings& in, std::uint32_t tree, Sweep& sweep) {
+  const unsigned steps = steps_of(in, tree);
+  const TreeShape last = proposal(in.solids, tree);
+  const TreeShape between{{sweep.X_PM.data(), last.X_PM.size()},
+                          {sweep.X_WM.data(), last.X_WM.size()},
+                          {sweep.rotation.data(), last.rotation.size()},
+                          {sweep.center.data(), last.center.size()},
+                          {sweep.p.data(), last.p.size()}};
+  for (unsigned step = 1; step < steps; ++step) {
+    shape_at(in, tree, static_cast<double>(step) / steps, between);
+    if (meets(in, tree, between)) return true;
+  }
+  return meets(in, tree, last);
+}
+
+/// What the robot believes after it has moved. Wheels of a stalled robot do not turn.
+void Motion::believe(world::World& world, std::uint32_t robot) const {
+  world::Positions& positions = world.positions;
+  const world::ModelRow model = positions.model[robot];
+  if (world.desc(model).position->localization == scene::Localization::kGps) {
+    const Pose &X_WO = positions.X_WO[robot], &X_WM = world.models.X_WM[model.index];
+    positions.X_OM[robot] = X_WO == Pose{} ? X_WM : geom::compose(geom::inverse(X_WO), X_WM);
+    return;
+  }
+  const geom::Twist &velocity = positions.velocity[robot], &error = positions.odom_error[robot];
+  const geom::Twist believed{velocity.x * (1 + error.x), velocity.y * (1 + error.y), 0,
+                             velocity.a * (1 + error.a)};
+  positions.X_OM[robot] = driven(positions.X_OM[robot], believed, world.scene().interval);
+}
+
+void Motion::commit(world::World& world, Solids& solids, std::uint32_t tree) const {
+  for (std::uint32_t i = trees_->first_position[tree]; i < trees_->first_position[tree + 1]; ++i) {
+    const std::uint32_t robot = trees_->positions[i];
+    world.positions.stall[robot] = stalls_[tree] && moves(world.positions.velocity[robot]);
+  }
+  if (!proposes_[tree] || stalls_[tree]) return;
+  for (std::uint32_t i = trees_->first_model[tree]; i < trees_->first_model[tree + 1]; ++i) {
+    world.models.X_PM[trees_->models[i]] = X_PM_[i];
+    world.models.X_WM[trees_->models[i]] = X_WM_[i];
+  }
+  const std::uint32_t first = trees_->first_solid[tree], end = trees_->first_solid[tree + 1];
+  std::copy(center_.begin() + first, center_.begin() + end, solids.center.begin() + first);
+  const std::uint32_t vertex = solids.first_vertex[first], last_vertex = solids.first_vertex[end];
+  std::copy(p_.begin() + vertex, p_.begin() + last_vertex, solids.p.begin() + vertex);
+  for (std::uint32_t i = trees_->first_position[tree]; i < trees_->first_position[tree + 1]; ++i)
+    believe(world, trees_->positions[i]);
+}
+
+bool Motion::move(world::World& world, Solids& solids, const DiscIndex& index, const Walls& walls,
+                  world::Workers& workers) {
+  constexpr std::size_t kGrain = 64;
+  const Surroundings in{world, solids, index, walls};
+  const auto each_tree = [&](const auto& body) {
+    workers.run(trees_->size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t tree = begin; tree < end; ++tree) body(static_cast<std::uint32_t>(tree));
+    });
+  };
+  each_tree([&](std::uint32_t tree) { propose(in, tree); });
+  reach_max_ = 0;
+  for (const double reach : reach_) reach_max_ = std::max(reach_max_, reach);
+  each_tree([&](std::uint32_t tree) {
+    if (proposes_[tree]) stalls_[tree] = is_blocked(in, tree, sweeps_[workers.current()]);
+  });
+  each_tree([&](std::uint32_t tree) { commit(world, solids, tree); });
+  for (std::size_t tree = 0; tree < trees_->size(); ++tree)
+    if (proposes_[tree] && !stalls_[tree]) return true;
+  return false;
+}
+
+}  // namespace playhouse::stage

@@ -1,0 +1,320 @@
+#include "playhouse/stage/motion.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+
+#include "playhouse/stage/engine.h"
+#include "playhouse/stage/testing_scenes.h"
+
+namespace playhouse::stage {
+namespace {
+
+using testing::box;
+using testing::robot;
+
+std::unique_ptr<world::Engine> engine_of(const scene::SceneDesc& scene, unsigned workers = 1) {
+  auto made = make_engine(scene, {.seed = 7, .workers = workers});
+  PLAYHOUSE_ASSERT(made.ok());
+  return std::move(*made);
+}
+
+std::vector<Vec2> corners(const world::World& world, std::uint32_t row) {
+  const scene::ModelDesc& desc = world.desc({row});
+  const Pose X_WB = geom::compose(world.models.X_WM[row], desc.X_MB);
+  std::vector<Vec2> points;
+  for (const Vec2 p : desc.blocks[0].points) points.push_back(geom::transform(X_WB, p));
+  return points;
+}
+
+/// The oracle: how deep two convex polygons overlap, by their best separating axis. Negative: apart.
+double depth(const std::vector<Vec2>& first, const std::vector<Vec2>& second) {
+  double best = 1e300;
+  for (const auto* polygon : {&first, &second}) {
+    for (std::size_t i = 0; i < polygon->size(); ++i) {
+      const Vec2 e = (*polygon)[(i + 1) % polygon->size()] - (*polygon)[i];
+      const double length = std::sqrt(geom::dot(e, e));
+      double a_min = 1e300, a_max = -1e300, b_min = 1e300, b_max = -1e300;
+      for (const Vec2 p : first) {
+        a_min = std::min(a_min, geom::cross(e, p) / length);
+        a_max = std::max(a_max, geom::cross(e, p) / length);
+      }
+      for (const Vec2 p : second) {
+        b_min = std::min(b_min, geom::cross(e, p) / length);
+        b_max = std::max(b_max, geom::cross(e, p) / length);
+      }
+      best = std::min(best, std::min(a_max - b_min, b_max - a_min));
+    }
+  }
+  return best;
+}
+
+double in(double low, double high) {
+  return low + (high - low) * *rc::gen::inRange(0, 1 << 20) / (1 << 20);
+}
+
+scene::SceneDesc any_crowd(double speed) {
+  scene::SceneDesc scene =
+      testing::crowd(static_cast<std::size_t>(*rc::gen::inRange(2, 40)), testing::Sensing::kNone);
+  for (scene::ModelDesc& model : scene.models) {
+    if (!model.position) continue;
+    model.position->velocity = {in(-speed, speed), 0, 0, in(-1.5, 1.5)};
+    model.position->velocity_bounds[0] = {-speed, speed};
+  }
+  return scene;
+}
+
+double deepest(const world::World& world) {
+  double deepest = -1;
+  for (std::uint32_t a = 0; a < world.models.size(); ++a)
+    for (std::uint32_t b = 0; b < a; ++b)
+      if (world.desc({a}).position || world.desc({b}).position)
+        deepest = std::max(deepest, depth(corners(world, a), corners(world, b)));
+  return deepest;
+}
+
+RC_GTEST_PROP(Motion, bodies_that_start_apart_never_come_to_overlap, ()) {
+  const scene::SceneDesc scene = any_crowd(*rc::gen::element(0.5, 3.0, 12.0));
+  const auto engine = engine_of(scene);
+  RC_PRE(deepest(engine->world()) <= 0);
+  for (int tick = 0; tick < 30; ++tick) {
+    engine->step();
+    RC_ASSERT(deepest(engine->world()) < 2 * kTouch);
+  }
+}
+
+RC_GTEST_PROP(Motion, a_robot_stalls_only_if_its_way_meets_a_body_that_is_or_proposes_to_be_there, ()) {
+  const scene::SceneDesc scene = any_crowd(0.5);
+  const auto engine = engine_of(scene);
+  RC_PRE(deepest(engine->world()) <= 0);
+  for (int tick = 0; tick < 10; ++tick) {
+    const world::World& world = engine->world();
+    // Where everyone would be, and where everyone is.
+    std::vector<std::vector<Vec2>> now, then;
+    for (std::uint32_t row = 0; row < world.models.size(); ++row) {
+      now.push_back(corners(world, row));
+      then.push_back(now.back());
+      if (!world.desc({row}).position) continue;
+      const geom::Twist v = world.positions.command[world.models.part[row]];
+      const Pose X = geom::compose(world.models.X_WM[row], {v.x * 0.1, v.y * 0.1, 0, v.a * 0.1});
+      const scene::ModelDesc& desc = world.desc({row});
+      for (std::size_t i = 0; i < then.back().size(); ++i)
+        then.back()[i] = geom::transform(geom::compose(X, desc.X_MB), desc.blocks[0].points[i]);
+    }
+    engine->step();
+    for (std::uint32_t row = 0; row < world.models.size(); ++row) {
+      if (!world.desc({row}).position) continue;
+      double met = -1;
+      for (std::uint32_t other = 0; other < world.models.size(); ++other) {
+        if (other == row) continue;
+        met = std::max(met, depth(then[row], now[other]));
+        if (other < row) met = std::max(met, depth(then[row], then[other]));
+      }
+      const bool stalled = world.positions.stall[world.models.part[row]];
+      if (met < -1e-5) RC_ASSERT(!stalled);
+      if (met > 1e-4) RC_ASSERT(stalled);
+    }
+  }
+}
+
+TEST(Motion, touching_is_free_and_a_wall_stops_a_robot_dead) {
+  scene::SceneDesc scene;
+  scene.models.push_back(robot("r", {}, {0.2, 0.2, 0.2}));
+  scene.models.push_back(box("wall", {0.55, 0, 0, 0}, {0.1, 2, 1}));
+  const auto engine = engine_of(scene);
+  world::World& world = engine->world();
+  world::command_velocity(world, {0}, {1, 0, 0, 0});
+  for (int tick = 0; tick < 4; ++tick) engine->step();
+  EXPECT_NEAR(world.models.X_WM[0].x, 0.4, 1e-9);  // its front at the wall
+  EXPECT_EQ(world.positions.stall[0], 0);
+  engine->step();
+  EXPECT_NEAR(world.models.X_WM[0].x, 0.4, 1e-9);
+  EXPECT_EQ(world.positions.stall[0], 1);
+  world::command_velocity(world, {0}, {-1, 0, 0, 0});
+  engine->step();
+  EXPECT_NEAR(world.models.X_WM[0].x, 0.3, 1e-9);
+  EXPECT_EQ(world.positions.stall[0], 0);
+}
+
+TEST(Motion, a_fast_robot_does_not_jump_a_thin_wall) {
+  scene::SceneDesc scene;
+  scene.models.push_back(robot("r", {}, {0.2, 0.2, 0.2}));
+  scene.models[0].position->velocity = {50, 0, 0, 0};
+  scene.models[0].position->velocity_bounds[0] = {-100, 100};
+  scene.models.push_back(box("wall", {3.1, 0, 0, 0}, {0.001, 2, 1}));
+  const auto engine = engine_of(scene);
+  for (int tick = 0; tick < 5; ++tick) engine->step();
+  EXPECT_EQ(engine->world().models.X_WM[0].x, 0);
+  EXPECT_EQ(engine->world().positions.stall[0], 1);
+}
+
+TEST(Motion, what_is_above_or_does_not_collide_is_passed) {
+  scene::SceneDesc scene;
+  scene.models.push_back(robot("r", {}, {0.2, 0.2, 0.2}));
+  scene.models.push_back(box("bridge", {0.5, 0, 0.2, 0}, {0.1, 2, 1}));
+  scene.models.push_back(box("ghost", {0.5, 0, 0, 0}, {0.1, 2, 1}));
+  scene.models.back().obstacle_return = false;
+  scene.models[0].position->velocity = {1, 0, 0, 0};
+  const auto engine = engine_of(scene);
+  for (int tick = 0; tick < 10; ++tick) engine->step();
+  EXPECT_NEAR(engine->world().models.X_WM[0].x, 1, 1e-9);
+}
+
+TEST(Motion, children_collide_with_their_parent) {
+  scene::SceneDesc scene;
+  scene.models.push_back(robot("r", {}, {0.2, 0.2, 0.2}));
+  scene.models.push_back(box("arm", {0.3, 0, 0, 0}, {0.4, 0.05, 0.1}));
+  scene.models.back().parent = 0;
+  scene.models.push_back(box("wall", {0.65, 0, 0, 0}, {0.1, 2, 1}));
+  scene.models[0].position->velocity = {1, 0, 0, 0};
+  const auto engine = engine_of(scene);
+  for (int tick = 0; tick < 3; ++tick) engine->step();
+  EXPECT_NEAR(engine->world().models.X_WM[0].x, 0.1, 1e-9);
+  EXPECT_EQ(engine->world().positions.stall[0], 1);
+  EXPECT_NEAR(engine->world().models.X_WM[1].x, 0.4, 1e-9);
+}
+
+TEST(Motion, robots_that_start_in_each_other_or_in_a_wall_can_leave) {
+  scene::SceneDesc scene;
+  scene.models.push_back(robot("a", {}, {0.4, 0.4, 0.2}));
+  scene.models.push_back(robot("b", {}, {0.4, 0.4, 0.2}));
+  scene.models.push_back(robot("c", {5, 0, 0, 0}, {0.4, 0.4, 0.2}));
+  scene.models.push_back(box("wall", {5.15, 0, 0, 0}, {0.1, 2, 1}));
+  scene.models[0].position->velocity = {0.5, 0, 0, 0};
+  scene.models[2].position->velocity = {-0.5, 0, 0, 0};
+  const auto engine = engine_of(scene);
+  for (int tick = 0; tick < 20; ++tick) engine->step();
+  EXPECT_NEAR(engine->world().models.X_WM[0].x, 1, 1e-9);
+  EXPECT_NEAR(engine->world().models.X_WM[2].x, 4, 1e-9);
+}
+
+TEST(Motion, a_robot_in_a_wall_does_not_get_deeper) {
+  scene::SceneDesc scene;
+  scene.models.push_back(robot("c", {5, 0, 0, 0}, {0.4, 0.4, 0.2}));
+  scene.models.push_back(box("wall", {5.25, 0, 0, 0}, {0.2, 2, 1}));
+  scene.models[0].position->velocity = {0.5, 0, 0, 0};
+  const auto engine = engine_of(scene);
+  for (int tick = 0; tick < 20; ++tick) engine->step();
+  EXPECT_LT(engine->world().models.X_WM[0].x, 5.2);
+}
+
+TEST(Motion, a_robot_put_elsewhere_is_felt_there_in_the_same_tick) {
+  scene::SceneDesc scene;
+  scene.models.push_back(robot("r", {}, {0.2, 0.2, 0.2}));
+  scene.models.push_back(box("wall", {5, 0, 0, 0}, {0.1, 2, 1}));
+  scene.models.push_back(robot("q", {0, 5, 0, 0}, {0.2, 0.2, 0.2}));
+  scene.models[0].position->velocity = {1, 0, 0, 0};
+  const auto engine = engine_of(scene);
+  world::World& world = engine->world();
+  engine->step();
+  world::set_pose(world, {1}, {0.25, 0, 0, 0});
+  engine->step();
+  EXPECT_EQ(world.positions.stall[0], 1);
+  world::set_pose(world, {1}, {5, 0, 0, 0});
+  world::set_pose(world, {2}, {0.35, 0, 0, 0});
+  engine->step();
+  EXPECT_EQ(world.positions.stall[0], 1);
+  EXPECT_TRUE(world.teleported.empty());
+}
+
+TEST(Motion, exact_odometry_equals_the_true_motion) {
+  for (const scene::Drive drive : {scene::Drive::kDiff, scene::Drive::kOmni, scene::Drive::kCar}) {
+    scene::SceneDesc scene;
+    scene.models.push_back(robot("r", {1, 2, 0, 0.5}, {0.2, 0.2, 0.2}, drive));
+    scene.models[0].position->localization = scene::Localization::kOdometry;
+    scene.models[0].position->velocity = {0.3, 0.1, 0, 0.2};
+    const auto engine = engine_of(scene);
+    for (int tick = 0; tick < 100; ++tick) engine->step();
+    const Pose believed = engine->world().positions.X_OM[0];
+    const Pose truth = geom::compose(geom::inverse({1, 2, 0, 0.5}), engine->world().models.X_WM[0]);
+    EXPECT_NEAR(believed.x, truth.x, 1e-9);
+    EXPECT_NEAR(believed.y, truth.y, 1e-9);
+    EXPECT_NEAR(believed.a, truth.a, 1e-9);
+  }
+}
+
+TEST(Motion, odometry_stands_still_while_the_robot_is_stalled) {
+  scene::SceneDesc scene;
+  scene.models.push_back(robot("r", {}, {0.2, 0.2, 0.2}));
+  scene.models[0].position->localization = scene::Localization::kOdometry;
+  scene.models[0].position->velocity = {1, 0, 0, 0};
+  scene.models.push_back(box("wall", {0.55, 0, 0, 0}, {0.1, 2, 1}));
+  const auto engine = engine_of(scene);
+  for (int tick = 0; tick < 10; ++tick) engine->step();
+  EXPECT_NEAR(engine->world().positions.X_OM[0].x, 0.4, 1e-9);
+}
+
+TEST(Motion, what_nobody_subscribed_or_has_its_motors_off_stands) {
+  scene::SceneDesc scene;
+  scene.models.push_back(robot("r", {}, {0.2, 0.2, 0.2}));
+  scene.models[0].alwayson = false;
+  scene.models[0].position->velocity = {1, 0, 0, 0};
+  const auto engine = engine_of(scene);
+  world::World& world = engine->world();
+  engine->step();
+  EXPECT_EQ(world.models.X_WM[0].x, 0);
+  world::subscribe(world, {0});
+  engine->step();
+  EXPECT_NEAR(world.models.X_WM[0].x, 0.1, 1e-12);
+  world.positions.motor_on[0] = 0;
+  engine->step();
+  EXPECT_NEAR(world.models.X_WM[0].x, 0.1, 1e-12);
+}
+
+TEST(Motion, every_drive_reaches_a_goal_by_position_control) {
+  for (const scene::Drive drive : {scene::Drive::kDiff, scene::Drive::kOmni, scene::Drive::kCar}) {
+    scene::SceneDesc scene;
+    scene.models.push_back(robot("r", {1, 1, 0, 2}, {0.2, 0.2, 0.2}, drive));
+    scene.models[0].position->wheelbase = 0.3;
+    const auto engine = engine_of(scene);
+    world::World& world = engine->world();
+    ASSERT_TRUE(world::command_position(world, {0}, {-1, 2.5, 0, 1}));
+    for (int tick = 0; tick < 300; ++tick) engine->step();
+    EXPECT_NEAR(world.models.X_WM[0].x, -1, 0.05);
+    EXPECT_NEAR(world.models.X_WM[0].y, 2.5, 0.05);
+    if (drive != scene::Drive::kCar) {
+      EXPECT_NEAR(world.models.X_WM[0].a, 1, 0.01);
+    }
+  }
+}
+
+TEST(Motion, a_goal_is_in_the_frame_of_what_the_robot_believes) {
+  scene::SceneDesc scene;
+  scene.models.push_back(robot("r", {1, 1, 0, geom::kPi / 2}, {0.2, 0.2, 0.2}, scene::Drive::kOmni));
+  const auto engine = engine_of(scene);
+  world::World& world = engine->world();
+  ASSERT_TRUE(world::set_odometry(world, {0}, {}));
+  ASSERT_TRUE(world::command_position(world, {0}, {1, 0, 0, 0}));
+  for (int tick = 0; tick < 300; ++tick) engine->step();
+  EXPECT_NEAR(world.models.X_WM[0].x, 1, 1e-3);
+  EXPECT_NEAR(world.models.X_WM[0].y, 2, 1e-3);
+}
+
+TEST(Engine, the_hash_is_the_same_for_any_number_of_workers) {
+  for (const testing::Sensing sensing : {testing::Sensing::kSonar, testing::Sensing::kLaser}) {
+    const scene::SceneDesc scene = testing::crowd(300, sensing);
+    std::vector<std::uint64_t> hashes;
+    for (const unsigned workers : {1u, 1u, 2u, 4u}) {
+      const auto engine = engine_of(scene, workers);
+      for (int tick = 0; tick < 20; ++tick) engine->step();
+      hashes.push_back(engine->world().hash());
+    }
+    EXPECT_EQ(hashes, std::vector<std::uint64_t>(4, hashes[0]));
+  }
+}
+
+TEST(Engine, refuses_a_scene_that_cannot_run) {
+  scene::SceneDesc scene;
+  scene.path = "a.world";
+  scene.interval = 0;
+  EXPECT_EQ(make_engine(scene, {}).error().line(), "a.world: the interval of a tick must be above 0");
+  scene.interval = 0.1;
+  EXPECT_TRUE(make_engine(scene, {}).ok());
+  scene.models.push_back(box("b", {0, 0, 0, std::nan("")}, {1, 1, 1}));
+  EXPECT_FALSE(make_engine(scene, {}).ok());
+}
+
+}  // namespace
+}  // namespace playhouse::stage

@@ -1,0 +1,96 @@
+#include "playhouse/stage/overlap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace playhouse::stage {
+namespace {
+
+using geom::Vec2;
+
+constexpr double kLength = 1e-9;  // m; shorter pieces are rounding
+
+double length(Vec2 v) {
+  return std::sqrt(geom::dot(v, v));
+}
+
+Vec2 corner_after(std::span<const Vec2> polygon, std::size_t i) {
+  return polygon[i + 1 < polygon.size() ? i + 1 : 0];
+}
+
+/// Distance of p to the left of each edge, less kTouch, keeps the part [from, to] of the segment
+/// (Cyrus-Beck).
+double length_inside_convex(std::span<const Vec2> polygon, Vec2 a, Vec2 b) {
+  double from = 0, to = 1;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 e = corner_after(polygon, i) - polygon[i];
+    const double margin = kTouch * length(e);
+    const double left_a = geom::cross(e, a - polygon[i]) - margin,
+                 left_b = geom::cross(e, b - polygon[i]) - margin;
+    if (left_a < 0 && left_b < 0) return 0;
+    if (left_a >= 0 && left_b >= 0) continue;
+    const double t = left_a / (left_a - left_b);
+    (left_a < 0 ? from : to) = left_a < 0 ? std::max(from, t) : std::min(to, t);
+  }
+  return to > from ? (to - from) * length(b - a) : 0;
+}
+
+double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
+  const Vec2 e = b - a;
+  const double squared = geom::dot(e, e);
+  const double t = squared > 0 ? std::clamp(geom::dot(p - a, e) / squared, 0.0, 1.0) : 0;
+  return length(p - (a + t * e));
+}
+
+bool is_inside_any(std::span<const Vec2> polygon, Vec2 p) {
+  bool odd = false;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 a = polygon[i], b = corner_after(polygon, i);
+    if (distance_to_segment(p, a, b) <= kTouch) return false;
+    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * ((p.y - a.y) / (b.y - a.y))) odd = !odd;
+  }
+  return odd;
+}
+
+/// Cuts the segment where it meets the outline and adds the pieces whose middle is inside.
+double length_inside_any(std::span<const Vec2> polygon, Vec2 a, Vec2 b) {
+  std::vector<double> cuts{0, 1};
+  const Vec2 d = b - a;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 v = polygon[i], e = corner_after(polygon, i) - v;
+    const double denominator = geom::cross(d, e);
+    if (denominator == 0) continue;
+    const double t = geom::cross(v - a, e) / denominator, s = geom::cross(v - a, d) / denominator;
+    if (t > 0 && t < 1 && s >= 0 && s <= 1) cuts.push_back(t);
+  }
+  std::sort(cuts.begin(), cuts.end());
+  double inside = 0;
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
+    if (is_inside_any(polygon, a + (0.5 * (cuts[i] + cuts[i + 1])) * d)) inside += cuts[i + 1] - cuts[i];
+  return inside * length(d);
+}
+
+bool outline_enters(const Outline& polygon, const Outline& other) {
+  for (std::size_t i = 0; i < other.p.size(); ++i)
+    if (length_inside(polygon, other.p[i], corner_after(other.p, i)) > kLength) return true;
+  return false;
+}
+
+}  // namespace
+
+double length_inside(const Outline& polygon, Vec2 a, Vec2 b) {
+  return polygon.convex ? length_inside_convex(polygon.p, a, b) : length_inside_any(polygon.p, a, b);
+}
+
+bool is_inside(const Outline& polygon, Vec2 p) {
+  return is_inside_any(polygon.p, p);
+}
+
+bool overlap(const Outline& first, const Outline& second) {
+  return outline_enters(first, second) || outline_enters(second, first) ||
+         (first.convex && is_inside(second, first.center)) ||
+         (second.convex && is_inside(first, second.center));
+}
+
+}  // namespace playhouse::stage

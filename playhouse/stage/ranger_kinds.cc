@@ -1,0 +1,116 @@
+#include "playhouse/stage/ranger_kinds.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "playhouse/stage/space.h"
+
+namespace playhouse::stage {
+namespace {
+
+constexpr std::uint32_t kScanBeams = 8;  // a sensor of fewer beams is a bundle of rays
+
+double bearing_of(const scene::RangerSensorDesc& sensor, std::uint32_t beam) {
+  if (sensor.samples <= 1) return 0;
+  return -0.5 * sensor.fov + sensor.fov * beam / (sensor.samples - 1);
+}
+
+Vec2 unit(double angle) {
+  const geom::SinCos sc = geom::sincos(angle);
+  return {sc.cos, sc.sin};
+}
+
+Scan make_scan(const scene::RangerSensorDesc& sensor, const Pose& X_MS, double z, std::uint32_t first_beam) {
+  Scan scan{X_MS, z, sensor.range_max, first_beam, sensor.fov, sensor.fov / (sensor.samples - 1), {}, {}};
+  for (std::uint32_t beam = 0; beam < sensor.samples; ++beam) {
+    const Vec2 d = unit(bearing_of(sensor, beam));
+    scan.x.push_back(d.x);
+    scan.y.push_back(d.y);
+  }
+  return scan;
+}
+
+void add_ray(Bundle& bundle, const scene::RangerSensorDesc& sensor, const Pose& X_MS, double z,
+             std::uint32_t sample, std::uint32_t beam) {
+  bundle.p.push_back(X_MS.xy());
+  bundle.d.push_back(unit(X_MS.a + bearing_of(sensor, sample)));
+  bundle.z.push_back(z);
+  bundle.range_max.push_back(sensor.range_max);
+  bundle.beam.push_back(beam);
+}
+
+double distance_to_ray(Vec2 center, Vec2 p, Vec2 d, double range) {
+  const double t = std::clamp(geom::dot(d, center - p), 0.0, range);
+  const Vec2 off = center - (p + t * d);
+  return std::sqrt(geom::dot(off, off));
+}
+
+void finish_bundle(Bundle& bundle, double body_radius) {
+  bundle.z_min = *std::min_element(bundle.z.begin(), bundle.z.end());
+  bundle.z_max = *std::max_element(bundle.z.begin(), bundle.z.end());
+  for (std::size_t k = 0; k < bundle.rays(); ++k)
+    bundle.reach =
+        std::max(bundle.reach, std::sqrt(geom::dot(bundle.p[k], bundle.p[k])) + bundle.range_max[k]);
+  bundle.half = bundle.reach + body_radius + 2 * kMargin;
+  bundle.cell = 2 * bundle.half / Bundle::kCells;
+  bundle.meets.assign(Bundle::kCells * Bundle::kCells, 0);
+  const double near = body_radius + 0.7072 * bundle.cell + kMargin;
+  for (std::size_t cell = 0; cell < bundle.meets.size(); ++cell) {
+    const Vec2 middle{(static_cast<double>(cell % Bundle::kCells) + 0.5) * bundle.cell - bundle.half,
+                      (static_cast<double>(cell / Bundle::kCells) + 0.5) * bundle.cell - bundle.half};
+    for (std::size_t k = 0; k < bundle.rays(); ++k)
+      if (distance_to_ray(middle, bundle.p[k], bundle.d[k], bundle.range_max[k]) <= near)
+        bundle.meets[cell] |= std::uint64_t{1} << k;
+  }
+}
+
+void add_sensor(RangerKind& kind, const scene::RangerSensorDesc& sensor, const Pose& X_MB,
+                std::uint32_t number) {
+  const Pose X_MS = geom::compose(X_MB, sensor.X_BS);
+  const double z = X_MS.z + 0.5 * sensor.size.z;
+  if (sensor.noise_angular > 0) {
+    for (std::uint32_t sample = 0; sample < sensor.samples; ++sample)
+      kind.jitters.push_back({X_MS, z, sensor.range_max, bearing_of(sensor, sample), sensor.noise_angular,
+                              kind.beams + sample, number});
+  } else if (sensor.samples >= kScanBeams && sensor.fov > 0) {
+    kind.scans.push_back(make_scan(sensor, X_MS, z, kind.beams));
+  } else {
+    for (std::uint32_t sample = 0; sample < sensor.samples; ++sample) {
+      if (kind.bundles.empty() || kind.bundles.back().rays() == Bundle::kRays) kind.bundles.emplace_back();
+      add_ray(kind.bundles.back(), sensor, X_MS, z, sample, kind.beams + sample);
+    }
+  }
+  kind.beams += sensor.samples;
+}
+
+RangerKind make_kind(const scene::ModelDesc& desc, double body_radius) {
+  RangerKind kind;
+  for (std::uint32_t i = 0; i < desc.sensors.size(); ++i) add_sensor(kind, desc.sensors[i], desc.X_MB, i);
+  for (Bundle& bundle : kind.bundles) finish_bundle(bundle, body_radius);
+  return kind;
+}
+
+/// Equal for rangers that are alike.
+std::vector<double> signature(const scene::ModelDesc& desc) {
+  std::vector<double> all{desc.X_MB.x, desc.X_MB.y, desc.X_MB.z, desc.X_MB.a};
+  for (const scene::RangerSensorDesc& s : desc.sensors)
+    all.insert(all.end(), {s.X_BS.x, s.X_BS.y, s.X_BS.z, s.X_BS.a, s.size.z, s.range_max, s.fov,
+                           static_cast<double>(s.samples), s.noise_angular});
+  return all;
+}
+
+}  // namespace
+
+RangerKinds make_ranger_kinds(const world::World& world, double body_radius) {
+  RangerKinds all;
+  std::map<std::vector<double>, std::uint32_t> known;
+  for (const world::ModelRow model : world.rangers.model) {
+    const auto [entry, is_new] =
+        known.try_emplace(signature(world.desc(model)), static_cast<std::uint32_t>(all.kinds.size()));
+    if (is_new) all.kinds.push_back(make_kind(world.desc(model), body_radius));
+    all.of_ranger.push_back(entry->second);
+  }
+  return all;
+}
+
+}  // namespace playhouse::stage

@@ -1,0 +1,91 @@
+#include "playhouse/stage/sense_fiducial.h"
+
+#include <algorithm>
+#include <atomic>
+
+#include "playhouse/stage/sense_ranger.h"
+
+namespace playhouse::stage {
+namespace {
+
+/// Nothing of another tree lies between the finder and the target's centre.
+bool in_sight(const Space& space, Vec2 from, double z, Vec2 to, double distance, std::uint32_t own,
+              std::uint32_t target) {
+  if (distance <= 0) return true;
+  const Ray ray{from, (1.0 / distance) * (to - from), z, distance, own};
+  return cast(space, ray, [&](std::uint32_t row) { return space.solids.root[row] != target; }).solid ==
+         world::ModelRow::kNone;
+}
+
+}  // namespace
+
+FiducialSense::FiducialSense(const world::World& world, const Solids& solids)
+    : z_min_(world.models.size(), 1e300),
+      z_max_(world.models.size(), -1e300),
+      targets_(world.fiducials.size() > 0 ? world.models.size() : 0, 0.25) {
+  for (const world::ModelRow model : world.fiducials.model)
+    period_.push_back(ticks_of(world.desc(model).update_interval, world.scene().interval));
+  for (std::size_t row = 0; row < solids.size(); ++row) {
+    const std::uint32_t top = solids.root[row];
+    const double z = world.models.X_WM[top].z;
+    z_min_[top] = std::min(z_min_[top], solids.z_min[row] - z);
+    z_max_[top] = std::max(z_max_[top], solids.z_max[row] - z);
+  }
+}
+
+std::uint64_t FiducialSense::sense(world::World& world, const Space& space, std::uint64_t tick,
+                                   world::Workers& workers) {
+  due_.clear();
+  for (std::uint32_t finder = 0; finder < world.fiducials.size(); ++finder) {
+    if (world.models.subscribers[world.fiducials.model[finder].index] == 0) continue;
+    if (tick - world.fiducials.measured_tick[finder] >= period_[finder]) due_.push_back(finder);
+  }
+  if (due_.empty()) return 0;
+  marked_.clear();
+  for (std::uint32_t row = 0; row < world.models.size(); ++row)
+    if (world.models.fiducial_return[row] != 0) marked_.push_back(row);
+  targets_.rebuild(marked_.size(), [&](std::size_t i) {
+    const std::uint32_t row = marked_[i];
+    return DiscIndex::Disc{world.models.X_WM[row].xy(), 0, 0, 0, row, world.models.root[row]};
+  });
+  workers.run(due_.size(), 16, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      find(world, space, due_[i]);
+      world.fiducials.measured_tick[due_[i]] = tick;
+    }
+  });
+  std::uint64_t rays = 0;
+  for (const std::uint32_t finder : due_) rays += world.fiducials.hits[finder].size();
+  return rays;
+}
+
+void FiducialSense::find(world::World& world, const Space& space, std::uint32_t finder) const {
+  const world::ModelRow model = world.fiducials.model[finder];
+  const scene::ModelDesc& desc = world.desc(model);
+  const scene::FiducialDesc& limits = *desc.fiducial;
+  const Pose X_WB = geom::compose(world.models.X_WM[model.index], desc.X_MB);
+  const std::uint32_t own = world.models.root[model.index];
+  std::vector<world::FiducialHit>& hits = world.fiducials.hits[finder];
+  hits.clear();
+  targets_.near(X_WB.xy(), limits.range_max, [&](const DiscIndex::Disc& disc) {
+    const Vec2 p_W = disc.center - X_WB.xy();
+    const double squared = geom::dot(p_W, p_W);
+    if (disc.root == own || squared >= limits.range_max * limits.range_max) return;
+    if (squared < limits.range_min * limits.range_min) return;
+    const world::ModelRow target{disc.row};
+    if (world.desc(target).fiducial_key != desc.fiducial_key) return;
+    const double bearing = geom::normalize(geom::atan2(p_W.y, p_W.x) - X_WB.a);
+    if (std::fabs(bearing) > 0.5 * limits.fov) return;
+    const double above = X_WB.z - world.models.X_WM[disc.root].z;
+    const bool has_body = z_min_[disc.root] <= z_max_[disc.root];
+    if (!limits.ignore_zloc && has_body && (above < z_min_[disc.root] || above > z_max_[disc.root])) return;
+    const double range = std::sqrt(squared);
+    if (!in_sight(space, X_WB.xy(), X_WB.z, disc.center, range, own, disc.root)) return;
+    const Pose& X_WT = world.models.X_WM[disc.row];
+    hits.push_back({target, range < limits.range_max_id ? world.models.fiducial_return[disc.row] : 0, range,
+                    bearing, geom::normalize(X_WT.a - X_WB.a), world.desc(target).size});
+  });
+  std::sort(hits.begin(), hits.end(), [](const auto& a, const auto& b) { return a.target < b.target; });
+}
+
+}  // namespace playhouse::stage

@@ -1,0 +1,64 @@
+#pragma once
+
+/// RangerSense: the phase that fills the scans of all rangers that are subscribed and due. Every beam gets
+/// the exact distance to the nearest outline at its height, whichever way it is found: scans project bodies
+/// onto beams, bundles look their rays up by where a body is, both walk the walls.
+
+#include <vector>
+
+#include "playhouse/stage/ranger_kinds.h"
+#include "playhouse/stage/space.h"
+#include "playhouse/world/workers.h"
+
+namespace playhouse::stage {
+
+class RangerSense {
+ public:
+  RangerSense(const world::World& world, const Solids& solids, unsigned workers);
+
+  /// Measures for `tick`, the number that the state gets when it is frozen. Returns the rays cast.
+  std::uint64_t sense(world::World& world, const Space& space, std::uint64_t tick, world::Workers& workers);
+
+ private:
+  /// Scratch memory of one worker.
+  struct Bench {
+    std::vector<double> range, intensity;  // of the ranger's beams
+    std::vector<const DiscIndex::Disc*> discs;
+    std::vector<Vec2> corner;          // of one polygon, in S
+    std::vector<double> bearing;       // of the corners                             [rad]
+    std::vector<Vec2> p, d;            // of a bundle's rays, in W
+    std::vector<std::uint64_t> stamp;  // last scan that saw a wall edge (edges)
+    std::uint64_t scans = 0;
+  };
+  struct View;
+
+  void measure(world::World& world, const Space& space, std::uint32_t ranger, std::uint64_t tick,
+               Bench& bench) const;
+  void finish(world::World& world, std::uint32_t ranger, std::uint64_t tick, const Bench& bench) const;
+
+  static void run_scan(const Space& space, const View& view, const Scan& scan, Bench& bench);
+  static void scan_walls(const Space& space, const View& view, const Scan& scan, Bench& bench);
+  static void run_bundle(const Space& space, const View& view, const Bundle& bundle, Bench& bench);
+  static void run_jitter(const Space& space, const View& view, const Jitter& jitter, double bearing,
+                         Bench& bench);
+
+  RangerKinds kinds_;
+  std::vector<std::uint64_t> period_;  // ticks between two scans (rangers)
+  std::vector<std::uint32_t> due_;     // rangers of this tick
+  std::vector<Bench> benches_;         // one per worker
+};
+
+/// From where a ranger looks, and what it does not see.
+struct RangerSense::View {
+  Pose X_WM;
+  std::uint32_t root;
+
+  bool sees(const Solids& solids, std::size_t row) const {
+    return solids.root[row] != root && solids.ranger_return[row] >= 0;
+  }
+};
+
+/// `interval` of updates in whole ticks, rounded up, at least 1.
+std::uint64_t ticks_of(double update_interval, double interval);
+
+}  // namespace playhouse::stage
