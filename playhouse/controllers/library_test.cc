@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <sstream>
 
 #include "playhouse/controllers/attach.h"
 #include "playhouse/controllers/testing/scenes.h"
@@ -152,6 +153,18 @@ TEST(Library, is_looked_for_beside_the_world_then_in_the_environment_then_with_t
   EXPECT_EQ(library_folders(scene, "/program"), expected);
   unsetenv("PLAYHOUSE_PATH");
   unsetenv("STAGEPATH");
+}
+
+std::string text_of(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(std::string(PLAYHOUSE_SOURCE_DIR) + "/" + path).rdbuf();
+  return text.str();
+}
+
+TEST(Documentation, shows_the_example_as_it_is) {
+  const std::string example = text_of("examples/controller/shy.cc");
+  ASSERT_NE(example.find("#include"), std::string::npos);
+  EXPECT_THAT(text_of("docs/controllers.md"), HasSubstr(example.substr(example.find("#include"))));
 }
 
 }  // namespace

@@ -1,0 +1,119 @@
+/// How controllers behave over minutes in our worlds and in the 2D engine, and that it repeats.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "playhouse/controllers/attach.h"
+#include "playhouse/scenarios/scenario.h"
+#include "playhouse/scene/world_loader.h"
+#include "playhouse/stage/engine.h"
+
+namespace playhouse::scenarios {
+namespace {
+
+/// A scene that runs, with its controllers.
+class Simulation {
+ public:
+  explicit Simulation(Result<scene::SceneDesc> loaded, unsigned workers = 1) : scene_(std::move(loaded)) {
+    EXPECT_TRUE(scene_) << scene_.error().line();
+    auto engine = stage::make_engine(*scene_, {.seed = 1, .workers = workers});
+    EXPECT_TRUE(engine) << engine.error().line();
+    engine_ = std::move(*engine);
+    const std::vector<std::filesystem::path> folders{EXAMPLE_CONTROLLERS};
+    const auto attached = controllers::attach(engine_->world(), folders);
+    EXPECT_TRUE(attached) << attached.error().line();
+  }
+  world::World& world() { return engine_->world(); }
+  void step(int ticks = 1) {
+    for (int k = 0; k < ticks; ++k) engine_->step();
+  }
+
+ private:
+  Result<scene::SceneDesc> scene_;
+  std::unique_ptr<world::Engine> engine_;
+};
+
+Result<scene::SceneDesc> load(const std::string& file) {
+  return scene::load_world(std::string(PLAYHOUSE_SOURCE_DIR) + "/" + file);
+}
+
+/// Mean distance of robots to the nearest other robot. [m]
+double mean_nearest_neighbour(const world::World& world) {
+  const world::Positions& robots = world.positions;
+  double sum = 0;
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    double nearest = 1e9;
+    for (std::size_t k = 0; k < robots.size(); ++k) {
+      if (k == i) continue;
+      const geom::Pose& a = world.models.X_WM[robots.model[i].index];
+      const geom::Pose& b = world.models.X_WM[robots.model[k].index];
+      nearest = std::min(nearest, std::hypot(a.x - b.x, a.y - b.y));
+    }
+    sum += nearest;
+  }
+  return sum / static_cast<double>(robots.size());
+}
+
+TEST(Wander, never_touches_anything_in_the_cave_and_gets_about) {
+  Simulation run(load("worlds/cave.world"));
+  const std::size_t robots = run.world().positions.size();
+  std::vector<double> far(robots, 0);
+  std::vector<geom::Pose> start;
+  for (const world::ModelRow model : run.world().positions.model)
+    start.push_back(run.world().models.X_WM[model.index]);
+  for (int tick = 0; tick < 3 * 600; ++tick) {
+    run.step();
+    for (std::size_t i = 0; i < robots; ++i) {
+      const world::ModelRow model = run.world().positions.model[i];
+      ASSERT_EQ(run.world().positions.stall[i], 0) << run.world().desc(model).name << ", tick " << tick;
+      const geom::Pose& at = run.world().models.X_WM[model.index];
+      far[i] = std::max(far[i], std::hypot(at.x - start[i].x, at.y - start[i].y));
+    }
+  }
+  EXPECT_EQ(far.back(), 0) << "the guest has no controller";
+  far.pop_back();
+  EXPECT_GT(*std::min_element(far.begin(), far.end()), 1.0);
+}
+
+TEST(ExpandSwarm, gives_every_robot_more_room) {
+  Simulation run(load("worlds/swarm.world"));
+  const double before = mean_nearest_neighbour(run.world());
+  run.step(600);
+  EXPECT_GT(mean_nearest_neighbour(run.world()), 1.5 * before);
+}
+
+TEST(Source, of_the_cave_fills_up) {
+  Simulation run(load("worlds/cave.world"));
+  run.step(50);
+  EXPECT_EQ(run.world().models.flags[run.world().find("source").index], 20);
+}
+
+TEST(Shy, runs_from_its_shared_library) {
+  Simulation run(load("examples/controller/shy.world"));
+  const geom::Pose start = run.world().models.X_WM[run.world().find("bold").index];
+  run.step(100);
+  const geom::Pose end = run.world().models.X_WM[run.world().find("bold").index];
+  EXPECT_GT(std::hypot(end.x - start.x, end.y - start.y), 0.5);
+}
+
+TEST(Determinism, holds_for_any_number_of_workers) {
+  const auto hash = [](Result<scene::SceneDesc> scene, unsigned workers) {
+    Simulation run(std::move(scene), workers);
+    run.step(100);
+    return run.world().hash();
+  };
+  for (const Scenario& scenario : kScenarios) {
+    const std::uint64_t one = hash(make(scenario.name, 60), 1);
+    EXPECT_EQ(one, hash(make(scenario.name, 60), 1)) << scenario.name << " twice";
+    EXPECT_EQ(one, hash(make(scenario.name, 60), 2)) << scenario.name << " with 2 workers";
+    EXPECT_EQ(one, hash(make(scenario.name, 60), 4)) << scenario.name << " with 4 workers";
+  }
+  for (const char* file : {"worlds/cave.world", "examples/controller/shy.world"}) {
+    EXPECT_EQ(hash(load(file), 1), hash(load(file), 4)) << file;
+  }
+}
+
+}  // namespace
+}  // namespace playhouse::scenarios
