@@ -69,11 +69,21 @@ Client::~Client() {
   if (session_) close();
 }
 
-const std::string& Client::banner() const { return session_->connection().banner(); }
-const std::string& Client::peer() const { return session_->connection().peer(); }
-bool Client::connected() const { return session_->connection().is_open(); }
-std::uint64_t Client::overflow_count() const { return session_->overflow_count(); }
-std::uint64_t Client::skipped_count() const { return session_->skipped_count(); }
+const std::string& Client::banner() const {
+  return session_->connection().banner();
+}
+const std::string& Client::peer() const {
+  return session_->connection().peer();
+}
+bool Client::connected() const {
+  return session_->connection().is_open();
+}
+std::uint64_t Client::overflow_count() const {
+  return session_->overflow_count();
+}
+std::uint64_t Client::skipped_count() const {
+  return session_->skipped_count();
+}
 
 Result<std::vector<DeviceEntry>> Client::devices() {
   const auto answer = session_->request(player::kCode, 0, player::kReqDevlist, {});
@@ -88,7 +98,9 @@ Result<std::vector<DeviceEntry>> Client::devices() {
   return entries;
 }
 
-Result<void> Client::set_mode(Mode mode) { return session_->set_mode(mode); }
+Result<void> Client::set_mode(Mode mode) {
+  return session_->set_mode(mode);
+}
 
 Result<void> Client::set_replace_rule(Rule rule, const RuleScope& scope) {
   player::AddReplaceRuleReq body;
@@ -101,9 +113,15 @@ Result<void> Client::set_replace_rule(Rule rule, const RuleScope& scope) {
   return answer ? Result<void>() : answer.error();
 }
 
-Result<std::size_t> Client::read() { return session_->read(session_->timeout()); }
-Result<std::size_t> Client::read(Seconds patience) { return session_->read(patience); }
+Result<std::size_t> Client::read() {
+  return session_->read(session_->timeout());
+}
+Result<std::size_t> Client::read(Seconds patience) {
+  return session_->read(patience);
+}
 
-void Client::close() { session_->close(); }
+void Client::close() {
+  session_->close();
+}
 
 }  // namespace playhouse::client

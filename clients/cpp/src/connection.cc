@@ -46,7 +46,8 @@ Result<std::optional<Message>> Connection::receive(Deadline deadline) {
   const wire::Header header = peek_header();
   if (header.size > limits::kBodyBytes) {
     socket_.close(Clock::now());
-    return Error{peer_, "a header announces " + std::to_string(header.size) + " bytes, over the wire's limit"};
+    return Error{peer_,
+                 "a header announces " + std::to_string(header.size) + " bytes, over the wire's limit"};
   }
   const std::size_t size = limits::kHeaderBytes + header.size;
   const Result<bool> all = fill(size, deadline);

@@ -23,12 +23,15 @@ Result<std::string> set_access(Session& session, const Slot& slot, std::uint8_t 
   const auto answer = session.request(player::kCode, 0, player::kReqDev, wire::encode(body));
   if (!answer) return answer.error();
   const auto granted = wire::decode<player::DeviceReq>(*answer);
-  if (!granted) return Error{session.connection().peer(), "the answer does not decode: " + granted.error().text};
+  if (!granted)
+    return Error{session.connection().peer(), "the answer does not decode: " + granted.error().text};
   if (granted->access == player::kErrorMode) return Error{session.connection().peer(), "the driver refuses"};
   return std::string(wire::text(granted->driver_name));
 }
 
-std::string name_of(const Slot& slot) { return DeviceEntry{slot.interf, slot.index, ""}.name(); }
+std::string name_of(const Slot& slot) {
+  return DeviceEntry{slot.interf, slot.index, ""}.name();
+}
 
 }  // namespace
 
@@ -38,7 +41,8 @@ Result<Device> Device::open(Client& client, std::uint16_t interf, std::uint16_t 
   slot->index = index;
   Session& session = *client.session_;
   Result<std::string> driver = set_access(session, *slot, static_cast<std::uint8_t>(access));
-  if (!driver) return Error{driver.error().where, "cannot open " + name_of(*slot) + ": " + driver.error().text};
+  if (!driver)
+    return Error{driver.error().where, "cannot open " + name_of(*slot) + ": " + driver.error().text};
   slot->driver = std::move(*driver);
   session.add(*slot);
   return Device(client.session_, std::move(slot));
@@ -57,15 +61,29 @@ Device& Device::operator=(Device&& other) noexcept {
   return *this;
 }
 
-Device::~Device() { static_cast<void>(close().ok()); }
+Device::~Device() {
+  static_cast<void>(close().ok());
+}
 
-std::uint16_t Device::interf() const { return is_open() ? slot_->interf : std::uint16_t{0}; }
-std::uint16_t Device::index() const { return is_open() ? slot_->index : std::uint16_t{0}; }
-std::string Device::name() const { return is_open() ? name_of(*slot_) : "closed device"; }
-std::string Device::driver() const { return is_open() ? slot_->driver : ""; }
-double Device::timestamp() const { return is_open() ? slot_->timestamp : 0; }
+std::uint16_t Device::interf() const {
+  return is_open() ? slot_->interf : std::uint16_t{0};
+}
+std::uint16_t Device::index() const {
+  return is_open() ? slot_->index : std::uint16_t{0};
+}
+std::string Device::name() const {
+  return is_open() ? name_of(*slot_) : "closed device";
+}
+std::string Device::driver() const {
+  return is_open() ? slot_->driver : "";
+}
+double Device::timestamp() const {
+  return is_open() ? slot_->timestamp : 0;
+}
 
-bool Device::take_fresh() { return is_open() && std::exchange(slot_->fresh, false); }
+bool Device::take_fresh() {
+  return is_open() && std::exchange(slot_->fresh, false);
+}
 
 void Device::on_data(OnData callback) {
   if (is_open()) slot_->on_data = std::move(callback);
@@ -103,8 +121,8 @@ const std::vector<std::byte>* Device::latest_bytes(std::uint8_t subtype) const {
 }
 
 Error Device::undecoded(std::uint8_t subtype, std::string_view what) const {
-  return Error{session_->connection().peer(), "the answer to request " + std::to_string(subtype) + " of " + name() +
-                                                  " does not decode: " + std::string(what)};
+  return Error{session_->connection().peer(), "the answer to request " + std::to_string(subtype) + " of " +
+                                                  name() + " does not decode: " + std::string(what)};
 }
 
 namespace {

@@ -17,13 +17,17 @@ std::vector<fiducial::Item> Fiducial::markers() const {
   return data ? std::move(data->fiducials) : std::vector<fiducial::Item>();
 }
 
-Result<fiducial::Fov> Fiducial::field_of_view() { return device_.request<fiducial::Fov>(fiducial::kReqGetFov); }
+Result<fiducial::Fov> Fiducial::field_of_view() {
+  return device_.request<fiducial::Fov>(fiducial::kReqGetFov);
+}
 
 Result<void> Fiducial::set_field_of_view(const fiducial::Fov& fov) {
   const auto done = device_.request(fiducial::kReqSetFov, fov);
   return done ? Result<void>() : done.error();
 }
 
-Result<fiducial::Geom> Fiducial::geometry() { return device_.request<fiducial::Geom>(fiducial::kReqGetGeom); }
+Result<fiducial::Geom> Fiducial::geometry() {
+  return device_.request<fiducial::Geom>(fiducial::kReqGetGeom);
+}
 
 }  // namespace playhouse::client

@@ -28,13 +28,17 @@ std::vector<std::uint8_t> Laser::intensities() const {
   return data ? std::move(data->intensity) : std::vector<std::uint8_t>();
 }
 
-Result<laser::Config> Laser::config() { return device_.request<laser::Config>(laser::kReqGetConfig); }
+Result<laser::Config> Laser::config() {
+  return device_.request<laser::Config>(laser::kReqGetConfig);
+}
 
 Result<void> Laser::set_config(const laser::Config& config) {
   const auto done = device_.request(laser::kReqSetConfig, config);
   return done ? Result<void>() : done.error();
 }
 
-Result<laser::Geom> Laser::geometry() { return device_.request<laser::Geom>(laser::kReqGetGeom); }
+Result<laser::Geom> Laser::geometry() {
+  return device_.request<laser::Geom>(laser::kReqGetGeom);
+}
 
 }  // namespace playhouse::client

@@ -8,7 +8,9 @@ namespace position2d = wire::position2d;
 
 namespace {
 
-Result<void> done(const Result<Nothing>& answer) { return answer ? Result<void>() : answer.error(); }
+Result<void> done(const Result<Nothing>& answer) {
+  return answer ? Result<void>() : answer.error();
+}
 
 }  // namespace
 
@@ -26,7 +28,9 @@ Position2d& Position2d::operator=(Position2d&& other) noexcept {
   return *this;
 }
 
-Position2d::~Position2d() { static_cast<void>(close().ok()); }
+Position2d::~Position2d() {
+  static_cast<void>(close().ok());
+}
 
 Position2d::State Position2d::state() const {
   const auto data = device_.latest<position2d::Data>(position2d::kDataState);
@@ -57,14 +61,17 @@ Result<void> Position2d::go_to(const wire::Pose2d& pose, double speed) {
 }
 
 Result<void> Position2d::set_motor_power(bool on) {
-  return done(device_.request(position2d::kReqMotorPower, position2d::PowerConfig{static_cast<std::uint8_t>(on)}));
+  return done(
+      device_.request(position2d::kReqMotorPower, position2d::PowerConfig{static_cast<std::uint8_t>(on)}));
 }
 
 Result<void> Position2d::set_odometry(const wire::Pose2d& pose) {
   return done(device_.request(position2d::kReqSetOdom, position2d::SetOdomReq{pose}));
 }
 
-Result<void> Position2d::reset_odometry() { return done(device_.request(position2d::kReqResetOdom)); }
+Result<void> Position2d::reset_odometry() {
+  return done(device_.request(position2d::kReqResetOdom));
+}
 
 Result<position2d::Geom> Position2d::geometry() {
   return device_.request<position2d::Geom>(position2d::kReqGetGeom);

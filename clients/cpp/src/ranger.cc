@@ -11,7 +11,8 @@ Result<Ranger> Ranger::open(Client& client, std::uint16_t index, Access access) 
   if (!device) return device.error();
   Ranger made(std::move(*device));
   if (auto config = made.device_.request<ranger::Config>(ranger::kReqGetConfig)) made.config_ = *config;
-  if (auto geometry = made.device_.request<ranger::Geom>(ranger::kReqGetGeom)) made.geometry_ = std::move(*geometry);
+  if (auto geometry = made.device_.request<ranger::Geom>(ranger::kReqGetGeom))
+    made.geometry_ = std::move(*geometry);
   if (!client.connected()) return Error{client.peer(), "the server is gone"};
   return made;
 }

@@ -41,13 +41,14 @@ Result<void> Session::send(const wire::Header& address, std::span<const std::byt
   return connection_.send(header, body, deadline_after(timeout_));
 }
 
-Result<std::vector<std::byte>> Session::request(std::uint16_t interf, std::uint16_t index, std::uint8_t subtype,
-                                                std::span<const std::byte> body) {
+Result<std::vector<std::byte>> Session::request(std::uint16_t interf, std::uint16_t index,
+                                                std::uint8_t subtype, std::span<const std::byte> body) {
   return request(interf, index, subtype, body, deadline_after(timeout_));
 }
 
-Result<std::vector<std::byte>> Session::request(std::uint16_t interf, std::uint16_t index, std::uint8_t subtype,
-                                                std::span<const std::byte> body, Deadline deadline) {
+Result<std::vector<std::byte>> Session::request(std::uint16_t interf, std::uint16_t index,
+                                                std::uint8_t subtype, std::span<const std::byte> body,
+                                                Deadline deadline) {
   wire::Header header;
   header.interf = interf;
   header.index = index;
@@ -134,7 +135,8 @@ Result<bool> Session::sort_next(Deadline deadline) {
 }
 
 Result<std::size_t> Session::read(Seconds patience) {
-  if (reading_) return Error{connection_.peer(), "read() was called from a callback that read() itself is running"};
+  if (reading_)
+    return Error{connection_.peer(), "read() was called from a callback that read() itself is running"};
   reading_ = true;
   const Deadline deadline = deadline_after(patience);
   Result<std::size_t> delivered = mode_ == Mode::kPull ? read_round(deadline) : read_pushed(deadline);
@@ -204,9 +206,13 @@ bool Session::deliver_one(const Message& message) {
   return taken;
 }
 
-void Session::remove(Slot& slot) { std::erase(slots_, &slot); }
+void Session::remove(Slot& slot) {
+  std::erase(slots_, &slot);
+}
 
-void Session::close() { connection_.close(deadline_after(kGoodbye)); }
+void Session::close() {
+  connection_.close(deadline_after(kGoodbye));
+}
 
 std::string Session::describe(const Key& key) const {
   const wire::MessageDef* row = wire::find_message(key.interf, wire::MessageType::kReq, key.subtype);

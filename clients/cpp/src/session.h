@@ -1,7 +1,7 @@
 #pragma once
 
-/// One conversation with a server: whose an answer is, which data wait, when a round of data is over, and which
-/// devices take the data. One thread.
+/// One conversation with a server: whose an answer is, which data wait, when a round of data is over, and
+/// which devices take the data. One thread.
 
 #include <cstdint>
 #include <deque>
@@ -15,7 +15,8 @@
 
 namespace playhouse::client {
 
-/// Data that wait for the next read(); as many as libplayerc's ring holds. Older ones give way and are counted.
+/// Data that wait for the next read(); as many as libplayerc's ring holds. Older ones give way and are
+/// counted.
 inline constexpr std::size_t kWaitingMessages = 512;
 
 /// An open device, as the session sees it.

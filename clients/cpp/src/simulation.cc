@@ -42,7 +42,11 @@ Result<void> Simulation::set_pose3d(std::string_view model, const wire::Pose3d& 
   return done ? Result<void>() : done.error();
 }
 
-Result<void> Simulation::pause() { return device_.command(simulation::kCmdPause); }
-Result<void> Simulation::reset() { return device_.command(simulation::kCmdReset); }
+Result<void> Simulation::pause() {
+  return device_.command(simulation::kCmdPause);
+}
+Result<void> Simulation::reset() {
+  return device_.command(simulation::kCmdReset);
+}
 
 }  // namespace playhouse::client

@@ -20,7 +20,9 @@ namespace playhouse::client {
 
 namespace {
 
-std::string reason(int code) { return std::generic_category().message(code); }
+std::string reason(int code) {
+  return std::generic_category().message(code);
+}
 
 /// Waits for `events`; false when the deadline passes first. One that has passed still sees what is ready.
 bool wait_for(int fd, short events, Deadline deadline) {
@@ -48,7 +50,8 @@ int connect_within(int fd, const addrinfo& address, Deadline deadline) {
 
 Deadline deadline_after(Seconds patience) {
   constexpr Seconds kYear{365.0 * 86400.0};
-  return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::clamp(patience, Seconds{0.0}, kYear));
+  return Clock::now() +
+         std::chrono::duration_cast<Clock::duration>(std::clamp(patience, Seconds{0.0}, kYear));
 }
 
 Result<Socket> Socket::connect(const std::string& host, std::uint16_t port, Deadline deadline) {
@@ -62,7 +65,8 @@ Result<Socket> Socket::connect(const std::string& host, std::uint16_t port, Dead
   const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> addresses(found, freeaddrinfo);
   int fault = EADDRNOTAVAIL;
   for (const addrinfo* address = found; address != nullptr; address = address->ai_next) {
-    Socket made(socket(address->ai_family, address->ai_socktype | SOCK_NONBLOCK | SOCK_CLOEXEC, address->ai_protocol));
+    Socket made(socket(address->ai_family, address->ai_socktype | SOCK_NONBLOCK | SOCK_CLOEXEC,
+                       address->ai_protocol));
     fault = made.is_open() ? connect_within(made.fd_, *address, deadline) : errno;
     if (fault != 0) continue;
     const int on = 1;
@@ -79,7 +83,9 @@ Socket& Socket::operator=(Socket&& other) noexcept {
   return *this;
 }
 
-Socket::~Socket() { drop(); }
+Socket::~Socket() {
+  drop();
+}
 
 Result<void> Socket::send(std::span<const std::byte> bytes, Deadline deadline) {
   while (!bytes.empty()) {

@@ -33,11 +33,13 @@ class Socket {
   /// All of it, or an error that closes the socket: what was sent in part cannot be continued.
   Result<void> send(std::span<const std::byte> bytes, Deadline deadline);
 
-  /// At least one byte into `out`; 0 when the deadline passes. An error, the peer's end included, closes the socket.
+  /// At least one byte into `out`; 0 when the deadline passes. An error, the peer's end included, closes the
+  /// socket.
   Result<std::size_t> receive(std::span<std::byte> out, Deadline deadline);
 
-  /// Says goodbye, waits until the peer has read everything and closed, or until the deadline, and closes. Closing
-  /// with unread bytes at once would make TCP throw away what is still on its way: a last stop command, for instance.
+  /// Says goodbye, waits until the peer has read everything and closed, or until the deadline, and closes.
+  /// Closing with unread bytes at once would make TCP throw away what is still on its way: a last stop
+  /// command, for instance.
   void close(Deadline deadline);
 
  private:

@@ -1,5 +1,5 @@
-/// What the programs behind the recorded sessions did, done with this library: playhouse_client_scenarios NAME
-/// HOST:PORT. clients/python/tests/test_replay.py plays the recorded answers and compares what is sent;
+/// What the programs behind the recorded sessions did, done with this library: playhouse_client_scenarios
+/// NAME HOST:PORT. clients/python/tests/test_replay.py plays the recorded answers and compares what is sent;
 /// clients/python/tests/scenarios.py is the twin of this file.
 
 #include <cmath>
@@ -39,7 +39,8 @@ void must(const Result<void>& result) {
 
 template <typename T>
 void must_refuse(const Result<T>& result) {
-  if (result || result.error().text.find("refused") == std::string::npos) fail("the server should have refused");
+  if (result || result.error().text.find("refused") == std::string::npos)
+    fail("the server should have refused");
 }
 
 void read_rounds(Client& client, int count) {

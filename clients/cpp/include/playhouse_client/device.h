@@ -1,7 +1,8 @@
 #pragma once
 
 /// Device: one open device of any interface. The proxies (position2d.h, ranger.h, ...) are made of it.
-/// Values are those of playhouse/wire/generated: SI units, radians. One thread per client and all its devices.
+/// Values are those of playhouse/wire/generated: SI units, radians. One thread per client and all its
+/// devices.
 
 #include <chrono>
 #include <cstdint>
@@ -36,12 +37,13 @@ struct Nothing {};
 
 class Device {
  public:
-  /// Data as they come, from inside Client::read(): the subtype, a body that decodes as the message of that subtype,
-  /// and the server's time (s).
+  /// Data as they come, from inside Client::read(): the subtype, a body that decodes as the message of that
+  /// subtype, and the server's time (s).
   using OnData = std::function<void(std::uint8_t subtype, std::span<const std::byte> body, double timestamp)>;
 
   /// Opens a device. An error if the server has no such device or refuses it.
-  static Result<Device> open(Client& client, std::uint16_t interf, std::uint16_t index, Access access = Access::kAll);
+  static Result<Device> open(Client& client, std::uint16_t interf, std::uint16_t index,
+                             Access access = Access::kAll);
 
   Device(Device&&) noexcept;
   Device& operator=(Device&&) noexcept;
@@ -57,8 +59,8 @@ class Device {
   /// Name of the driver behind the device.
   std::string driver() const;
 
-  /// Asks and waits for the answer: Reply as it decodes, or nothing for Reply = Nothing. NACK, silence and a lost
-  /// connection are errors.
+  /// Asks and waits for the answer: Reply as it decodes, or nothing for Reply = Nothing. NACK, silence and a
+  /// lost connection are errors.
   template <typename Reply = Nothing, typename Payload = Nothing>
   Result<Reply> request(std::uint8_t subtype, const Payload& payload = {});
 
@@ -112,7 +114,9 @@ template <typename Payload>
 std::vector<std::byte> bytes_of(const Payload& payload) {
   return wire::encode(payload);
 }
-inline std::vector<std::byte> bytes_of(const Nothing&) { return {}; }
+inline std::vector<std::byte> bytes_of(const Nothing&) {
+  return {};
+}
 
 }  // namespace internal
 

@@ -14,7 +14,7 @@ class Position2d {
     wire::Pose2d pose;      // m, m, rad, from where odometry started
     wire::Pose2d velocity;  // m/s, m/s, rad/s, in the robot's own frame
     bool stalled = false;
-    double timestamp = 0;   // server's time, s; 0 before the first data
+    double timestamp = 0;  // server's time, s; 0 before the first data
   };
 
   static Result<Position2d> open(Client& client, std::uint16_t index, Access access = Access::kAll);

@@ -10,14 +10,16 @@ namespace playhouse::client {
 
 class Ranger {
  public:
-  /// Asks for set-up and geometry at once; a device that tells neither is still opened, and its scans point nowhere.
+  /// Asks for set-up and geometry at once; a device that tells neither is still opened, and its scans point
+  /// nowhere.
   static Result<Ranger> open(Client& client, std::uint16_t index, Access access = Access::kAll);
 
   /// In m, in the order of measurement; empty before the first data.
   std::vector<double> ranges() const;
   std::vector<double> intensities() const;
 
-  /// Ranges with directions: each element's own if there is one per range, else spread over the field of view.
+  /// Ranges with directions: each element's own if there is one per range, else spread over the field of
+  /// view.
   Scan scan() const;
 
   const wire::ranger::Config& config() const { return config_; }

@@ -7,8 +7,8 @@
 
 namespace playhouse::client {
 
-/// Distances (m) and their directions (rad, counter-clockwise from the sensor's front), one for one, in the order of
-/// measurement.
+/// Distances (m) and their directions (rad, counter-clockwise from the sensor's front), one for one, in the
+/// order of measurement.
 struct Scan {
   std::vector<double> ranges;
   std::vector<double> angles;

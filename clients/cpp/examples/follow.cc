@@ -1,0 +1,66 @@
+/// Follows a marker and keeps a metre away from it.
+///     follow [HOST:PORT [INDEX [SECONDS [MARKER [FINDER]]]]]
+/// Robot INDEX (0), for SECONDS (0: until Ctrl-C), after the marker of number MARKER (the nearest of any
+/// number), seen by the fiducial finder FINDER (INDEX).
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "playhouse_client/fiducial.h"
+#include "playhouse_client/position2d.h"
+#include "program.h"
+
+using namespace playhouse;
+using namespace playhouse::client;
+
+namespace {
+
+constexpr double kDistance = 1.0;  // m
+constexpr double kSpeed = 0.5;     // m/s
+constexpr double kTurn = 1.0;      // rad/s
+
+/// Where the nearest marker of the wanted number is.
+std::optional<wire::Pose3d> choose(const std::vector<wire::fiducial::Item>& markers,
+                                   std::optional<int> wanted) {
+  std::optional<wire::Pose3d> nearest;
+  for (const auto& marker : markers) {
+    if (wanted && marker.id != *wanted) continue;
+    if (!nearest || std::hypot(marker.pose.px, marker.pose.py) < std::hypot(nearest->px, nearest->py))
+      nearest = marker.pose;
+  }
+  return nearest;
+}
+
+Result<void> step(Position2d& robot, const wire::Pose3d& marker) {
+  const double bearing = std::atan2(marker.py, marker.px);
+  const double speed = std::clamp(std::hypot(marker.px, marker.py) - kDistance, -kSpeed, kSpeed);
+  return robot.drive(std::abs(bearing) < 1.0 ? speed : 0.0, std::clamp(2.0 * bearing, -kTurn, kTurn));
+}
+
+Result<void> follow(Client& client, std::uint16_t index, const example::Clock& clock,
+                    const std::vector<int>& more) {
+  const std::optional<int> wanted = more.empty() ? std::nullopt : std::optional(more[0]);
+  auto robot = Position2d::open(client, index);
+  if (!robot) return robot.error();
+  auto finder = Fiducial::open(client, more.size() > 1 ? static_cast<std::uint16_t>(more[1]) : index);
+  if (!finder) return finder.error();
+  bool lost_to_the_left = true;
+  for (;;) {
+    const auto fresh = example::next_data(client, finder->device(), clock);
+    if (!fresh) return fresh.error();
+    if (!*fresh) return robot->close();
+    const auto marker = choose(finder->markers(), wanted);
+    if (marker) lost_to_the_left = marker->py > 0;
+    // Out of sight: it looks around, beginning where the marker was last.
+    const auto driven =
+        marker ? step(*robot, *marker) : robot->drive(0, lost_to_the_left ? kTurn / 2 : -kTurn / 2);
+    if (!driven) return driven;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return example::run(argc, argv, follow);
+}

@@ -1,0 +1,75 @@
+#pragma once
+
+/// The command line that the examples share: PROGRAM [HOST:PORT [INDEX [SECONDS ...]]].
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "playhouse_client/client.h"
+
+namespace example {
+
+inline volatile std::sig_atomic_t interrupted = 0;
+
+/// How long the program may still run: until a time, or until Ctrl-C.
+class Clock {
+ public:
+  /// 0 seconds means without end.
+  explicit Clock(double seconds)
+      : seconds_(seconds > 0 ? seconds : std::numeric_limits<double>::infinity()) {}
+  bool up() const {
+    return interrupted != 0 ||
+           std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count() >= seconds_;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  double seconds_;
+};
+
+using Behaviour = playhouse::Result<void> (*)(playhouse::client::Client&, std::uint16_t index, const Clock&,
+                                              const std::vector<int>& more);
+
+/// Connects and behaves; the exit code is 0 when done, 1 on an error, 2 on wrong arguments, 130 on Ctrl-C.
+inline int run(int argc, char** argv, Behaviour behave) {
+  const std::string address = argc > 1 ? argv[1] : "localhost:6665";
+  std::vector<double> numbers;
+  for (int i = 2; i < argc; ++i) {
+    char* end = nullptr;
+    numbers.push_back(std::strtod(argv[i], &end));
+    if (*end != '\0' || numbers.back() < 0 || numbers.back() > 65535) {
+      std::fprintf(stderr, "usage: %s [HOST:PORT [INDEX [SECONDS ...]]]\n", argv[0]);
+      return 2;
+    }
+  }
+  std::signal(SIGINT, [](int) { interrupted = 1; });
+  numbers.resize(std::max<std::size_t>(numbers.size(), 2));
+  auto client = playhouse::client::Client::connect(address);
+  if (!client) {
+    std::fprintf(stderr, "%s\n", client.error().line().c_str());
+    return 1;
+  }
+  const auto done = behave(*client, static_cast<std::uint16_t>(numbers[0]), Clock(numbers[1]),
+                           std::vector<int>(numbers.begin() + 2, numbers.end()));
+  if (!done) std::fprintf(stderr, "%s\n", done.error().line().c_str());
+  return !done ? 1 : interrupted != 0 ? 130 : 0;
+}
+
+/// Reads until the device has new data; false when the time is up.
+inline playhouse::Result<bool> next_data(playhouse::client::Client& client, playhouse::client::Device& device,
+                                         const Clock& clock) {
+  while (!clock.up()) {
+    const auto read = client.read();
+    if (!read) return read.error();
+    if (device.take_fresh()) return true;
+  }
+  return false;
+}
+
+}  // namespace example

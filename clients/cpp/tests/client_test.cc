@@ -1,0 +1,364 @@
+#include "playhouse_client/client.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "fake_server.h"
+#include "playhouse/wire/generated/player.h"
+#include "playhouse_client/position2d.h"
+#include "playhouse_client/scan.h"
+
+namespace playhouse::client {
+namespace {
+
+namespace position2d = wire::position2d;
+using testing::HasSubstr;
+using wire::MessageType;
+
+constexpr Seconds kShort{0.02};
+
+FakeServer::Script rounds(std::function<void(Peer&, const Received&)> rest) {
+  return [rest](Peer& peer) { peer.serve([&](const Received& message) { rest(peer, message); }); };
+}
+
+FakeServer::Script silent() {
+  return rounds([](Peer&, const Received&) {});
+}
+
+Client connect(const FakeServer& server, const Options& options = {}) {
+  Result<Client> client = Client::connect(server.address(), options);
+  PLAYHOUSE_ASSERT(client.ok());
+  return std::move(*client);
+}
+
+Position2d open_robot(Client& client) {
+  Result<Position2d> robot = Position2d::open(client, 0);
+  PLAYHOUSE_ASSERT(robot.ok());
+  return std::move(*robot);
+}
+
+std::vector<double> commanded_speeds(const FakeServer& server) {
+  std::vector<double> speeds;
+  for (const Received& message : server.received()) {
+    if (message.header.type == MessageType::kCmd) {
+      speeds.push_back(wire::decode<position2d::CmdVel>(message.body)->vel.px);
+    }
+  }
+  return speeds;
+}
+
+TEST(Address, DefaultsWhatIsMissingAndRefusesWhatIsNone) {
+  EXPECT_EQ(parse_address("robot")->host, "robot");
+  EXPECT_EQ(parse_address("robot")->port, kDefaultPort);
+  EXPECT_EQ(parse_address(":7000")->host, "localhost");
+  EXPECT_EQ(parse_address(":7000")->port, 7000);
+  EXPECT_FALSE(parse_address("robot:port"));
+  EXPECT_FALSE(parse_address("robot:0"));
+  EXPECT_FALSE(parse_address("robot:66666"));
+}
+
+TEST(Connecting, SaysWhenNobodyIsThere) {
+  std::string address;
+  {
+    FakeServer server([](Peer&) {});
+    address = server.address();
+    connect(server, {.mode = Mode::kPush});
+  }
+  const Result<Client> client = Client::connect(address);
+  ASSERT_FALSE(client);
+  EXPECT_THAT(client.error().line(), HasSubstr("cannot connect"));
+}
+
+TEST(Connecting, SaysWhenTheServerIsOfAnotherKind) {
+  FakeServer server([](Peer&) {}, "220 mail.example.org ESMTP ready");
+  const Result<Client> client = Client::connect(server.address());
+  ASSERT_FALSE(client);
+  EXPECT_THAT(client.error().line(), HasSubstr("not a Player server"));
+}
+
+TEST(Reading, ARoundEndsWithSynchAndBringsEverything) {
+  FakeServer server(rounds([](Peer& peer, const Received& message) {
+    peer.answer(message);
+    peer.position(1);
+    peer.position(2, 7.5);
+    peer.synch();
+  }));
+  Client client = connect(server);
+  Position2d robot = open_robot(client);
+  EXPECT_EQ(*client.read(), 2u);
+  EXPECT_EQ(robot.state().pose.px, 2);
+  EXPECT_EQ(robot.state().timestamp, 7.5);
+}
+
+TEST(Reading, MessagesInSingleBytesArriveWhole) {
+  FakeServer server(rounds([](Peer& peer, const Received& message) {
+    peer.dribble();
+    peer.answer(message);
+    peer.position(3);
+    peer.synch();
+  }));
+  Client client = connect(server);
+  Position2d robot = open_robot(client);
+  EXPECT_EQ(*client.read(), 1u);
+  EXPECT_EQ(robot.state().pose.px, 3);
+}
+
+TEST(Reading, NoDataInTimeIsNoErrorAndTheRoundGoesOn) {
+  FakeServer server(rounds([](Peer& peer, const Received& message) {
+    if (message.header.interf == wire::player::kCode) {
+      peer.answer(message);  // and nothing else
+      return;
+    }
+    peer.answer(message, wire::encode(position2d::Geom()));
+    peer.position(4);
+    peer.synch();
+  }));
+  {
+    Client client = connect(server);
+    Position2d robot = open_robot(client);
+    EXPECT_EQ(*client.read(kShort), 0u);
+    EXPECT_TRUE(robot.geometry());
+    EXPECT_EQ(*client.read(), 1u);
+    EXPECT_EQ(robot.state().pose.px, 4);
+  }
+  server.finish();
+  const auto asked =
+      std::count_if(server.received().begin(), server.received().end(), [](const Received& message) {
+        return message.header.interf == wire::player::kCode &&
+               message.header.subtype == wire::player::kReqData;
+      });
+  EXPECT_EQ(asked, 1);
+}
+
+TEST(Reading, InPushModeBringsWhatHasArrived) {
+  FakeServer server(rounds([](Peer& peer, const Received& message) {
+    peer.answer(message, wire::encode(position2d::Geom()));
+    peer.position(5);
+  }));
+  Client client = connect(server, {.mode = Mode::kPush});
+  Position2d robot = open_robot(client);
+  ASSERT_TRUE(robot.geometry());
+  EXPECT_EQ(robot.state().timestamp, 0);
+  EXPECT_EQ(*client.read(), 1u);
+  EXPECT_EQ(robot.state().pose.px, 5);
+}
+
+TEST(Reading, LostMessagesAreCounted) {
+  FakeServer server(rounds([](Peer& peer, const Received& message) {
+    peer.answer(message);
+    peer.position(1);
+    peer.overflow(41);
+  }));
+  Client client = connect(server);
+  Position2d robot = open_robot(client);
+  ASSERT_TRUE(client.read());
+  EXPECT_EQ(client.overflow_count(), 41u);
+}
+
+TEST(Reading, WhatMakesNoSenseIsSkippedAndCounted) {
+  FakeServer server(rounds([](Peer& peer, const Received& message) {
+    peer.answer(message);
+    const std::string junk = "1234";
+    const auto body = std::as_bytes(std::span(junk));
+    wire::Header header;
+    header.interf = position2d::kCode;
+    header.subtype = 99;  // no such kind of data
+    peer.say(header, body);
+    header.subtype = position2d::kDataState;  // too short
+    peer.say(header, body);
+    header.index = 9;  // not open
+    peer.say(header, wire::encode(position2d::Data()));
+    header.type = MessageType::kNack;  // nobody asked
+    peer.say(header, {});
+    header.type = static_cast<MessageType>(77);
+    peer.say(header, {});
+    peer.position(6);
+    peer.synch();
+  }));
+  Client client = connect(server);
+  Position2d robot = open_robot(client);
+  EXPECT_EQ(*client.read(), 1u);
+  EXPECT_EQ(robot.state().pose.px, 6);
+  EXPECT_EQ(client.skipped_count(), 5u);
+}
+
+TEST(Reading, ASizeOverTheLimitEndsTheConnection) {
+  FakeServer server(rounds([](Peer& peer, const Received& message) {
+    peer.answer(message);
+    wire::Header header;
+    header.size = 0x7FFFFFFF;
+    std::array<std::byte, limits::kHeaderBytes> head;
+    wire::encode_header(header, head);
+    peer.send(head);
+  }));
+  Client client = connect(server);
+  Position2d robot = open_robot(client);
+  const auto read = client.read();
+  ASSERT_FALSE(read);
+  EXPECT_THAT(read.error().line(), HasSubstr("over the wire's limit"));
+  EXPECT_FALSE(client.connected());
+  EXPECT_FALSE(robot.drive(1, 0));
+}
+
+TEST(Reading, CallbacksMayAskAndCloseButNotRead) {
+  FakeServer server(rounds([](Peer& peer, const Received& message) {
+    const bool to_server = message.header.interf == wire::player::kCode;
+    peer.answer(message, to_server ? std::vector<std::byte>() : wire::encode(position2d::Geom()));
+    if (!to_server) return;
+    peer.position(1);
+    peer.position(2);
+    peer.synch();
+  }));
+  Client client = connect(server);
+  Position2d robot = open_robot(client);
+  int calls = 0;
+  robot.device().on_data([&](std::uint8_t subtype, std::span<const std::byte> body, double) {
+    ++calls;
+    EXPECT_EQ(subtype, position2d::kDataState);
+    EXPECT_EQ(wire::decode<position2d::Data>(body)->pos.px, 1);
+    EXPECT_TRUE(robot.geometry());
+    EXPECT_FALSE(client.read());
+    EXPECT_TRUE(robot.close());
+  });
+  ASSERT_TRUE(client.read());
+  EXPECT_EQ(calls, 1);
+}
+
+TEST(Asking, ARefusalIsAnErrorAndTheConnectionStays) {
+  int asked = 0;
+  FakeServer server(rounds([&](Peer& peer, const Received& message) {
+    const auto type = ++asked == 1 ? MessageType::kNack : MessageType::kAck;
+    peer.answer(message, wire::encode(position2d::Geom()), type);
+  }));
+  Client client = connect(server);
+  Position2d robot = open_robot(client);
+  const auto refused = robot.geometry();
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().line(), HasSubstr("refused: position2d.req.get_geom to position2d:0"));
+  EXPECT_TRUE(robot.geometry());
+}
+
+/// Holds the first request until the second, then answers both in order, the second with `number`.
+void answer_late(Peer& peer, std::vector<Received>& held, const Received& message, bool returns_numbers) {
+  held.push_back(message);
+  for (std::size_t i = 0; held.size() == 2 && i < 2; ++i) {
+    wire::IntpropReq body{"x", static_cast<std::int32_t>(i + 1)};
+    if (!returns_numbers) held[i].header.seq = 0;
+    peer.answer(held[i], wire::encode(body));
+  }
+}
+
+class LateAnswers : public testing::TestWithParam<bool> {};
+
+TEST_P(LateAnswers, AreNotTakenForAnothers) {
+  std::vector<Received> held;
+  FakeServer server(
+      rounds([&](Peer& peer, const Received& message) { answer_late(peer, held, message, GetParam()); }));
+  Client client = connect(server, {.timeout = Seconds{0.2}});
+  Result<Device> device = Device::open(client, position2d::kCode, 0);
+  ASSERT_TRUE(device);
+  const auto first = device->get_int("x");
+  ASSERT_FALSE(first);
+  EXPECT_THAT(first.error().line(), HasSubstr("no answer in time: universal.req.get_intprop"));
+  const auto second = device->get_int("x");
+  ASSERT_TRUE(second);
+  EXPECT_EQ(*second, 2);
+}
+
+INSTANTIATE_TEST_SUITE_P(ServersThatReturnNumbersAndServersThatDoNot, LateAnswers, testing::Bool());
+
+TEST(Asking, AServerThatGoesIsNoticed) {
+  FakeServer server([](Peer& peer) {
+    for (int i = 0; i < 3; ++i) {
+      const auto message = peer.receive();
+      if (message && i < 2) peer.answer(*message, message->body);
+    }
+  });
+  Client client = connect(server);
+  Position2d robot = open_robot(client);
+  const auto lost = robot.geometry();
+  ASSERT_FALSE(lost);
+  EXPECT_THAT(lost.error().line(), HasSubstr("the server"));
+  EXPECT_FALSE(client.connected());
+  EXPECT_FALSE(client.read());
+}
+
+TEST(Asking, AnAnswerThatDoesNotDecodeNamesTheFault) {
+  const std::string junk = "1234";
+  FakeServer server(rounds(
+      [&](Peer& peer, const Received& message) { peer.answer(message, std::as_bytes(std::span(junk))); }));
+  Client client = connect(server);
+  Position2d robot = open_robot(client);
+  const auto geometry = robot.geometry();
+  ASSERT_FALSE(geometry);
+  EXPECT_THAT(geometry.error().line(), HasSubstr("does not decode"));
+}
+
+TEST(Asking, ADriverThatRefusesToStartIsAnError) {
+  FakeServer server([](Peer& peer) {
+    while (const auto message = peer.receive()) {
+      wire::player::DeviceReq granted;
+      granted.access = wire::player::kErrorMode;
+      peer.answer(*message, wire::encode(granted));
+    }
+  });
+  Client client = connect(server);
+  const auto robot = Position2d::open(client, 0);
+  ASSERT_FALSE(robot);
+  EXPECT_THAT(robot.error().line(), HasSubstr("cannot open position2d:0: the driver refuses"));
+}
+
+TEST(Ending, AMovingRobotIsStoppedBeforeItsDeviceIsClosed) {
+  FakeServer server(silent());
+  {
+    Client client = connect(server);
+    Position2d robot = open_robot(client);
+    ASSERT_TRUE(robot.drive(0.4, 0.1));
+  }
+  server.finish();
+  EXPECT_THAT(commanded_speeds(server), testing::ElementsAre(0.4, 0.0));
+  EXPECT_EQ(wire::decode<wire::player::DeviceReq>(server.received().back().body)->access,
+            wire::player::kCloseMode);
+}
+
+TEST(Ending, ARobotThatStandsGetsNoFurtherCommand) {
+  FakeServer server(silent());
+  {
+    Client client = connect(server);
+    Position2d robot = open_robot(client);
+    Position2d moved = std::move(robot);
+    ASSERT_TRUE(moved.drive(0.4, 0));
+    ASSERT_TRUE(moved.stop());
+  }
+  server.finish();
+  EXPECT_THAT(commanded_speeds(server), testing::ElementsAre(0.4, 0.0));
+}
+
+TEST(Ending, ADeviceMayOutliveItsClient) {
+  FakeServer server(silent());
+  std::optional<Position2d> robot;
+  {
+    Client client = connect(server);
+    robot.emplace(open_robot(client));
+  }
+  EXPECT_FALSE(robot->drive(1, 0));
+}
+
+TEST(Scan, FindsTheNearestThingBetweenTwoDirections) {
+  Scan scan;
+  scan.ranges = {3, 1, 2};
+  scan.angles = spread_angles(-1, 1, 3);
+  scan.max_range = 8;
+  EXPECT_THAT(scan.angles, testing::ElementsAre(-1, 0, 1));
+  EXPECT_EQ(scan.nearest(-2, 2), 1);
+  EXPECT_EQ(scan.nearest(0.5, 2), 2);
+  EXPECT_EQ(scan.nearest(2, 3), 8);
+  EXPECT_NEAR(scan.points()[0].py, -3 * std::sin(1), 1e-12);
+}
+
+}  // namespace
+}  // namespace playhouse::client

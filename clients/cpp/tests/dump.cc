@@ -1,0 +1,40 @@
+/// Prints every message of a recorded stream as one line of JSON, as the server and `playhouse watch` show
+/// it: playhouse_client_dump FILE. clients/python/tests/test_conformance.py compares the lines with Python's
+/// values.
+
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "playhouse/wire/header.h"
+#include "playhouse/wire/messages.h"
+
+using namespace playhouse;
+
+int main(int argc, char** argv) {
+  if (argc != 2) return 2;
+  std::ifstream file(argv[1], std::ios::binary);
+  const std::vector<char> chars((std::istreambuf_iterator<char>(file)), {});
+  std::span<const std::byte> left = std::as_bytes(std::span(chars));
+  if (std::string_view(argv[1]).ends_with(".s2c")) left = left.subspan(limits::kBannerBytes);
+  while (left.size() >= limits::kHeaderBytes) {
+    const wire::Header header = wire::decode_header(left.first<limits::kHeaderBytes>());
+    left = left.subspan(limits::kHeaderBytes);
+    if (header.size > left.size()) break;
+    const wire::MessageDef* row = wire::find_message(header.interf, header.type, header.subtype);
+    std::string line = "{\"name\":\"" + std::string(row != nullptr ? row->name : "") + "\",\"value\":";
+    if (row != nullptr && header.size > 0) {
+      row->to_json(left.first(header.size), line);
+    } else {
+      line += "null";
+    }
+    std::printf("%s}\n", line.c_str());
+    left = left.subspan(header.size);
+  }
+  return 0;
+}

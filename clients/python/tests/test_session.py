@@ -1,0 +1,300 @@
+"""What a client makes of servers that are slow, silent, talkative, wrong or gone."""
+
+import struct
+import unittest
+from typing import Callable, List
+
+import package  # noqa: F401
+from fake_server import FakeServer, Peer
+from playhouse_client import (
+    Access, ConnectionLost, Mode, PlayerError, RequestRefused, RequestTimeout, WireError, connect,
+)
+from playhouse_client.connection import Message
+from playhouse_client.generated import common, player, position2d
+from playhouse_client.wire import Kind
+
+DATA_REQUEST = player.REQ_DATA.subtype
+
+
+def state(x: float) -> position2d.Data:
+    return position2d.Data(pos=common.Pose2d(x, 0.0, 0.0))
+
+
+def script(rounds: Callable[[Peer, Message], None]) -> Callable[[Peer], None]:
+    return lambda peer: peer.serve(rounds)
+
+
+def commands(server: FakeServer) -> List[position2d.CmdVel]:
+    assert server.peer is not None
+    return [position2d.CmdVel.decode(m[40:]) for m in server.peer.received if m[19] == Kind.CMD]
+
+
+class Connecting(unittest.TestCase):
+    def test_nobody_there(self) -> None:
+        with FakeServer(lambda peer: None) as server:
+            address = server.address
+            connect(address, mode=Mode.PUSH).close()
+        with self.assertRaisesRegex(ConnectionLost, "cannot connect"):
+            connect(address)
+
+    def test_a_server_of_another_kind(self) -> None:
+        with FakeServer(lambda peer: None, banner=b"220 mail.example.org ESMTP ready now") as server:
+            with self.assertRaisesRegex(ConnectionLost, "not a Player server"):
+                connect(server.address)
+
+    def test_a_banner_in_pieces(self) -> None:
+        def pieces(peer: Peer) -> None:
+            for byte in b"Player v.3.1".ljust(32, b"\0"):
+                peer.send(bytes([byte]))
+
+        with FakeServer(pieces, banner=b"") as server:
+            with connect(server.address, mode=Mode.PUSH) as client:
+                self.assertEqual(client.banner, "Player v.3.1")
+
+    def test_an_address_that_is_none(self) -> None:
+        with self.assertRaisesRegex(ConnectionLost, "is not HOST or HOST:PORT"):
+            connect("localhost:port")
+
+
+class Reading(unittest.TestCase):
+    def test_a_round_ends_with_synch_and_brings_everything(self) -> None:
+        def rounds(peer: Peer, message: Message) -> None:
+            peer.answer(message)
+            peer.data(position2d.DATA_STATE, state(1.0))
+            peer.data(position2d.DATA_STATE, state(2.0), timestamp=7.5)
+            peer.synch()
+
+        with FakeServer(script(rounds)) as server, connect(server.address) as client:
+            robot = client.position2d(0)
+            self.assertEqual(client.read(), 2)
+            self.assertEqual((robot.pose.x, robot.timestamp), (2.0, 7.5))
+
+    def test_messages_in_single_bytes_arrive_whole(self) -> None:
+        def rounds(peer: Peer, message: Message) -> None:
+            peer.answer(message)
+            plain, sent = peer.send, []
+            peer.send = sent.append  # type: ignore[method-assign]
+            peer.data(position2d.DATA_STATE, state(3.0))
+            peer.synch()
+            peer.send = plain  # type: ignore[method-assign]
+            for byte in b"".join(sent):
+                peer.send(bytes([byte]))
+
+        with FakeServer(script(rounds)) as server, connect(server.address) as client:
+            robot = client.position2d(0)
+            self.assertEqual(client.read(), 1)
+            self.assertEqual(robot.pose.x, 3.0)
+
+    def test_no_data_in_time_is_an_error_and_the_round_goes_on(self) -> None:
+        asked: List[Message] = []
+
+        def rounds(peer: Peer, message: Message) -> None:
+            if message.header.subtype == DATA_REQUEST:
+                asked.append(message)
+                peer.answer(message)  # and nothing else
+            else:
+                peer.answer(message, body=position2d.Geom().encode())
+                peer.data(position2d.DATA_STATE, state(4.0))
+                peer.synch()
+
+        with FakeServer(script(rounds)) as server, connect(server.address) as client:
+            robot = client.position2d(0)
+            with self.assertRaisesRegex(RequestTimeout, "no data in time"):
+                client.read(timeout=0.02)
+            robot.geometry()
+            self.assertEqual(client.read(), 1)
+            self.assertEqual(robot.pose.x, 4.0)
+            self.assertEqual(len(asked), 1)
+
+    def test_lost_messages_are_counted_and_not_an_error(self) -> None:
+        def rounds(peer: Peer, message: Message) -> None:
+            peer.answer(message)
+            peer.data(position2d.DATA_STATE, state(1.0))
+            peer.synch(lost=41)
+
+        with FakeServer(script(rounds)) as server, connect(server.address) as client:
+            client.position2d(0)
+            client.read()
+            self.assertEqual(client.overflow_count, 41)
+
+    def test_data_that_come_before_an_answer_wait_for_read(self) -> None:
+        def rounds(peer: Peer, message: Message) -> None:
+            peer.data(position2d.DATA_STATE, state(5.0))
+            peer.answer(message, body=position2d.Geom().encode())
+
+        with FakeServer(script(rounds)) as server, connect(server.address, mode=Mode.PUSH) as client:
+            robot = client.position2d(0)
+            robot.geometry()
+            self.assertEqual(robot.pose.x, 0.0)
+            client.read()
+            self.assertEqual(robot.pose.x, 5.0)
+
+    def test_what_makes_no_sense_is_skipped_and_counted(self) -> None:
+        def rounds(peer: Peer, message: Message) -> None:
+            peer.answer(message)
+            peer.say(4, 0, Kind.DATA, 99, b"1234")  # no such kind of data
+            peer.say(4, 0, Kind.DATA, 1, b"1234")  # too short
+            peer.say(4, 9, Kind.DATA, 1, state(1.0).encode())  # a device that is not open
+            peer.say(4, 0, Kind.NACK, 5, b"")  # nobody asked
+            peer.say(4, 0, 77, 5, b"")  # no such kind of message
+            peer.data(position2d.DATA_STATE, state(6.0))
+            peer.synch()
+
+        with FakeServer(script(rounds)) as server, connect(server.address) as client:
+            robot = client.position2d(0)
+            self.assertEqual(client.read(), 1)
+            self.assertEqual((robot.pose.x, client.skipped_count), (6.0, 5))
+
+    def test_a_size_over_the_limit_ends_the_connection(self) -> None:
+        def rounds(peer: Peer, message: Message) -> None:
+            peer.answer(message)
+            peer.send(struct.pack(">6Id2I", 0, 0, 4, 0, 1, 1, 0.0, 0, 0x7FFFFFFF))
+
+        with FakeServer(script(rounds)) as server, connect(server.address) as client:
+            client.position2d(0)
+            with self.assertRaisesRegex(ConnectionLost, "over the wire's limit"):
+                client.read()
+            self.assertFalse(client.connected)
+
+    def test_callbacks_may_ask_but_not_read(self) -> None:
+        faults: List[str] = []
+
+        def rounds(peer: Peer, message: Message) -> None:
+            peer.answer(message, body=b"" if message.header.interface == 1 else position2d.Geom().encode())
+            if message.header.interface == 1:
+                peer.data(position2d.DATA_STATE, state(1.0))
+                peer.synch()
+
+        with FakeServer(script(rounds)) as server, connect(server.address) as client:
+            robot = client.position2d(0)
+
+            def react(kind: object, value: object, timestamp: float) -> None:
+                robot.geometry()
+                try:
+                    client.read()
+                except PlayerError as error:
+                    faults.append(str(error))
+
+            robot.on_data(react)
+            client.read()
+        self.assertEqual(len(faults), 1)
+        self.assertIn("from a callback", faults[0])
+
+
+class Asking(unittest.TestCase):
+    def test_a_refusal_is_an_error_and_the_connection_stays(self) -> None:
+        answers = [Kind.NACK, Kind.ACK]
+
+        def rounds(peer: Peer, message: Message) -> None:
+            peer.answer(message, answers.pop(0), position2d.Geom().encode())
+
+        with FakeServer(script(rounds)) as server, connect(server.address) as client:
+            robot = client.position2d(0)
+            with self.assertRaisesRegex(RequestRefused, "position2d.req.get_geom"):
+                robot.geometry()
+            robot.geometry()
+
+    def test_a_late_answer_is_not_taken_for_anothers(self) -> None:
+        held: List[Message] = []
+
+        def rounds(peer: Peer, message: Message) -> None:
+            held.append(message)
+            if len(held) == 2:
+                for number, request in enumerate(held, 1):
+                    peer.answer(request, body=common.IntpropReq(b"x\0", number).encode())
+
+        with FakeServer(script(rounds)) as server, connect(server.address) as client:
+            device = client.device("dio", 0)
+            with self.assertRaisesRegex(RequestTimeout, "no answer to universal.req.get_intprop"):
+                device.request(common.REQ_GET_INTPROP, common.IntpropReq(b"x\0"), timeout=0.02)
+            self.assertEqual(device.get_property("x", int), 2)
+
+    def test_a_late_answer_of_a_server_that_does_not_number_is_told_apart_too(self) -> None:
+        held: List[Message] = []
+
+        def rounds(peer: Peer, message: Message) -> None:
+            held.append(message)
+            if len(held) == 2:
+                for number, request in enumerate(held, 1):
+                    peer.answer(request, body=common.IntpropReq(b"x\0", number).encode(), sequence=0)
+
+        with FakeServer(script(rounds)) as server, connect(server.address) as client:
+            device = client.device("dio", 0)
+            with self.assertRaises(RequestTimeout):
+                device.request(common.REQ_GET_INTPROP, common.IntpropReq(b"x\0"), timeout=0.02)
+            self.assertEqual(device.get_property("x", int), 2)
+
+    def test_an_answer_that_does_not_decode_names_the_fault(self) -> None:
+        with FakeServer(script(lambda peer, message: peer.answer(message, body=b"1234"))) as server:
+            with connect(server.address) as client:
+                robot = client.position2d(0)
+                with self.assertRaisesRegex(WireError, "position2d.Geom"):
+                    robot.geometry()
+
+    def test_a_server_that_goes_is_noticed(self) -> None:
+        def leave(peer: Peer, message: Message) -> None:
+            raise ConnectionError
+
+        with FakeServer(script(leave)) as server, connect(server.address) as client:
+            robot = client.position2d(0)
+            with self.assertRaises(ConnectionLost):
+                robot.geometry()
+            self.assertFalse(client.connected)
+            with self.assertRaises(ConnectionLost):
+                robot.drive(1.0)
+
+    def test_a_device_that_is_not_there_cannot_be_opened(self) -> None:
+        def refuse(peer: Peer) -> None:
+            while True:
+                message = peer.receive()
+                if message is None:
+                    return
+                peer.answer(message, Kind.NACK if message.header.subtype == 3 else Kind.ACK)
+
+        with FakeServer(refuse) as server, connect(server.address) as client:
+            with self.assertRaisesRegex(RequestRefused, "there is no position2d:3 to open"):
+                client.position2d(3)
+            with self.assertRaisesRegex(PlayerError, 'no interface "position"'):
+                client.device("position", 0)
+
+    def test_a_driver_that_refuses_to_start_is_an_error(self) -> None:
+        def refuse(peer: Peer) -> None:
+            while True:
+                message = peer.receive()
+                if message is None:
+                    return
+                body = player.DeviceReq(common.Devaddr(0, 0, 4, 0), player.ERROR_MODE).encode()
+                peer.answer(message, body=body if message.header.subtype == 3 else b"")
+
+        with FakeServer(refuse) as server, connect(server.address) as client:
+            with self.assertRaisesRegex(RequestRefused, "cannot open position2d:0"):
+                client.position2d(0)
+
+
+class Ending(unittest.TestCase):
+    def test_a_moving_robot_is_stopped_before_its_device_is_closed(self) -> None:
+        with FakeServer(script(lambda peer, message: None)) as server:
+            with connect(server.address) as client:
+                client.position2d(0).drive(0.4, 0.1)
+        self.assertEqual([c.vel.px for c in commands(server)], [0.4, 0.0])
+        assert server.peer is not None
+        self.assertEqual(server.peer.received[-1][40 + 19], player.CLOSE_MODE)
+
+    def test_a_robot_that_stands_gets_no_further_command(self) -> None:
+        with FakeServer(script(lambda peer, message: None)) as server:
+            with connect(server.address) as client, client.position2d(0) as robot:
+                robot.drive(0.4)
+                robot.stop()
+        self.assertEqual([c.vel.px for c in commands(server)], [0.4, 0.0])
+
+    def test_reading_access_is_asked_for_by_its_character(self) -> None:
+        with FakeServer(script(lambda peer, message: None)) as server:
+            with connect(server.address) as client:
+                client.position2d(0, Access.READ)
+        assert server.peer is not None
+        opened = player.DeviceReq.decode(server.peer.received[1][40:])
+        self.assertEqual(opened.access, ord("r"))
+
+
+if __name__ == "__main__":
+    unittest.main()
