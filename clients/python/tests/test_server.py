@@ -1,0 +1,215 @@
+"""The examples, in Python and C++, drive robots of the real server; a second client watches through the simulation."""
+
+import math
+import os
+import re
+import subprocess
+import sys
+import time
+import unittest
+from typing import Callable, Dict, List, Sequence, Tuple
+
+from package import ROOT
+from playhouse_client import Access, Client, Mode, Pose, RequestRefused, Simulation, connect
+from playhouse_client.generated import position2d
+
+PROGRAM = os.environ.get("PLAYHOUSE_PROGRAM", str(ROOT / "build" / "playhouse"))
+SPEED = "6"  # times real time, so that a minute of driving is ten seconds of test
+HANG = 120.0  # seconds after which something is taken for hung
+
+needed = unittest.skipUnless(os.access(PROGRAM, os.X_OK), f"there is no server program at {PROGRAM}")
+
+
+def examples(name: str) -> Dict[str, List[str]]:
+    """Language -> the command that starts an example."""
+    found = {"python": [sys.executable, str(ROOT / "clients" / "python" / "examples" / f"{name}.py")]}
+    if "PLAYHOUSE_CLIENT_EXAMPLES" in os.environ:
+        found["cpp"] = [os.path.join(os.environ["PLAYHOUSE_CLIENT_EXAMPLES"], name)]
+    return found
+
+
+class World:
+    """The server, running a world on a free port, as a `with` block."""
+
+    def __init__(self, world: str) -> None:
+        command = [PROGRAM, "run", str(ROOT / "worlds" / world), "--port", "0", "--headless", "--speed", SPEED]
+        self._process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        self.address = self._read_address()
+
+    def _read_address(self) -> str:
+        assert self._process.stdout is not None
+        said = ""
+        for line in self._process.stdout:
+            said += line
+            found = re.search(r"Player clients: (\S+)", line)
+            if found:
+                return found.group(1)
+        self._process.wait()
+        raise AssertionError(f"the server ended with {self._process.returncode}:\n{said}")
+
+    def __enter__(self) -> "World":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._process.terminate()
+        self._process.communicate(timeout=HANG)
+
+
+def track(command: Sequence[str], look: Callable[[], Tuple[float, ...]]) -> Tuple[List[Tuple[float, ...]], str]:
+    """Runs an example to its end and looks all the while: what was seen, and what the example printed."""
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    seen, start = [look()], time.monotonic()
+    while process.poll() is None:
+        seen.append(look())
+        time.sleep(0.01)
+        if time.monotonic() - start > HANG:
+            process.kill()
+    printed = process.communicate()[0]
+    if process.returncode != 0:
+        raise AssertionError(f"{command} ended with {process.returncode}:\n{printed}")
+    return seen, printed
+
+
+def distance(a: Sequence[float], b: Sequence[float]) -> float:
+    return math.hypot(a[0] - b[0], a[1] - b[1])
+
+
+def length(path: Sequence[Sequence[float]]) -> float:
+    return sum(distance(a, b) for a, b in zip(path, path[1:]))
+
+
+@needed
+class Examples(unittest.TestCase):
+    def assert_stands(self, client: Client, simulator: Simulation, index: int, model: str) -> None:
+        with client.position2d(index, Access.READ) as robot:
+            robot.next_data()
+            robot.next_data()
+            before = simulator.pose(model)
+            self.assertEqual(robot.velocity, (0.0, 0.0, 0.0))
+            robot.next_data()
+            robot.next_data()
+            self.assertEqual(simulator.pose(model), before)
+
+    def test_square_goes_round_the_corners_and_comes_back(self) -> None:
+        for language, command in examples("square").items():
+            with self.subTest(language), World("square.world") as world, connect(world.address) as client:
+                simulator = client.simulation(0)
+                path, printed = track([*command, world.address, "0", "60"], lambda: simulator.pose("r0"))
+                self.assertEqual(printed.count("corner"), 4, printed)
+                for corner in [(1.5, 0.0), (1.5, 1.5), (0.0, 1.5)]:
+                    self.assertLess(min(distance(corner, pose) for pose in path), 0.25, corner)
+                self.assertLess(distance(path[-1], (0.0, 0.0)), 0.25)
+                self.assertAlmostEqual(math.sin(path[-1][2]), 0.0, delta=0.3)
+                self.assert_stands(client, simulator, 0, "r0")
+
+    def test_wander_moves_and_runs_into_nothing(self) -> None:
+        for language, command in examples("wander").items():
+            with self.subTest(language), World("simple.world") as world, connect(world.address) as client:
+                simulator, robot = client.simulation(0), client.position2d(0, Access.READ)
+                stalls: List[bool] = []
+
+                def look() -> Pose:
+                    robot.next_data()
+                    stalls.append(robot.stalled)
+                    return simulator.pose("r0")
+
+                path, _ = track([*command, world.address, "0", "6"], look)
+                self.assertGreater(length(path), 3.0)
+                self.assertFalse(any(stalls))
+                self.assert_stands(client, simulator, 0, "r0")
+
+    def test_follow_stays_with_its_leader(self) -> None:
+        for language, command in examples("follow").items():
+            with self.subTest(language), World("fiducial.world") as world, connect(world.address) as client:
+                simulator = client.simulation(0)
+
+                def look() -> Tuple[float, ...]:
+                    return (*simulator.pose("r0"), *simulator.pose("leader"))
+
+                seen, _ = track([*command, world.address, "1", "8", "7", "0"], look)
+                later = seen[len(seen) // 2 :]
+                near = [both for both in later if distance(both[:2], both[3:5]) < 2.0]
+                self.assertGreater(len(near), 0.7 * len(later))
+                self.assertGreater(length([both[:2] for both in seen]), 2.0)
+                self.assert_stands(client, simulator, 1, "r0")
+
+
+@needed
+class Server(unittest.TestCase):
+    world: World
+
+    @classmethod
+    def setUpClass(cls) -> None:
+        cls.world = World("simple.world")
+
+    @classmethod
+    def tearDownClass(cls) -> None:
+        cls.world.__exit__()
+
+    def test_lists_its_devices_with_their_drivers(self) -> None:
+        with connect(self.world.address) as client:
+            listed = {entry.name: entry.driver for entry in client.devices()}
+            self.assertLessEqual({"simulation:0", "position2d:0", "ranger:0", "laser:0", "sonar:0"}, set(listed))
+            self.assertTrue(all(listed.values()), listed)
+            self.assertTrue(client.banner.startswith("Player v."))
+
+    def test_moves_models_and_refuses_names_it_does_not_have(self) -> None:
+        with connect(self.world.address) as client, client.simulation(0) as simulator:
+            simulator.set_pose("r0", 1.0, -1.0, 0.5)
+            self.assertLess(distance(simulator.pose("r0"), (1.0, -1.0)), 1e-9)
+            self.assertAlmostEqual(simulator.pose3d("r0").yaw, 0.5)
+            with self.assertRaises(RequestRefused):
+                simulator.pose("nosuch")
+
+    def test_the_last_command_before_the_end_is_carried_out(self) -> None:
+        with connect(self.world.address) as watcher, watcher.position2d(0, Access.READ) as robot:
+            for _ in range(3):
+                with connect(self.world.address) as client:
+                    client.position2d(0).drive(0.1, 0.4)
+                    client.read()
+                robot.next_data()
+                robot.next_data()
+                self.assertEqual(robot.velocity.a, 0.0)
+
+    def test_reading_access_does_not_drive(self) -> None:
+        with connect(self.world.address) as client, client.position2d(0, Access.READ) as robot:
+            robot.drive(0.3)
+            robot.next_data()
+            robot.next_data()
+            self.assertEqual(robot.velocity.x, 0.0)
+            with self.assertRaises(RequestRefused):
+                robot.set_odometry(1.0, 2.0, 0.0)
+
+    def test_odometry_is_set_and_data_are_pushed(self) -> None:
+        with connect(self.world.address, mode=Mode.PUSH) as client, client.position2d(0) as robot:
+            robot.set_odometry(4.0, 5.0, 1.0)
+            robot.next_data()
+            robot.next_data()
+            self.assertLess(distance(robot.pose, (4.0, 5.0)), 0.01)
+
+    def test_scans_of_laser_and_ranger_point_to_the_walls(self) -> None:
+        with connect(self.world.address) as client:
+            client.simulation(0).set_pose("r0", 0.0, 0.0, 0.0)
+            laser, sonar = client.laser(0), client.ranger(0)
+            for device in (laser, sonar):
+                device.next_data()
+                device.next_data()
+            scan = laser.scan()
+            self.assertEqual(len(scan.ranges), len(scan.angles))
+            self.assertTrue(2.5 < scan.nearest(-0.05, 0.05) < 3.2)
+            self.assertTrue(all(max(abs(x), abs(y)) < 3.5 for x, y in scan.points()))
+            self.assertEqual(len(sonar.ranges), len(sonar.geom.element_poses))
+            self.assertEqual(sonar.scan().angles[0], sonar.geom.element_poses[0].pyaw)
+
+    def test_what_a_device_cannot_do_is_refused_at_once(self) -> None:
+        with connect(self.world.address) as client, client.position2d(0) as robot:
+            with self.assertRaises(RequestRefused):
+                robot.get_property("nosuch", int)
+            with self.assertRaises(RequestRefused):
+                robot.request(position2d.REQ_SPEED_PID, position2d.SpeedPidReq(1.0, 0.0, 0.0))
+            with self.assertRaises(RequestRefused):
+                client.position2d(99)
+
+
+if __name__ == "__main__":
+    unittest.main()
