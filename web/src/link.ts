@@ -1,0 +1,105 @@
+import type { Command } from './protocol/commands';
+import { Replica } from './protocol/replica';
+import { parseText, type Scene } from './protocol/scene';
+
+export type LinkState = 'connecting' | 'live' | 'silent' | 'lost';
+
+export interface LinkEvents {
+  scene(scene: Scene, replica: Replica): void;
+  packet(): void;
+  notice(text: string): void;
+  state(state: LinkState): void;
+}
+
+const kSilentMs = 4000; // the program sends something every second
+const kRetryMs = [300, 600, 1200, 2500, 5000];
+
+/**
+ * The connection to the program: applies its packets, acknowledges them once they could be drawn (a page that
+ * draws slowly gets fewer), and connects again by itself.
+ */
+export class Link {
+  private socket: WebSocket | null = null;
+  private replica: Replica | null = null;
+  private tries = 0;
+  private lastHeard = 0;
+  private unacknowledged = 0;
+  private current: LinkState = 'connecting';
+
+  constructor(
+    private readonly url: string,
+    private readonly events: LinkEvents,
+  ) {
+    this.connect();
+    window.setInterval(() => this.listenForSilence(), 500);
+  }
+
+  send(command: Command): void {
+    if (this.socket?.readyState === WebSocket.OPEN) this.socket.send(JSON.stringify(command));
+  }
+
+  /** Call once per drawn frame. */
+  acknowledge(): void {
+    if (this.unacknowledged === 0) return;
+    this.send({ do: 'ack', frame: this.unacknowledged });
+    this.unacknowledged = 0;
+  }
+
+  private connect(): void {
+    const socket = new WebSocket(this.url);
+    socket.binaryType = 'arraybuffer';
+    socket.onmessage = (message) => this.receive(socket, message.data);
+    socket.onclose = () => this.closed(socket);
+    this.socket = socket;
+  }
+
+  private receive(socket: WebSocket, data: string | ArrayBuffer): void {
+    if (socket !== this.socket) return;
+    this.lastHeard = performance.now();
+    try {
+      if (typeof data === 'string') this.receiveText(data);
+      else this.receivePacket(data);
+    } catch (error) {
+      this.events.notice(error instanceof Error ? error.message : String(error));
+      socket.close();
+    }
+  }
+
+  private receiveText(text: string): void {
+    const message = parseText(text);
+    if ('notice' in message) return this.events.notice(message.notice);
+    this.tries = 0;
+    this.unacknowledged = 0;
+    this.replica = new Replica(message.scene);
+    this.events.scene(message.scene, this.replica);
+    this.change('live');
+  }
+
+  private receivePacket(packet: ArrayBuffer): void {
+    if (!this.replica) throw new Error('a packet came before the scene');
+    this.replica.apply(packet);
+    this.unacknowledged = this.replica.frame;
+    this.change('live');
+    this.events.packet();
+  }
+
+  private closed(socket: WebSocket): void {
+    if (socket !== this.socket) return;
+    this.socket = null;
+    this.change('lost');
+    const wait = kRetryMs[Math.min(this.tries++, kRetryMs.length - 1)];
+    window.setTimeout(() => this.connect(), wait);
+  }
+
+  // A hidden page draws nothing, so it acknowledges and hears nothing; that is no silence.
+  private listenForSilence(): void {
+    if (document.hidden) this.lastHeard = performance.now();
+    if (this.current === 'live' && performance.now() - this.lastHeard > kSilentMs) this.change('silent');
+  }
+
+  private change(state: LinkState): void {
+    if (state === this.current) return;
+    this.current = state;
+    this.events.state(state);
+  }
+}

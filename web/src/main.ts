@@ -1,0 +1,225 @@
+import { Link, type LinkState } from './link';
+import type { Replica } from './protocol/replica';
+import type { Scene } from './protocol/scene';
+import { Clock } from './ui/clock';
+import { DevicePanel } from './ui/device_panel';
+import { byId } from './ui/dom';
+import { fillHelp } from './ui/help';
+import { listenForKeys } from './ui/keyboard';
+import { RobotList } from './ui/robot_list';
+import { Toolbar } from './ui/toolbar';
+import { Pointer } from './view/pointer';
+import { StageView } from './view/stage_view';
+import { kDarkPage } from './view/theme';
+
+const kLookPeriodMs = 150;
+const kNoticeMs = 4000;
+const kFaster = [0.1, 0.25, 0.5, 1, 2, 5, 10, 50];
+const kLinkTexts: Record<LinkState, string> = {
+  connecting: 'connecting',
+  live: 'connected',
+  silent: 'The program is silent. It may be busy or stopped in a debugger.',
+  lost: 'Connection lost. Trying again …',
+};
+
+/** Everything on the page, and what one part tells the others. */
+class Page {
+  private scene: Scene | null = null;
+  private replica: Replica | null = null;
+  private looked = '';
+  private lookTime = 0;
+  private noticeTimer = 0;
+
+  private readonly view = new StageView(byId<HTMLCanvasElement>('picture'), byId<HTMLCanvasElement>('overlay'));
+  private readonly link = new Link(new URL('live', location.href).href.replace(/^http/, 'ws'), {
+    scene: (scene, replica) => this.showScene(scene, replica),
+    packet: () => this.showPacket(),
+    notice: (text) => this.showNotice(text),
+    state: (state) => this.showLink(state),
+  });
+  private readonly toolbar = new Toolbar(byId('bar'), this.view.layers, {
+    togglePause: () => this.link.send({ do: this.replica?.paused ? 'resume' : 'pause' }),
+    step: () => this.link.send({ do: 'step' }),
+    speed: (times) => this.link.send({ do: 'speed', times_real_time: times }),
+    layers: () => this.view.applyLayers(),
+    tilt: () => this.tilt(),
+    fit: () => this.fit(),
+    toggleList: () => byId('robots').classList.toggle('desk'),
+    help: () => this.help.showModal(),
+  });
+  private readonly clock = new Clock(byId('clock'));
+  private readonly robots = new RobotList(byId('robots'), (row) => {
+    this.select(row);
+    this.goTo(row);
+  });
+  private readonly panel = new DevicePanel(byId('panel'), {
+    close: () => this.select(null),
+    follow: (row) => this.follow(this.view.followed === row ? null : row),
+  });
+  private readonly help = byId<HTMLDialogElement>('help');
+
+  constructor() {
+    fillHelp(this.help);
+    byId('robots').classList.add('desk');
+    new Pointer(byId('picture'), this.view, {
+      select: (row) => this.select(row),
+      carry: (row, x, y, a) => this.link.send({ do: 'drag', model: row, x, y, a }),
+      looked: () => this.panel.showFollowed(this.view.followed),
+      mayCarry: (row) => this.scene?.models[row].movable ?? false,
+    });
+    listenForKeys(this.keys());
+    kDarkPage.addEventListener('change', () => this.view.setTheme());
+    requestAnimationFrame((now) => this.frame(now));
+  }
+
+  /** What a test or a curious person may read in the console. */
+  inspect() {
+    const { scene, replica, view } = this;
+    const rowOf = (name: string) => scene?.models.findIndex((model) => model.name === name) ?? -1;
+    return {
+      tick: replica?.tick ?? -1,
+      paused: replica?.paused ?? false,
+      scans: replica?.scans.size ?? 0,
+      robots: scene?.models.filter((model) => model.kind === 'position').map((model) => model.name) ?? [],
+      pose: (name: string) => {
+        const row = rowOf(name);
+        return row < 0 || !replica ? null : { x: replica.x[row] / 1000, y: replica.y[row] / 1000 };
+      },
+      pixel: (name: string) => {
+        const row = rowOf(name);
+        return row < 0 || !view.motion ? null : view.rig.pixelOf(view.motion.x[row], view.motion.y[row], 0.1);
+      },
+    };
+  }
+
+  private frame(now: number): void {
+    this.view.frame(now);
+    this.link.acknowledge();
+    this.tellView(now);
+    requestAnimationFrame((next) => this.frame(next));
+  }
+
+  private showScene(scene: Scene, replica: Replica): void {
+    this.scene = scene;
+    this.replica = replica;
+    this.looked = '';
+    this.view.show(scene, replica);
+    this.toolbar.showWorld(scene.name);
+    this.toolbar.showTilted(this.view.rig.pitch > 0.02);
+    this.robots.show(scene, replica);
+    const kept = this.view.selected !== null && this.view.selected < scene.models.length ? this.view.selected : null;
+    this.view.followed = null;
+    this.view.hovered = null;
+    this.select(kept);
+  }
+
+  private showPacket(): void {
+    const { scene, replica } = this;
+    if (!scene || !replica) return;
+    this.view.changed(performance.now());
+    this.toolbar.showPaused(replica.paused);
+    this.toolbar.showSpeed(replica.speed);
+    this.clock.show(replica, scene.interval);
+    this.robots.update();
+    this.panel.update();
+  }
+
+  private showLink(state: LinkState): void {
+    this.toolbar.showLink(state, kLinkTexts[state]);
+    const banner = byId('lost');
+    banner.hidden = state === 'live' || state === 'connecting';
+    banner.textContent = kLinkTexts[state];
+  }
+
+  private showNotice(text: string): void {
+    const notice = byId('notice');
+    notice.textContent = text;
+    notice.hidden = false;
+    window.clearTimeout(this.noticeTimer);
+    this.noticeTimer = window.setTimeout(() => (notice.hidden = true), kNoticeMs);
+  }
+
+  private select(row: number | null): void {
+    this.view.selected = row;
+    if (row === null) this.follow(null);
+    this.robots.showSelected(row);
+    this.link.send({ do: 'select', model: row });
+    if (row === null || !this.scene || !this.replica) this.panel.hide();
+    else this.panel.show(this.scene, this.replica, this.view.roots, row);
+    this.panel.showFollowed(this.view.followed);
+    this.view.redraw();
+  }
+
+  private follow(row: number | null): void {
+    this.view.followed = row;
+    if (row !== null) this.goTo(row);
+    this.panel.showFollowed(row);
+  }
+
+  private goTo(row: number): void {
+    const { motion, rig } = this.view;
+    if (!motion) return;
+    rig.glideTo({ x: motion.x[row], y: motion.y[row], scale: Math.max(rig.scale, 60) });
+    this.view.redraw();
+  }
+
+  private tilt(): void {
+    this.toolbar.showTilted(this.view.rig.pitch <= 0.02);
+    this.view.tilt();
+  }
+
+  private fit(): void {
+    this.follow(null);
+    this.view.fitAll();
+  }
+
+  private faster(steps: number): void {
+    const now = this.replica?.speed || 50;
+    const nearest = kFaster.reduce((best, speed, k) => (Math.abs(Math.log(speed / now)) < Math.abs(Math.log(kFaster[best] / now)) ? k : best), 0);
+    const wanted = kFaster[Math.min(Math.max(nearest + steps, 0), kFaster.length - 1)];
+    this.link.send({ do: 'speed', times_real_time: wanted });
+  }
+
+  private keys(): Record<string, () => void> {
+    return {
+      ' ': () => this.link.send({ do: this.replica?.paused ? 'resume' : 'pause' }),
+      '.': () => this.link.send({ do: 'step' }),
+      '<': () => this.faster(-1),
+      '>': () => this.faster(1),
+      t: () => this.tilt(),
+      f: () => this.fit(),
+      l: () => this.follow(this.view.followed === null ? this.view.selected : null),
+      s: () => this.toolbar.toggle('sensors'),
+      m: () => this.toolbar.toggle('fiducials'),
+      r: () => this.toolbar.toggle('trails'),
+      n: () => this.toolbar.toggle('names'),
+      g: () => this.toolbar.toggle('grid'),
+      '/': () => this.robots.focus(),
+      '?': () => this.help.showModal(),
+      Escape: () => this.select(null),
+    };
+  }
+
+  /** Tells the program what is on the screen, when that changed: it sends the sensors of those robots. */
+  private tellView(now: number): void {
+    if (!this.replica || now - this.lookTime < kLookPeriodMs) return;
+    this.lookTime = now;
+    const box = this.view.rig.view();
+    const round = (value: number) => Math.min(Math.max(Math.round(value * 10) / 10, -1e6), 1e6);
+    const look = {
+      do: 'look' as const,
+      x_min: round(box.x_min),
+      y_min: round(box.y_min),
+      x_max: round(box.x_max),
+      y_max: round(box.y_max),
+      sensors: this.view.layers.sensors || this.view.layers.fiducials,
+    };
+    const text = JSON.stringify(look);
+    if (text === this.looked) return;
+    this.looked = text;
+    this.link.send(look);
+  }
+}
+
+const page = new Page();
+Object.defineProperty(window, 'playhouse', { get: () => page.inspect() });

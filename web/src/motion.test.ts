@@ -1,0 +1,79 @@
+import { describe, expect, it } from 'vitest';
+import { Motion, turn } from './motion';
+import { Replica } from './protocol/replica';
+import type { Model, Scene } from './protocol/scene';
+import { outlinesOf } from './view/shapes';
+
+function model(name: string, parent: number, x_mm: number): Model {
+  return { name, type: 'model', kind: 'plain', parent, start: [x_mm, 0, 0, 0, 0, 0], size: [1, 1, 1] };
+}
+
+const scene: Scene = {
+  protocol: 1, name: 'two', interval: 0.1, shapes: [], sensors: [],
+  window: { center: [0, 0], scale: 0, pitch: 0, yaw: 0, sensors: false, follow: '' },
+  models: [model('robot', -1, 0), model('hat', 0, 100)],
+};
+
+describe('Motion', () => {
+  it('draws between the last two known poses and arrives', () => {
+    const replica = new Replica(scene);
+    const motion = new Motion(scene, replica);
+    replica.tick = 1;
+    replica.x[0] = 500;
+    motion.aim(1000);
+    motion.update(1000);
+    expect(motion.x[0]).toBe(0);
+    motion.update(1050);
+    expect(motion.x[0]).toBeGreaterThan(0.05);
+    expect(motion.x[0]).toBeLessThan(0.45);
+    motion.update(2000);
+    expect(motion.x[0]).toBe(0.5);
+    expect(motion.x[1]).toBeCloseTo(0.6);
+    expect(motion.update(2016)).toBe(false);
+  });
+
+  it('takes parts along when their robot turns', () => {
+    const replica = new Replica(scene);
+    const motion = new Motion(scene, replica);
+    replica.a[0] = 16384;
+    motion.aim(0);
+    motion.update(1000);
+    expect(motion.x[1]).toBeCloseTo(0);
+    expect(motion.y[1]).toBeCloseTo(0.1);
+  });
+
+  it('does not glide across the world after a jump', () => {
+    const replica = new Replica(scene);
+    const motion = new Motion(scene, replica);
+    replica.x[0] = 7000;
+    motion.aim(1000);
+    motion.update(1001);
+    expect(motion.x[0]).toBe(7);
+  });
+
+  it('shows a carried model where the hand is', () => {
+    const motion = new Motion(scene, new Replica(scene));
+    motion.hold(0, 3, 4, 0, 1000);
+    motion.update(1100);
+    expect([motion.x[0], motion.y[0]]).toEqual([3, 4]);
+    motion.update(1500);
+    expect([motion.x[0], motion.y[0]]).toEqual([0, 0]);
+  });
+});
+
+describe('turn', () => {
+  it('takes the short way round', () => {
+    expect(turn(3, -3)).toBeCloseTo(2 * Math.PI - 6);
+    expect(turn(0, 1)).toBeCloseTo(1);
+  });
+});
+
+describe('outlinesOf', () => {
+  const square = (r: number) => [-r, -r, r, -r, r, r, -r, r];
+
+  it('sorts loops into outlines with holes, and islands in holes into outlines again', () => {
+    const shapes = outlinesOf([square(1), square(3), square(2)]);
+    expect(shapes.length).toBe(2);
+    expect(shapes.map((shape) => shape.holes.length).sort()).toEqual([0, 1]);
+  });
+});

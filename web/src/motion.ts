@@ -1,0 +1,129 @@
+import { radiansOf, type Replica } from './protocol/replica';
+import type { Scene } from './protocol/scene';
+
+const kJump = 1.0; // m: further than this between two packets is no motion to be drawn
+const kPeriodMs = { least: 16, most: 250 };
+
+/**
+ * Where everything is drawn: between the last two known poses, so that a world of ten ticks a second moves
+ * smoothly. World poses of all models, in metres and radians.
+ */
+export class Motion {
+  readonly x: Float64Array;
+  readonly y: Float64Array;
+  readonly z: Float64Array;
+  readonly a: Float64Array;
+
+  // Poses in the parent: where the motion began, and where it ends. Interleaved x, y, z, a.
+  private readonly from: Float64Array;
+  private readonly to: Float64Array;
+  private readonly parent: Int32Array;
+  private since = 0;
+  private periodMs = 100;
+  private lastTick = -1;
+  private settled = false;
+  private held: { row: number; x: number; y: number; a: number; until: number } | null = null;
+
+  constructor(
+    scene: Scene,
+    private readonly replica: Replica,
+  ) {
+    const count = scene.models.length;
+    this.x = new Float64Array(count);
+    this.y = new Float64Array(count);
+    this.z = new Float64Array(count);
+    this.a = new Float64Array(count);
+    this.from = new Float64Array(count * 4);
+    this.to = new Float64Array(count * 4);
+    this.parent = Int32Array.from(scene.models, (model) => model.parent);
+    this.readTargets();
+    this.from.set(this.to);
+    this.update(0);
+  }
+
+  /** A packet was applied to the replica. */
+  aim(now: number): void {
+    const drawn = this.fraction(now);
+    for (let i = 0; i < this.from.length; i += 4) this.advance(i, drawn);
+    if (this.replica.tick !== this.lastTick) {
+      const passed = Math.min(Math.max(now - this.since, kPeriodMs.least), kPeriodMs.most);
+      this.periodMs += 0.2 * (passed - this.periodMs);
+      this.lastTick = this.replica.tick;
+    }
+    this.since = now;
+    this.readTargets();
+    for (let i = 0; i < this.from.length; i += 4) this.dropJump(i);
+    this.settled = false;
+  }
+
+  /** Draws a model where the person's hand is, until the program's answer had time to come. */
+  hold(row: number, x: number, y: number, a: number, now: number): void {
+    this.held = { row, x, y, a, until: now + 400 };
+    this.settled = false;
+  }
+
+  /** Poses for this moment; false when nothing moved since the last call. */
+  update(now: number): boolean {
+    if (this.settled) return false;
+    const t = this.fraction(now);
+    if (this.held && now > this.held.until) this.held = null;
+    for (let row = 0, i = 0; row < this.x.length; ++row, i += 4) {
+      const { from, to } = this;
+      this.place(row, from[i] + t * (to[i] - from[i]), from[i + 1] + t * (to[i + 1] - from[i + 1]), to[i + 2],
+        from[i + 3] + t * turn(from[i + 3], to[i + 3]));
+    }
+    this.settled = t >= 1 && !this.held;
+    return true;
+  }
+
+  private place(row: number, x: number, y: number, z: number, a: number): void {
+    if (this.held?.row === row) ({ x, y, a } = this.held);
+    const parent = this.parent[row];
+    if (parent < 0) {
+      this.x[row] = x;
+      this.y[row] = y;
+      this.z[row] = z;
+      this.a[row] = a;
+      return;
+    }
+    const c = Math.cos(this.a[parent]);
+    const s = Math.sin(this.a[parent]);
+    this.x[row] = this.x[parent] + c * x - s * y;
+    this.y[row] = this.y[parent] + s * x + c * y;
+    this.z[row] = this.z[parent] + z;
+    this.a[row] = this.a[parent] + a;
+  }
+
+  private fraction(now: number): number {
+    return Math.min(Math.max((now - this.since) / this.periodMs, 0), 1);
+  }
+
+  private advance(i: number, t: number): void {
+    const { from, to } = this;
+    from[i] += t * (to[i] - from[i]);
+    from[i + 1] += t * (to[i + 1] - from[i + 1]);
+    from[i + 3] += t * turn(from[i + 3], to[i + 3]);
+  }
+
+  private dropJump(i: number): void {
+    const { from, to } = this;
+    if (Math.abs(to[i] - from[i]) < kJump && Math.abs(to[i + 1] - from[i + 1]) < kJump) return;
+    for (let k = 0; k < 4; ++k) from[i + k] = to[i + k];
+  }
+
+  private readTargets(): void {
+    const { replica, to } = this;
+    for (let row = 0, i = 0; row < this.x.length; ++row, i += 4) {
+      to[i] = replica.x[row] / 1000;
+      to[i + 1] = replica.y[row] / 1000;
+      to[i + 2] = replica.z[row] / 1000;
+      to[i + 3] = radiansOf(replica.a[row]);
+    }
+  }
+}
+
+/** The short way from one angle to another. */
+export function turn(from: number, to: number): number {
+  const turns = (to - from) / (2 * Math.PI);
+  return (turns - Math.round(turns)) * 2 * Math.PI;
+}

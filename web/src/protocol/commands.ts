@@ -1,0 +1,10 @@
+/** What a page may ask of the program (docs/viewer-protocol.md). */
+export type Command =
+  | { do: 'pause' }
+  | { do: 'resume' }
+  | { do: 'step' }
+  | { do: 'speed'; times_real_time: number }
+  | { do: 'drag'; model: number; x: number; y: number; a: number }
+  | { do: 'select'; model: number | null }
+  | { do: 'look'; x_min: number; y_min: number; x_max: number; y_max: number; sensors: boolean }
+  | { do: 'ack'; frame: number };

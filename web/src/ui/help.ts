@@ -1,0 +1,34 @@
+import { el } from './dom';
+
+const kKeys: [string[], string][] = [
+  [['Space'], 'pause or go on'],
+  [['.'], 'one tick, then paused'],
+  [['<', '>'], 'slower, faster'],
+  [['T'], 'from above or tilted'],
+  [['F'], 'everything on the screen'],
+  [['L'], 'follow the selected robot'],
+  [['S', 'M', 'R', 'N', 'G'], 'sensors, markers, trails, names, grid'],
+  [['/'], 'find a robot'],
+  [['Esc'], 'select nothing'],
+];
+
+const kHands: [string, string][] = [
+  ['Drag', 'move the view; on a robot: carry it (turn the wheel to turn it)'],
+  ['Wheel, pinch', 'zoom'],
+  ['Right drag, Shift drag', 'turn and tilt'],
+  ['Click', 'select a robot: its devices are shown live'],
+  ['Double click', 'go there'],
+];
+
+export function fillHelp(dialog: HTMLDialogElement): void {
+  const close = el('button', { class: 'main', value: 'close' }, 'Close');
+  dialog.append(
+    el('h2', {}, 'Looking at the world'),
+    el('dl', {}, ...kHands.flatMap(([what, does]) => [el('dt', {}, what), el('dd', {}, does)])),
+    el('dl', {}, ...kKeys.flatMap(([keys, does]) => [el('dt', {}, ...keys.map((key) => el('kbd', {}, key))), el('dd', {}, does)])),
+    el('form', { method: 'dialog' }, close),
+  );
+  dialog.addEventListener('click', (event) => {
+    if (event.target === dialog) dialog.close();
+  });
+}

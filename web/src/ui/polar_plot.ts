@@ -1,0 +1,74 @@
+import type { SensorPlace } from '../protocol/replica';
+import { bearingOf } from '../view/fans';
+
+const kConeSteps = 4;
+
+/** A ranger's sensors from above, robot in the middle looking up: every scan as an outline, with range rings. */
+export class PolarPlot {
+  private readonly pen: CanvasRenderingContext2D;
+
+  constructor(private readonly canvas: HTMLCanvasElement) {
+    this.pen = canvas.getContext('2d')!;
+  }
+
+  draw(sensors: SensorPlace[], scans: (Uint16Array | undefined)[]): void {
+    const ratio = window.devicePixelRatio;
+    const width = this.canvas.clientWidth;
+    const height = this.canvas.clientHeight;
+    if (width === 0) return;
+    this.canvas.width = Math.round(width * ratio);
+    this.canvas.height = Math.round(height * ratio);
+    this.pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+    const range = Math.max(...sensors.map(({ sensor }) => sensor.range[1]), 0.1);
+    const ahead = sensors.every(({ sensor }) => Math.abs(sensor.pose[3]) + sensor.fov / 2 <= Math.PI / 2 + 0.2);
+    const x = width / 2;
+    const y = ahead ? height - 16 : height / 2;
+    const scale = Math.min(ahead ? height - 26 : height / 2 - 8, width / 2 - 8) / range;
+    this.rings(x, y, scale, range, ahead);
+    sensors.forEach((place, k) => this.scan(x, y, scale, place, scans[k]));
+    this.pen.fillStyle = getComputedStyle(this.canvas).color;
+    this.pen.beginPath();
+    this.pen.arc(x, y, 2.5, 0, 2 * Math.PI);
+    this.pen.fill();
+  }
+
+  private rings(x: number, y: number, scale: number, range: number, ahead: boolean): void {
+    const { pen } = this;
+    const step = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50].find((value) => range / value <= 4.5) ?? 100;
+    pen.strokeStyle = '#8893a255';
+    pen.fillStyle = '#8893a2';
+    pen.font = '10px system-ui, sans-serif';
+    pen.lineWidth = 1;
+    for (let r = step; r <= range * 1.001; r += step) {
+      pen.beginPath();
+      pen.arc(x, y, r * scale, ahead ? Math.PI : 0, 2 * Math.PI);
+      pen.stroke();
+      pen.fillText(`${Number(r.toFixed(1))} m`, x + 3, y - r * scale + 11);
+    }
+  }
+
+  private scan(x: number, y: number, scale: number, { sensor }: SensorPlace, beams?: Uint16Array): void {
+    if (!beams) return;
+    const { pen } = this;
+    const unit = (sensor.range[1] / 65535) * scale;
+    const [sx, sy, , sa] = sensor.pose;
+    const at = (bearing: number, length: number): [number, number] => [
+      x - sy * scale - Math.sin(sa + bearing) * length,
+      y - sx * scale - Math.cos(sa + bearing) * length,
+    ];
+    pen.beginPath();
+    pen.moveTo(...at(0, 0));
+    if (beams.length === 1) {
+      for (let k = 0; k <= kConeSteps; ++k) pen.lineTo(...at(sensor.fov * (k / kConeSteps - 0.5), beams[0] * unit));
+    } else {
+      beams.forEach((beam, k) => pen.lineTo(...at(bearingOf(sensor, k), beam * unit)));
+    }
+    pen.closePath();
+    const far = beams.length === 1 && beams[0] === 65535;
+    pen.fillStyle = far ? '#4a8cf71c' : '#4a8cf740';
+    pen.strokeStyle = far ? '#4a8cf755' : '#4a8cf7';
+    pen.lineWidth = 1.2;
+    pen.fill();
+    pen.stroke();
+  }
+}

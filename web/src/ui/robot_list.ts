@@ -1,0 +1,91 @@
+import { kStalled, type Replica } from '../protocol/replica';
+import type { Scene } from '../protocol/scene';
+import { css, el, setText } from './dom';
+
+const kRowsMost = 300; // shown at once; the search finds the rest
+
+interface Entry {
+  row: number;
+  item: HTMLElement;
+  button: HTMLElement;
+  swatch: HTMLElement;
+  tag: HTMLElement;
+  shown: number; // state and colour on the screen
+}
+
+/** The robots by name, with a search. */
+export class RobotList {
+  private readonly search = el('input', { type: 'search', placeholder: 'Find a robot', 'aria-label': 'Find a robot', 'data-testid': 'search' });
+  private readonly count = el('div', { class: 'count', 'data-testid': 'count' });
+  private readonly list = el('ul', { 'data-testid': 'robots' });
+  private robots: { row: number; name: string }[] = [];
+  private entries: Entry[] = [];
+  private replica: Replica | null = null;
+  private selected: number | null = null;
+
+  constructor(
+    private readonly box: HTMLElement,
+    private readonly select: (row: number) => void,
+  ) {
+    box.append(el('div', { class: 'search' }, this.search), this.count, this.list);
+    this.search.oninput = () => this.fill();
+    this.search.onkeydown = (event) => {
+      if (event.key === 'Enter' && this.entries[0]) this.select(this.entries[0].row);
+      if (event.key === 'Escape') this.search.blur();
+    };
+  }
+
+  focus(): void {
+    this.box.classList.remove('desk');
+    this.search.focus();
+    this.search.select();
+  }
+
+  show(scene: Scene, replica: Replica): void {
+    this.replica = replica;
+    this.robots = [];
+    scene.models.forEach((model, row) => {
+      if (model.parent < 0 && model.kind === 'position') this.robots.push({ row, name: model.name });
+    });
+    this.fill();
+  }
+
+  showSelected(row: number | null): void {
+    this.selected = row;
+    for (const entry of this.entries) entry.button.setAttribute('aria-current', String(entry.row === row));
+  }
+
+  /** Takes over what changed of the robots in the list. */
+  update(): void {
+    const { replica } = this;
+    if (!replica) return;
+    for (const entry of this.entries) {
+      const state = replica.state[entry.row] & kStalled;
+      const now = (replica.color[entry.row] >>> 8) * 2 + state;
+      if (now === entry.shown) continue;
+      entry.shown = now;
+      entry.swatch.style.background = css(replica.color[entry.row]);
+      entry.tag.hidden = state === 0;
+    }
+  }
+
+  private fill(): void {
+    const wanted = this.search.value.trim().toLowerCase();
+    const found = this.robots.filter(({ name }) => name.toLowerCase().includes(wanted));
+    this.entries = found.slice(0, kRowsMost).map(({ row, name }) => this.entry(row, name));
+    this.list.replaceChildren(...this.entries.map((entry) => entry.item));
+    const more = found.length > kRowsMost ? `, the first ${kRowsMost} shown` : '';
+    const all = `${this.robots.length} robot${this.robots.length === 1 ? '' : 's'}`;
+    setText(this.count, wanted ? `${found.length} of ${all}${more}` : all + more);
+    this.showSelected(this.selected);
+    this.update();
+  }
+
+  private entry(row: number, name: string): Entry {
+    const swatch = el('span', { class: 'swatch' });
+    const tag = el('span', { class: 'tag bad', hidden: true }, 'stalled');
+    const button = el('button', { 'data-robot': name }, swatch, el('span', { class: 'name' }, name), tag);
+    button.onclick = () => this.select(row);
+    return { row, item: el('li', {}, button), button, swatch, tag, shown: -1 };
+  }
+}

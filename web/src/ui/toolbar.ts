@@ -1,0 +1,126 @@
+import type { LinkState } from '../link';
+import type { Layers } from '../view/stage_view';
+import { el, icon, setText } from './dom';
+
+export interface ToolbarEvents {
+  togglePause(): void;
+  step(): void;
+  speed(timesRealTime: number): void;
+  layers(): void;
+  tilt(): void;
+  fit(): void;
+  toggleList(): void;
+  help(): void;
+}
+
+const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 5, 10, 50, 0];
+const kLayers: [keyof Layers, string, string][] = [
+  ['sensors', 'Sensors', 'S'],
+  ['fiducials', 'Fiducials', 'M'],
+  ['trails', 'Trails', 'R'],
+  ['names', 'Names', 'N'],
+  ['grid', 'Grid', 'G'],
+];
+
+function speedText(speed: number): string {
+  return speed === 0 ? 'as fast as possible' : `${speed}× real time`;
+}
+
+/** The bar at the top: what world, how it runs, how it is looked at. */
+export class Toolbar {
+  private readonly dot = el('span', { class: 'dot', 'data-testid': 'link' });
+  private readonly world = el('span', { class: 'world', 'data-testid': 'world' });
+  private readonly pause = el('button', { class: 'main', 'data-testid': 'pause', title: 'Pause or go on (space)' });
+  private readonly speeds = el('select', { 'data-testid': 'speed', 'aria-label': 'Speed', title: 'Speed' });
+  private readonly sheet = el('div', { class: 'sheet', hidden: true });
+  private readonly boxes = new Map<keyof Layers, HTMLInputElement>();
+  private readonly tiltButton = el('button', { 'data-testid': 'tilt', title: 'From above or tilted (T)' });
+  private paused: boolean | null = null;
+
+  constructor(
+    bar: HTMLElement,
+    private readonly layers: Layers,
+    private readonly events: ToolbarEvents,
+  ) {
+    const step = el('button', { 'data-testid': 'step', title: 'One tick (.)', 'aria-label': 'Step' }, icon('step'), el('span', { class: 'desk' }, ' Step'));
+    const list = el('button', { class: 'phone', title: 'Robots', 'aria-label': 'Robots', 'data-testid': 'list' }, icon('list'));
+    const fit = el('button', { class: 'desk', title: 'Everything on the screen (F)', 'data-testid': 'fit' }, 'Fit');
+    const help = el('button', { title: 'Help (?)', 'aria-label': 'Help', 'data-testid': 'help' }, '?');
+    this.pause.onclick = events.togglePause;
+    step.onclick = events.step;
+    list.onclick = events.toggleList;
+    fit.onclick = events.fit;
+    help.onclick = events.help;
+    this.tiltButton.onclick = events.tilt;
+    this.speeds.onchange = () => events.speed(Number(this.speeds.value));
+    this.showSpeed(1);
+    bar.append(
+      el('span', { class: 'brand' }, this.dot, 'Playhouse', this.world),
+      list, el('span', { class: 'rule' }), this.pause, step, this.speeds, el('span', { class: 'gap' }),
+      this.tiltButton, fit, this.layerMenu(), help,
+    );
+    this.showPaused(false);
+    this.showTilted(false);
+  }
+
+  showLink(state: LinkState, text: string): void {
+    this.dot.dataset.state = state;
+    this.dot.title = text;
+  }
+
+  showWorld(name: string): void {
+    setText(this.world, name);
+    document.title = `${name} · Playhouse`;
+  }
+
+  showPaused(paused: boolean): void {
+    if (paused === this.paused) return;
+    this.paused = paused;
+    this.pause.replaceChildren(icon(paused ? 'play' : 'pause'), el('span', { class: 'desk' }, paused ? ' Go on' : ' Pause'));
+    this.pause.setAttribute('aria-label', paused ? 'Go on' : 'Pause');
+  }
+
+  showSpeed(speed: number): void {
+    if (document.activeElement === this.speeds && this.speeds.matches(':open')) return;
+    const rounded = Number(speed.toPrecision(6));
+    if (this.speeds.value === String(rounded) && this.speeds.options.length > 0) return;
+    const all = kSpeeds.includes(rounded) ? kSpeeds : [rounded, ...kSpeeds];
+    this.speeds.replaceChildren(...all.map((value) => el('option', { value: String(value) }, speedText(value))));
+    this.speeds.value = String(rounded);
+  }
+
+  showTilted(tilted: boolean): void {
+    setText(this.tiltButton, tilted ? 'From above' : 'Tilted');
+  }
+
+  toggle(layer: keyof Layers): void {
+    this.layers[layer] = !this.layers[layer];
+    this.showLayers();
+    this.events.layers();
+  }
+
+  showLayers(): void {
+    for (const [layer, box] of this.boxes) box.checked = this.layers[layer];
+  }
+
+  private layerMenu(): HTMLElement {
+    const button = el('button', { 'aria-haspopup': 'true', 'aria-expanded': 'false', 'data-testid': 'layers' }, 'Show');
+    for (const [layer, text, key] of kLayers) {
+      const box = el('input', { type: 'checkbox', 'data-testid': `layer-${layer}` });
+      box.onchange = () => this.toggle(layer);
+      this.boxes.set(layer, box);
+      this.sheet.append(el('label', {}, box, text, el('kbd', {}, key)));
+    }
+    this.showLayers();
+    const show = (open: boolean) => {
+      this.sheet.hidden = !open;
+      button.setAttribute('aria-expanded', String(open));
+    };
+    button.onclick = () => show(this.sheet.hidden);
+    document.addEventListener('pointerdown', (event) => {
+      if (!menu.contains(event.target as Node)) show(false);
+    });
+    const menu = el('span', { class: 'menu' }, button, this.sheet);
+    return menu;
+  }
+}

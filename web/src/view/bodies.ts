@@ -1,0 +1,168 @@
+import {
+  BufferAttribute, BufferGeometry, Color, DynamicDrawUsage, EdgesGeometry, Group, InstancedMesh, LineBasicMaterial,
+  LineSegments, Matrix4, MeshLambertMaterial,
+} from 'three';
+import type { Motion } from '../motion';
+import type { Replica } from '../protocol/replica';
+import type { Pose, Scene } from '../protocol/scene';
+import { geometryOf, heightOf } from './shapes';
+import type { Theme } from './theme';
+
+/** Models that look alike, drawn in one call. */
+interface Batch {
+  mesh: InstancedMesh;
+  edges: LineSegments | null;
+  rows: number[];
+  origins: Pose[];
+}
+
+const kEdgesMost = 20000; // line segments of one shape: outlines of larger ones say nothing
+
+/** The bodies of all models, extruded, in their colours; and a mark on the nose of each that drives. */
+export class Bodies {
+  readonly group = new Group();
+  private readonly batches: Batch[] = [];
+  private readonly noses: Batch | null;
+  private readonly shown: Uint32Array; // colours on the screen
+  private readonly matrix = new Matrix4();
+  private readonly color = new Color();
+
+  constructor(
+    private readonly scene: Scene,
+    private readonly replica: Replica,
+    private readonly motion: Motion,
+    theme: Theme,
+  ) {
+    this.shown = new Uint32Array(scene.models.length);
+    const alike = new Map<string, number[]>();
+    scene.models.forEach((model, row) => {
+      if (model.shape === undefined) return;
+      const key = `${model.shape}/${replica.color[row] & 0xff}`;
+      alike.set(key, [...(alike.get(key) ?? []), row]);
+    });
+    for (const rows of alike.values()) this.addBatch(rows, theme);
+    this.noses = this.makeNoses();
+    this.paint();
+    this.move();
+  }
+
+  /** Moves every body to where the motion says. */
+  move(): void {
+    for (const batch of this.batches) {
+      batch.rows.forEach((row, k) => {
+        batch.mesh.setMatrixAt(k, this.bodyMatrix(row, batch.origins[k]));
+      });
+      batch.mesh.instanceMatrix.needsUpdate = true;
+    }
+    if (!this.noses) return;
+    const { mesh, rows } = this.noses;
+    rows.forEach((row, k) => mesh.setMatrixAt(k, this.noseMatrix(row)));
+    mesh.instanceMatrix.needsUpdate = true;
+  }
+
+  /** Takes over the colours that changed. */
+  paint(): void {
+    const { color } = this.replica;
+    for (const batch of this.batches) {
+      batch.rows.forEach((row, k) => {
+        if (this.shown[row] === color[row]) return;
+        batch.mesh.setColorAt(k, this.color.setHex(color[row] >>> 8));
+        batch.mesh.instanceColor!.needsUpdate = true;
+      });
+    }
+    this.noses?.rows.forEach((row, k) => {
+      if (this.shown[row] === color[row]) return;
+      this.noses!.mesh.setColorAt(k, this.color.setHex(brightness(color[row]) > 0.55 ? 0x1a1e24 : 0xffffff));
+      this.noses!.mesh.instanceColor!.needsUpdate = true;
+    });
+    this.shown.set(color);
+  }
+
+  dispose(): void {
+    for (const { mesh, edges } of [...this.batches, ...(this.noses ? [this.noses] : [])]) {
+      mesh.geometry.dispose();
+      mesh.dispose();
+      edges?.geometry.dispose();
+    }
+  }
+
+  private addBatch(rows: number[], theme: Theme): void {
+    const geometry = geometryOf(this.scene.shapes[this.scene.models[rows[0]].shape!]);
+    if (!geometry) return;
+    const alpha = (this.replica.color[rows[0]] & 0xff) / 255;
+    const material = new MeshLambertMaterial({ transparent: alpha < 1, opacity: alpha, depthWrite: alpha >= 1 });
+    const mesh = new InstancedMesh(geometry, material, rows.length);
+    mesh.instanceMatrix.setUsage(DynamicDrawUsage);
+    mesh.frustumCulled = false;
+    const edges = edgesOf(mesh, alpha, theme);
+    this.group.add(mesh);
+    if (edges) this.group.add(edges);
+    const origins = rows.map((row): Pose => this.scene.models[row].origin ?? [0, 0, 0, 0]);
+    this.batches.push({ mesh, edges, rows, origins });
+  }
+
+  private makeNoses(): Batch | null {
+    const rows: number[] = [];
+    this.scene.models.forEach((model, row) => {
+      if (model.kind === 'position' && model.shape !== undefined) rows.push(row);
+    });
+    if (rows.length === 0) return null;
+    const geometry = new BufferGeometry();
+    // An arrow head on a body of size 1, pointing ahead.
+    const points = new Float32Array([0.4, 0, 0, 0.02, 0.24, 0, 0.12, 0, 0, 0.4, 0, 0, 0.12, 0, 0, 0.02, -0.24, 0]);
+    geometry.setAttribute('position', new BufferAttribute(points, 3));
+    geometry.setAttribute('normal', new BufferAttribute(Float32Array.from(points, (_, i) => (i % 3 === 2 ? 1 : 0)), 3));
+    const mesh = new InstancedMesh(geometry, new MeshLambertMaterial(), rows.length);
+    mesh.instanceMatrix.setUsage(DynamicDrawUsage);
+    mesh.frustumCulled = false;
+    this.group.add(mesh);
+    return { mesh, edges: null, rows, origins: [] };
+  }
+
+  private bodyMatrix(row: number, origin: Pose): Matrix4 {
+    const { motion } = this;
+    const c = Math.cos(motion.a[row]);
+    const s = Math.sin(motion.a[row]);
+    const x = motion.x[row] + c * origin[0] - s * origin[1];
+    const y = motion.y[row] + s * origin[0] + c * origin[1];
+    const cb = Math.cos(motion.a[row] + origin[3]);
+    const sb = Math.sin(motion.a[row] + origin[3]);
+    return this.matrix.set(cb, -sb, 0, x, sb, cb, 0, y, 0, 0, 1, motion.z[row] + origin[2], 0, 0, 0, 1);
+  }
+
+  private noseMatrix(row: number): Matrix4 {
+    const model = this.scene.models[row];
+    const [length, width] = model.size;
+    const top = heightOf(this.scene.shapes[model.shape!]) + 0.003;
+    const matrix = this.bodyMatrix(row, model.origin ?? [0, 0, 0, 0]);
+    const e = matrix.elements;
+    for (let k = 0; k < 3; ++k) {
+      e[k] *= length;
+      e[4 + k] *= width;
+    }
+    e[14] += top;
+    return matrix;
+  }
+}
+
+/** Outlines that follow the instances of a mesh: lines that share its matrices. */
+function edgesOf(mesh: InstancedMesh, alpha: number, theme: Theme): LineSegments | null {
+  const geometry = new EdgesGeometry(mesh.geometry, 30);
+  if (geometry.getAttribute('position').count > kEdgesMost * 2) return null;
+  const material = new LineBasicMaterial({ color: theme.edge, transparent: true, opacity: alpha < 1 ? 0.25 : 0.55 });
+  // three.js draws instances of whatever carries these; it only offers the class for meshes.
+  const lines = Object.assign(new LineSegments(geometry, material), {
+    isInstancedMesh: true,
+    instanceMatrix: mesh.instanceMatrix,
+    instanceColor: null,
+    morphTexture: null,
+    count: mesh.count,
+  });
+  lines.frustumCulled = false;
+  return lines;
+}
+
+/** 0 black .. 1 white, as the eye sees it. */
+function brightness(color: number): number {
+  return (0.299 * (color >>> 24) + 0.587 * ((color >>> 16) & 0xff) + 0.114 * ((color >>> 8) & 0xff)) / 255;
+}

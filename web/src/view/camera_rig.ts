@@ -1,0 +1,167 @@
+import { OrthographicCamera, PerspectiveCamera, Vector3, type Camera } from 'three';
+
+const kFov = (35 * Math.PI) / 180;
+const kScale = { least: 0.5, most: 2000 }; // pixels per metre
+const kPitchMost = (78 * Math.PI) / 180;
+export const kTilted = (50 * Math.PI) / 180;
+
+export interface Box {
+  x_min: number;
+  y_min: number;
+  x_max: number;
+  y_max: number;
+}
+
+/**
+ * How the world is looked at: a point on the floor, pixels per metre there, a turn about the vertical and a tilt. Straight
+ * from above the projection is orthographic, tilted it is a perspective one that agrees at the looked-at point.
+ */
+export class CameraRig {
+  x = 0;
+  y = 0;
+  scale = 50;
+  yaw = 0;
+  pitch = 0; // 0: from above
+  width = 1;
+  height = 1;
+
+  private readonly flat = new OrthographicCamera();
+  private readonly deep = new PerspectiveCamera();
+  private glide: { pitch: number; x: number; y: number; scale: number } | null = null;
+
+  get camera(): Camera {
+    return this.pitch < 1e-3 ? this.flat : this.deep;
+  }
+
+  resize(width: number, height: number): void {
+    this.width = Math.max(width, 1);
+    this.height = Math.max(height, 1);
+  }
+
+  /** Moves on towards where it was sent; false when it stands still. */
+  update(seconds: number): boolean {
+    const { glide } = this;
+    if (glide) {
+      const t = 1 - Math.exp(-9 * seconds);
+      this.pitch += t * (glide.pitch - this.pitch);
+      this.x += t * (glide.x - this.x);
+      this.y += t * (glide.y - this.y);
+      this.scale *= (glide.scale / this.scale) ** t;
+      if (Math.abs(glide.pitch - this.pitch) < 2e-3 && Math.abs(glide.scale / this.scale - 1) < 2e-3) {
+        Object.assign(this, glide);
+        this.glide = null;
+      }
+    }
+    this.place();
+    return glide !== null;
+  }
+
+  glideTo(to: { pitch?: number; x?: number; y?: number; scale?: number }): void {
+    const now = this.glide ?? { pitch: this.pitch, x: this.x, y: this.y, scale: this.scale };
+    this.glide = { ...now, ...to };
+  }
+
+  /** The whole box on the screen, with a margin for what lies over it. */
+  fit(box: Box, mode: 'glide' | 'jump'): void {
+    const width = Math.max(box.x_max - box.x_min, 1);
+    const height = Math.max(box.y_max - box.y_min, 1);
+    const to = {
+      x: (box.x_min + box.x_max) / 2,
+      y: (box.y_min + box.y_max) / 2,
+      scale: Math.min((this.width - 48) / width, (this.height - 150) / height),
+    };
+    to.scale = clamp(to.scale, kScale.least, kScale.most);
+    if (mode === 'glide') this.glideTo(to);
+    else Object.assign(this, to);
+  }
+
+  lookAt(x: number, y: number): void {
+    this.x = x;
+    this.y = y;
+    if (this.glide) Object.assign(this.glide, { x, y });
+  }
+
+  /** Keeps the floor point under the pointer where it is. */
+  zoom(factor: number, px: number, py: number): void {
+    this.glide = null;
+    const before = this.floorAt(px, py);
+    this.scale = clamp(this.scale * factor, kScale.least, kScale.most);
+    this.place();
+    const after = this.floorAt(px, py);
+    if (!before || !after) return;
+    this.x += before.x - after.x;
+    this.y += before.y - after.y;
+    this.place();
+  }
+
+  turn(yaw: number, pitch: number): void {
+    this.glide = null;
+    this.yaw += yaw;
+    this.pitch = clamp(this.pitch + pitch, 0, kPitchMost);
+    if (this.pitch < 0.03) this.pitch = 0;
+    this.place();
+  }
+
+  /** Where the ray through a pixel meets the height z; null when it does not. */
+  floorAt(px: number, py: number, z = 0): Vector3 | null {
+    const camera = this.camera;
+    const near = new Vector3((px / this.width) * 2 - 1, 1 - (py / this.height) * 2, -1).unproject(camera);
+    const far = new Vector3((px / this.width) * 2 - 1, 1 - (py / this.height) * 2, 1).unproject(camera);
+    const along = (z - near.z) / (far.z - near.z);
+    if (!(along >= 0 && along <= 1)) return null;
+    return near.lerp(far, along);
+  }
+
+  /** Pixel of a point, or null behind the eye. */
+  pixelOf(x: number, y: number, z: number): { x: number; y: number } | null {
+    const p = new Vector3(x, y, z).project(this.camera);
+    if (p.z < -1 || p.z > 1) return null;
+    return { x: ((p.x + 1) / 2) * this.width, y: ((1 - p.y) / 2) * this.height };
+  }
+
+  /** The part of the floor that is on the screen; clipped where the view reaches the horizon. */
+  view(): Box {
+    const reach = (4 * Math.max(this.width, this.height)) / this.scale;
+    const box = { x_min: Infinity, y_min: Infinity, x_max: -Infinity, y_max: -Infinity };
+    for (const [px, py] of [[0, 0], [this.width, 0], [0, this.height], [this.width, this.height]]) {
+      const p = this.floorAt(px, py);
+      const x = p ? clamp(p.x, this.x - reach, this.x + reach) : px === 0 ? this.x - reach : this.x + reach;
+      const y = p ? clamp(p.y, this.y - reach, this.y + reach) : this.y + reach;
+      box.x_min = Math.min(box.x_min, x);
+      box.x_max = Math.max(box.x_max, x);
+      box.y_min = Math.min(box.y_min, p ? y : this.y - reach);
+      box.y_max = Math.max(box.y_max, y);
+    }
+    return box;
+  }
+
+  private place(): void {
+    const distance = this.height / 2 / this.scale / Math.tan(kFov / 2);
+    const back = Math.sin(this.pitch) * distance;
+    const up = Math.cos(this.pitch) * distance;
+    const s = Math.sin(this.yaw);
+    const c = Math.cos(this.yaw);
+    for (const camera of [this.flat, this.deep]) {
+      camera.position.set(this.x + s * back, this.y - c * back, up);
+      camera.up.set(-s, c, 0);
+      camera.lookAt(this.x, this.y, 0);
+    }
+    const half = this.height / 2 / this.scale;
+    this.flat.top = half;
+    this.flat.bottom = -half;
+    this.flat.right = (half * this.width) / this.height;
+    this.flat.left = -this.flat.right;
+    this.deep.fov = (kFov * 180) / Math.PI;
+    this.deep.aspect = this.width / this.height;
+    for (const camera of [this.flat, this.deep]) {
+      camera.near = distance * 0.02;
+      camera.far = distance * 12 + 50;
+      camera.updateProjectionMatrix();
+      camera.updateMatrixWorld();
+    }
+  }
+}
+
+function clamp(value: number, least: number, most: number): number {
+  return Math.min(Math.max(value, least), most);
+}

@@ -1,0 +1,155 @@
+import type { StageView } from './stage_view';
+
+export interface PointerEvents {
+  select(row: number | null): void;
+  /** A person carries a model to here. */
+  carry(row: number, x: number, y: number, a: number): void;
+  looked(): void;
+  mayCarry(row: number): boolean;
+}
+
+const kClickSlack = 4; // px
+const kCarryPeriodMs = 33;
+const kTurnStep = Math.PI / 18;
+
+interface Carried {
+  row: number;
+  dx: number; // from the grip to the model
+  dy: number;
+  a: number;
+}
+
+/** Mouse, pen and fingers: pan, zoom, turn, pick and carry. */
+export class Pointer {
+  private readonly down = new Map<number, { x: number; y: number }>();
+  private start = { x: 0, y: 0 };
+  private moved = false;
+  private turning = false;
+  private carried: Carried | null = null;
+  private carriedAt = { x: 0, y: 0 };
+  private lastCarry = 0;
+
+  constructor(
+    private readonly canvas: HTMLElement,
+    private readonly view: StageView,
+    private readonly events: PointerEvents,
+  ) {
+    canvas.addEventListener('pointerdown', (event) => this.pressed(event));
+    canvas.addEventListener('pointermove', (event) => this.dragged(event));
+    canvas.addEventListener('pointerup', (event) => this.released(event));
+    canvas.addEventListener('pointercancel', (event) => this.released(event));
+    canvas.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
+    canvas.addEventListener('contextmenu', (event) => event.preventDefault());
+    canvas.addEventListener('dblclick', (event) => {
+      const row = this.view.pick(event.offsetX, event.offsetY);
+      if (row !== null && this.view.motion) {
+        this.view.rig.glideTo({ x: this.view.motion.x[row], y: this.view.motion.y[row], scale: Math.max(this.view.rig.scale, 140) });
+        this.view.redraw();
+      }
+    });
+  }
+
+  private pressed(event: PointerEvent): void {
+    this.canvas.setPointerCapture(event.pointerId);
+    this.down.set(event.pointerId, { x: event.offsetX, y: event.offsetY });
+    this.start = { x: event.offsetX, y: event.offsetY };
+    if (this.down.size > 1) {
+      this.carried = null;
+      this.moved = true;
+      return;
+    }
+    this.moved = false;
+    this.turning = event.button === 2 || event.button === 1 || event.shiftKey;
+    if (!this.turning) this.grip(event);
+  }
+
+  private grip(event: PointerEvent): void {
+    const { motion, rig } = this.view;
+    const row = this.view.pick(event.offsetX, event.offsetY);
+    const at = rig.floorAt(event.offsetX, event.offsetY);
+    if (row === null || !motion || !at || !this.events.mayCarry(row)) return;
+    this.carried = { row, dx: motion.x[row] - at.x, dy: motion.y[row] - at.y, a: motion.a[row] };
+  }
+
+  private dragged(event: PointerEvent): void {
+    const before = this.down.get(event.pointerId);
+    if (!before) return this.hover(event);
+    const now = { x: event.offsetX, y: event.offsetY };
+    if (!this.moved && Math.hypot(now.x - this.start.x, now.y - this.start.y) < kClickSlack) return;
+    this.moved = true;
+    if (this.down.size === 2) this.pinch(event.pointerId, before, now);
+    else if (this.carried) this.carry(now);
+    else if (this.turning) this.view.rig.turn((before.x - now.x) * 0.006, (before.y - now.y) * 0.006);
+    else this.pan(before, now);
+    this.down.set(event.pointerId, now);
+    this.events.looked();
+    this.view.redraw();
+  }
+
+  private released(event: PointerEvent): void {
+    const wasDown = this.down.delete(event.pointerId);
+    this.canvas.style.cursor = '';
+    if (this.carried && this.moved) this.carryTo(this.carriedAt.x, this.carriedAt.y);
+    else if (wasDown && !this.moved && !this.turning) this.events.select(this.view.pick(event.offsetX, event.offsetY));
+    this.carried = null;
+  }
+
+  private hover(event: PointerEvent): void {
+    if (event.pointerType === 'touch') return;
+    const row = this.view.pick(event.offsetX, event.offsetY);
+    if (row === this.view.hovered) return;
+    this.view.hovered = row;
+    this.canvas.style.cursor = row === null ? '' : this.events.mayCarry(row) ? 'grab' : 'pointer';
+    this.view.redraw();
+  }
+
+  private pan(before: { x: number; y: number }, now: { x: number; y: number }): void {
+    const { rig } = this.view;
+    const a = rig.floorAt(before.x, before.y);
+    const b = rig.floorAt(now.x, now.y);
+    this.view.followed = null;
+    if (a && b) rig.lookAt(rig.x + a.x - b.x, rig.y + a.y - b.y);
+  }
+
+  private pinch(id: number, before: { x: number; y: number }, now: { x: number; y: number }): void {
+    const other = [...this.down].find(([key]) => key !== id)?.[1];
+    if (!other) return;
+    const apart = Math.hypot(before.x - other.x, before.y - other.y);
+    const farther = Math.hypot(now.x - other.x, now.y - other.y);
+    const { rig } = this.view;
+    if (apart > 1) rig.zoom(farther / apart, (now.x + other.x) / 2, (now.y + other.y) / 2);
+    const angle = Math.atan2(now.y - other.y, now.x - other.x) - Math.atan2(before.y - other.y, before.x - other.x);
+    if (Math.abs(angle) < 0.5) rig.turn(angle, 0);
+  }
+
+  private carry(now: { x: number; y: number }): void {
+    const at = this.view.rig.floorAt(now.x, now.y);
+    if (!at || !this.carried) return;
+    this.canvas.style.cursor = 'grabbing';
+    this.carriedAt = { x: at.x + this.carried.dx, y: at.y + this.carried.dy };
+    const time = performance.now();
+    this.view.motion?.hold(this.carried.row, this.carriedAt.x, this.carriedAt.y, this.carried.a, time);
+    if (time - this.lastCarry < kCarryPeriodMs) return;
+    this.carryTo(this.carriedAt.x, this.carriedAt.y);
+  }
+
+  private carryTo(x: number, y: number): void {
+    if (!this.carried) return;
+    this.lastCarry = performance.now();
+    this.view.motion?.hold(this.carried.row, x, y, this.carried.a, this.lastCarry);
+    this.events.carry(this.carried.row, x, y, this.carried.a);
+  }
+
+  private wheel(event: WheelEvent): void {
+    event.preventDefault();
+    if (this.carried && this.moved) {
+      this.carried.a += Math.sign(event.deltaY) * kTurnStep;
+      this.carryTo(this.carriedAt.x, this.carriedAt.y);
+    } else {
+      const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 16 : 1;
+      this.view.rig.zoom(Math.exp(-event.deltaY * lines * 0.0015), event.offsetX, event.offsetY);
+      this.events.looked();
+    }
+    this.view.redraw();
+  }
+}

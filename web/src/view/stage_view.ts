@@ -1,0 +1,254 @@
+import {
+  AmbientLight, Color, DirectionalLight, Group, HemisphereLight, LineBasicMaterial, LineLoop, BufferGeometry, Scene as Picture,
+  Vector3, WebGLRenderer,
+} from 'three';
+import { Motion } from '../motion';
+import type { Replica } from '../protocol/replica';
+import { rootsOf, type Scene } from '../protocol/scene';
+import { Bodies } from './bodies';
+import { CameraRig, kTilted, type Box } from './camera_rig';
+import { Fans } from './fans';
+import { Ground } from './ground';
+import { Labels } from './labels';
+import { Sightings } from './sightings';
+import { heightOf } from './shapes';
+import { themeNow, type Theme } from './theme';
+import { Trails } from './trails';
+
+export interface Layers {
+  sensors: boolean;
+  fiducials: boolean;
+  trails: boolean;
+  names: boolean;
+  grid: boolean;
+}
+
+/** Everything that is drawn of one scene. */
+class Drawn {
+  readonly group = new Group();
+  readonly bodies: Bodies;
+  readonly fans: Fans;
+  readonly sightings: Sightings;
+  readonly trails: Trails;
+  readonly labels: Labels;
+  readonly ground: Ground;
+
+  constructor(
+    readonly scene: Scene,
+    readonly replica: Replica,
+    readonly motion: Motion,
+    readonly extent: Box,
+    rig: CameraRig,
+    canvas: HTMLCanvasElement,
+    theme: Theme,
+  ) {
+    this.bodies = new Bodies(scene, replica, motion, theme);
+    this.fans = new Fans(scene, replica, motion, theme);
+    this.sightings = new Sightings(scene, replica, motion);
+    this.trails = new Trails(scene, replica, motion);
+    this.labels = new Labels(scene, motion, rig, canvas, theme);
+    this.ground = new Ground(extent, theme);
+    this.group.add(this.ground.group, this.trails.object, this.bodies.group, this.fans.group, this.sightings.group);
+  }
+
+  dispose(): void {
+    for (const part of [this.bodies, this.fans, this.sightings, this.trails, this.ground]) part.dispose();
+  }
+}
+
+/** The picture: draws the world when something in it changed, and answers what is under the pointer. */
+export class StageView {
+  readonly rig = new CameraRig();
+  readonly layers: Layers = { sensors: true, fiducials: true, trails: true, names: true, grid: true };
+  selected: number | null = null;
+  hovered: number | null = null;
+  followed: number | null = null;
+  motion: Motion | null = null;
+  roots: Int32Array = new Int32Array();
+
+  private readonly renderer: WebGLRenderer;
+  private readonly picture = new Picture();
+  private readonly ring: LineLoop;
+  private readonly sun = new DirectionalLight(0xffffff, 1.6);
+  private drawn: Drawn | null = null;
+  private theme: Theme = themeNow();
+  private dirty = true;
+  private last = 0;
+
+  constructor(
+    canvas: HTMLCanvasElement,
+    private readonly overlay: HTMLCanvasElement,
+  ) {
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'low-power' });
+    this.picture.add(new AmbientLight(0xffffff, 0.7), new HemisphereLight(0xffffff, 0xb8bec8, 1.1), this.sun);
+    this.sun.position.set(-4, -7, 12);
+    const circle = Array.from({ length: 48 }, (_, k) => new Vector3(Math.cos((k / 24) * Math.PI), Math.sin((k / 24) * Math.PI), 0));
+    this.ring = new LineLoop(new BufferGeometry().setFromPoints(circle), new LineBasicMaterial({ depthTest: false, transparent: true }));
+    this.ring.renderOrder = 10;
+    this.ring.visible = false;
+    this.picture.add(this.ring);
+    this.applyTheme();
+  }
+
+  /** Shows another scene; the camera stays when it is the same world again. */
+  show(scene: Scene, replica: Replica): void {
+    const again = this.drawn?.scene.name === scene.name && this.drawn.scene.models.length === scene.models.length;
+    this.drop();
+    this.motion = new Motion(scene, replica);
+    this.roots = rootsOf(scene);
+    this.drawn = new Drawn(scene, replica, this.motion, extentOf(scene, this.motion), this.rig, this.overlay, this.theme);
+    this.picture.add(this.drawn.group);
+    if (!again) this.frameAsTheFileWants();
+    this.applyLayers();
+  }
+
+  /** A packet was applied. */
+  changed(now: number): void {
+    this.motion?.aim(now);
+    this.drawn?.bodies.paint();
+    this.dirty = true;
+  }
+
+  setTheme(): void {
+    this.theme = themeNow();
+    this.applyTheme();
+    if (this.drawn) this.show(this.drawn.scene, this.drawn.replica);
+  }
+
+  applyLayers(): void {
+    const { drawn, layers } = this;
+    if (drawn) {
+      drawn.fans.group.visible = layers.sensors;
+      drawn.sightings.group.visible = layers.fiducials;
+      drawn.trails.object.visible = layers.trails;
+      drawn.ground.group.visible = layers.grid;
+      drawn.labels.names = layers.names;
+      drawn.labels.ids = layers.fiducials;
+    }
+    this.dirty = true;
+  }
+
+  redraw(): void {
+    this.dirty = true;
+  }
+
+  fitAll(): void {
+    if (this.drawn) this.rig.fit(this.drawn.extent, 'glide');
+    this.dirty = true;
+  }
+
+  tilt(): void {
+    this.rig.glideTo({ pitch: this.rig.pitch > 0.02 ? 0 : kTilted });
+    this.dirty = true;
+  }
+
+  /** Draws if anything changed since the last call. */
+  frame(now: number): void {
+    const seconds = Math.min((now - this.last) / 1000, 0.1);
+    this.last = now;
+    const resized = this.fitWindow();
+    const moved = this.motion?.update(now) ?? false;
+    if (this.followed !== null && this.motion) this.rig.lookAt(this.motion.x[this.followed], this.motion.y[this.followed]);
+    const glides = this.rig.update(seconds);
+    if (moved) {
+      this.drawn?.bodies.move();
+      this.drawn?.trails.record();
+    }
+    if (!(moved || glides || resized || this.dirty)) return;
+    this.dirty = false;
+    this.draw();
+  }
+
+  /** The top-level model under a pixel: the nearest robot, else what else may be moved; null for floor and walls. */
+  pick(px: number, py: number): number | null {
+    const { drawn, motion } = this;
+    if (!drawn || !motion) return null;
+    const slack = 5 / this.rig.scale;
+    let best: number | null = null;
+    let nearest = Infinity;
+    drawn.scene.models.forEach((model, row) => {
+      if (model.parent >= 0 || !(model.movable || model.kind === 'position')) return;
+      const p = this.rig.floorAt(px, py, motion.z[row] + model.size[2] * 0.6);
+      if (!p) return;
+      const [ox, oy] = model.origin ?? [0, 0];
+      const dx = p.x - motion.x[row];
+      const dy = p.y - motion.y[row];
+      const c = Math.cos(motion.a[row]);
+      const s = Math.sin(motion.a[row]);
+      const along = Math.abs(c * dx + s * dy - ox) - model.size[0] / 2;
+      const across = Math.abs(-s * dx + c * dy - oy) - model.size[1] / 2;
+      if (along > slack || across > slack) return;
+      const distance = Math.hypot(dx, dy) + (model.kind === 'position' ? 0 : 1e3);
+      if (distance >= nearest) return;
+      nearest = distance;
+      best = row;
+    });
+    return best;
+  }
+
+  private draw(): void {
+    const { drawn, layers } = this;
+    if (drawn) {
+      if (layers.sensors) drawn.fans.draw();
+      if (layers.fiducials) drawn.sightings.draw();
+      if (layers.trails) drawn.trails.draw();
+      this.placeRing(drawn);
+      drawn.labels.draw([this.selected, this.hovered, this.followed]);
+    }
+    this.renderer.render(this.picture, this.rig.camera);
+  }
+
+  private placeRing(drawn: Drawn): void {
+    const row = this.selected;
+    this.ring.visible = row !== null;
+    if (row === null) return;
+    const model = drawn.scene.models[row];
+    const radius = Math.hypot(model.size[0], model.size[1]) * 0.62 + 3 / this.rig.scale;
+    this.ring.position.set(drawn.motion.x[row], drawn.motion.y[row], drawn.motion.z[row] + 0.01);
+    this.ring.scale.setScalar(radius);
+  }
+
+  private fitWindow(): boolean {
+    const { clientWidth, clientHeight } = this.renderer.domElement;
+    if (clientWidth === this.rig.width && clientHeight === this.rig.height) return false;
+    this.rig.resize(clientWidth, clientHeight);
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    this.renderer.setSize(clientWidth, clientHeight, false);
+    return true;
+  }
+
+  private frameAsTheFileWants(): void {
+    const { window: wanted } = this.drawn!.scene;
+    this.fitWindow();
+    this.rig.fit(this.drawn!.extent, 'jump');
+    this.rig.pitch = Math.min(Math.abs(wanted.pitch), 1.3);
+    this.rig.yaw = wanted.yaw;
+  }
+
+  private applyTheme(): void {
+    this.picture.background = new Color(this.theme.floor);
+    (this.ring.material as LineBasicMaterial).color.setHex(this.theme.select);
+    this.dirty = true;
+  }
+
+  private drop(): void {
+    if (!this.drawn) return;
+    this.picture.remove(this.drawn.group);
+    this.drawn.dispose();
+    this.drawn = null;
+  }
+}
+
+/** The floor that the scene's bodies cover. */
+function extentOf(scene: Scene, motion: Motion): Box {
+  const box = { x_min: Infinity, y_min: Infinity, x_max: -Infinity, y_max: -Infinity };
+  scene.models.forEach((model, row) => {
+    if (model.parent >= 0 || model.shape === undefined || heightOf(scene.shapes[model.shape]) <= 0) return;
+    const reach = Math.max(model.size[0], model.size[1]) / 2;
+    box.x_min = Math.min(box.x_min, motion.x[row] - reach);
+    box.y_min = Math.min(box.y_min, motion.y[row] - reach);
+    box.x_max = Math.max(box.x_max, motion.x[row] + reach);
+    box.y_max = Math.max(box.y_max, motion.y[row] + reach);
+  });
+  return box.x_min <= box.x_max ? box : { x_min: -5, y_min: -5, x_max: 5, y_max: 5 };
+}

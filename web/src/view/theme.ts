@@ -1,0 +1,39 @@
+/** Colours of the drawn world, for a light and for a dark page. */
+export interface Theme {
+  floor: number;
+  grid: number;
+  axis: number;
+  edge: number;
+  text: string;
+  halo: string;
+  select: number;
+  dark: boolean;
+}
+
+const kLight: Theme = {
+  floor: 0xf4f5f7,
+  grid: 0xdfe3e8,
+  axis: 0xc2c9d2,
+  edge: 0x23282f,
+  text: '#1d2430',
+  halo: 'rgba(255,255,255,0.85)',
+  select: 0x2f6fed,
+  dark: false,
+};
+
+const kDark: Theme = {
+  floor: 0x171b21,
+  grid: 0x242a33,
+  axis: 0x3a434f,
+  edge: 0x0a0c0f,
+  text: '#e6eaf0',
+  halo: 'rgba(13,16,20,0.8)',
+  select: 0x6ea0ff,
+  dark: true,
+};
+
+export const kDarkPage = window.matchMedia('(prefers-color-scheme: dark)');
+
+export function themeNow(): Theme {
+  return kDarkPage.matches ? kDark : kLight;
+}
