@@ -24,7 +24,7 @@ struct Bitmap {
   }
 };
 
-/// Decodes a PNG, PGM, PPM, PBM, BMP, GIF or JPEG. A pixel is solid when its first channel is at most 127 of
+/// Decodes a PNG, PGM, PPM, PBM or BMP. A pixel is solid when its first channel is at most 127 of
 /// 255; transparency does not count. Fails on other bytes and on more than `most_pixels`.
 Result<Bitmap> decode_bitmap(std::string_view bytes, std::size_t most_pixels = limits::kBitmapPixels);
 

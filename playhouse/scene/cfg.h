@@ -61,7 +61,8 @@ class CfgSection {
   void fail(const Field& field, std::string text) const;
   double scaled(std::string_view key, double otherwise, std::size_t element, double factor) const;
 
-  std::shared_ptr<const CfgDocument> file_;  // shared by the sections of one file, which live as long as any driver
+  std::shared_ptr<const CfgDocument>
+      file_;  // shared by the sections of one file, which live as long as any driver
   SourceLine where_;
   FieldSet fields_;
   mutable std::set<std::string, std::less<>> asked_;

@@ -17,10 +17,7 @@
 #define STBI_NO_STDIO
 #define STBI_NO_LINEAR
 #define STBI_NO_HDR
-#define STBI_ONLY_PNM
 #define STBI_ONLY_BMP
-#define STBI_ONLY_GIF
-#define STBI_ONLY_JPEG
 #include <stb/stb_image.h>
 #pragma GCC diagnostic pop
 
@@ -151,42 +148,76 @@ class PnmText {
   std::size_t at_;
 };
 
-/// P1 (ASCII bits), P2 (ASCII grey), P3 (ASCII colour), P4 (bits): the kinds of PNM that stb_image lacks.
-Result<FirstChannel> read_pnm(std::string_view bytes, std::size_t most_pixels) {
-  const Error bad{{}, "is no readable PNM: the header is wrong or the pixels end too early"};
-  const char kind = bytes[1];
-  const bool bits = kind == '1' || kind == '4';
-  PnmText text(bytes, 2);
-  const auto width = text.number(), height = text.number();
-  const auto top = bits ? std::optional<std::uint32_t>(1) : text.number();
-  if (!width || !height || !top || *top == 0) return bad;
-  if (const auto size = check_size(*width, *height, most_pixels); !size) return size.error();
-  const std::size_t pixels = std::size_t{*width} * *height;
-  const std::size_t row_bytes = (std::size_t{*width} + 7) / 8;
-  const std::size_t data = text.at() + 1;
-  if (kind == '4' ? data + row_bytes * *height > bytes.size() : pixels > bytes.size()) return bad;
-  FirstChannel image{static_cast<int>(*width), static_cast<int>(*height), std::vector<std::uint8_t>(pixels)};
-  for (std::size_t i = 0; i < pixels; ++i) {
-    if (kind == '4') {
-      const auto byte = static_cast<unsigned char>(bytes[data + i / *width * row_bytes + i % *width / 8]);
-      image.level[i] = (byte >> (7 - i % *width % 8)) & 1 ? 0 : 255;
-      continue;
-    }
-    const auto value = bits ? text.digit() : text.number();
-    if (!value || *value > *top) return bad;
-    image.level[i] =
-        static_cast<std::uint8_t>(bits ? (*value ? 0 : 255) : *value * std::uint64_t{255} / *top);
-    if (kind == '3' && (!text.number() || !text.number())) return bad;
-  }
-  return image;
+/// One of the six kinds of PNM: "P1" to "P3" are bits, grey and colour in ASCII, "P4" to "P6" the same in
+/// binary.
+struct PnmKind {
+  bool ascii, bits;
+  std::size_t channels;
+};
+
+PnmKind kind_of_pnm(char digit) {
+  return {digit <= '3', digit == '1' || digit == '4', digit == '3' || digit == '6' ? 3u : 1u};
 }
 
-Result<FirstChannel> read_other(std::string_view bytes, std::size_t most_pixels) {
+/// The pixels of an ASCII PNM; false when they end too early or exceed `top`.
+bool read_ascii_pixels(PnmText& text, PnmKind kind, std::uint32_t top, FirstChannel& image) {
+  for (std::uint8_t& level : image.level) {
+    const auto value = kind.bits ? text.digit() : text.number();
+    if (!value || *value > top) return false;
+    level = static_cast<std::uint8_t>(kind.bits ? (*value ? 0 : 255) : *value * std::uint64_t{255} / top);
+    for (std::size_t other = 1; other < kind.channels; ++other) {
+      if (!text.number()) return false;
+    }
+  }
+  return true;
+}
+
+/// The pixels of a binary PNM; false when they end too early or exceed `top`.
+bool read_binary_pixels(std::string_view bytes, PnmKind kind, std::uint32_t top, FirstChannel& image) {
+  const std::size_t width = static_cast<std::size_t>(image.width),
+                    height = static_cast<std::size_t>(image.height);
+  const std::size_t depth = top > 255 ? 2 : 1;
+  const std::size_t row_bytes = kind.bits ? (width + 7) / 8 : width * kind.channels * depth;
+  if (bytes.size() < row_bytes * height) return false;
+  const auto byte = [bytes](std::size_t at) {
+    return static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[at]));
+  };
+  for (std::size_t i = 0; i < image.level.size(); ++i) {
+    const std::size_t x = i % width, row = i / width * row_bytes;
+    if (kind.bits) {
+      image.level[i] = (byte(row + x / 8) >> (7 - x % 8)) & 1u ? 0 : 255;
+      continue;
+    }
+    const std::size_t at = row + x * kind.channels * depth;
+    const std::uint32_t value = depth == 2 ? byte(at) << 8 | byte(at + 1) : byte(at);
+    if (value > top) return false;
+    image.level[i] = static_cast<std::uint8_t>(value * 255 / top);
+  }
+  return true;
+}
+
+Result<FirstChannel> read_pnm(std::string_view bytes, std::size_t most_pixels) {
+  const Error bad{{}, "is no readable PNM: the header is wrong or the pixels end too early"};
+  const PnmKind kind = kind_of_pnm(bytes[1]);
+  PnmText text(bytes, 2);
+  const auto width = text.number(), height = text.number();
+  const auto top = kind.bits ? std::optional<std::uint32_t>(1) : text.number();
+  if (!width || !height || !top || *top == 0 || *top > 65535) return bad;
+  if (const auto size = check_size(*width, *height, most_pixels); !size) return size.error();
+  const std::size_t pixels = std::size_t{*width} * *height;
+  if (text.at() >= bytes.size() || (!(kind.bits && !kind.ascii) && pixels > bytes.size())) return bad;
+  FirstChannel image{static_cast<int>(*width), static_cast<int>(*height), std::vector<std::uint8_t>(pixels)};
+  const bool whole = kind.ascii ? read_ascii_pixels(text, kind, *top, image)
+                                : read_binary_pixels(bytes.substr(text.at() + 1), kind, *top, image);
+  return whole ? Result<FirstChannel>(std::move(image)) : bad;
+}
+
+Result<FirstChannel> read_bmp(std::string_view bytes, std::size_t most_pixels) {
   const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const int size = static_cast<int>(bytes.size());
   int width = 0, height = 0, channels = 0;
   if (!stbi_info_from_memory(data, size, &width, &height, &channels)) {
-    return Error{{}, "is no PNG, PNM, BMP, GIF or JPEG image"};
+    return Error{{}, "is no PNG, PNM (.pgm, .ppm, .pbm) or BMP image"};
   }
   const auto pixels_of = [](int side) { return static_cast<std::uint64_t>(side); };
   if (const auto fits = check_size(pixels_of(width), pixels_of(height), most_pixels); !fits)
@@ -205,9 +236,9 @@ Result<FirstChannel> read_other(std::string_view bytes, std::size_t most_pixels)
 
 Result<FirstChannel> read_first_channel(std::string_view bytes, std::size_t most_pixels) {
   if (bytes.starts_with("\x89PNG\r\n\x1A\n")) return read_png(bytes, most_pixels);
-  if (bytes.size() > 2 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '4')
+  if (bytes.size() > 2 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '6')
     return read_pnm(bytes, most_pixels);
-  return read_other(bytes, most_pixels);
+  return read_bmp(bytes, most_pixels);
 }
 
 }  // namespace playhouse::scene

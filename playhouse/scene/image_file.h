@@ -16,8 +16,8 @@ struct FirstChannel {
   std::vector<std::uint8_t> level;  // height x width, row-major
 };
 
-/// Reads a PNG through libpng, other formats (PNM, BMP, GIF, JPEG) through stb_image, ASCII PNM and PBM by
-/// itself. Fails on more than `most_pixels` before it allocates any.
+/// Reads a PNG through libpng, a BMP through stb_image, and a PNM of any kind itself (stb_image reads two of
+/// the six and overflows on hostile headers). Fails on more than `most_pixels` before it allocates any.
 Result<FirstChannel> read_first_channel(std::string_view bytes, std::size_t most_pixels);
 
 }  // namespace playhouse::scene

@@ -38,10 +38,17 @@ class WorldLoader {
   void load_window(const Instance& window);
   /// A model and everything inside it. `siblings` counts the models of each type in the parent.
   void load_model(const Instance& instance, std::int32_t parent, std::map<std::string_view, int>& siblings);
+  /// Reads the `block` and `sensor` entities, which are parts of a model; returns all others, the models
+  /// inside it.
+  std::vector<Instance> load_parts(const Instance& entity, const ModelType& type, ModelDesc& model,
+                                   Shape& shape);
+  void check_holds_nothing(const Instance& entity);
   /// The shape of a model from its bitmap and its `block` entities.
   void read_body(const Properties& properties, const ModelType& type, Shape shape, ModelDesc& model);
   const Loops* load_bitmap(const Properties& properties);
-  void fail_unknown_type(const Instance& instance);
+  /// The type of a model; null, and a fault, when it has none or the world is full.
+  const ModelType* type_of(const Instance& entity);
+  void fail_unknown_type(const Instance& entity);
 
   const Document& document_;
   FileReader& files_;
@@ -56,6 +63,7 @@ class WorldLoader {
   std::set<std::string_view> plain_types_;  // warned of
   bool has_window_ = false;
   std::size_t fields_ = 0;
+  int depth_ = 1;  // of the model being loaded
 };
 
 Result<SceneDesc> WorldLoader::load() {
@@ -137,41 +145,45 @@ void WorldLoader::load_window(const Instance& window) {
   scene_.window = read_window(properties);
 }
 
-void WorldLoader::fail_unknown_type(const Instance& instance) {
+void WorldLoader::fail_unknown_type(const Instance& entity) {
   const auto later =
       std::find_if(document_.statements.begin(), document_.statements.end(),
-                   [&](const Statement& s) { return !s.base.empty() && s.section.name == instance.type; });
+                   [&](const Statement& s) { return !s.base.empty() && s.section.name == entity.type; });
   if (later != document_.statements.end()) {
-    state_.fail(instance.where, "macro \"" + std::string(instance.type) +
-                                    "\" is used before its definition at " +
-                                    document_.sources.at(later->section.where));
+    state_.fail(entity.where, "macro \"" + std::string(entity.type) + "\" is used before its definition at " +
+                                  document_.sources.at(later->section.where));
   } else {
-    state_.fail(instance.where, unknown_type(instance.type, macros_.names()));
+    state_.fail(entity.where, unknown_type(entity.type, macros_.names()));
   }
 }
 
-void WorldLoader::load_model(const Instance& entity, std::int32_t parent,
-                             std::map<std::string_view, int>& siblings) {
+const ModelType* WorldLoader::type_of(const Instance& entity) {
   if (entity.type == "block" || entity.type == "sensor" || entity.type == "window") {
     const std::string_view place = entity.type == "block"    ? "a model"
                                    : entity.type == "sensor" ? "a ranger"
                                                              : "no model, but at the top level";
     state_.fail(entity.where, "\"" + std::string(entity.type) + "\" belongs into " + std::string(place));
-    return;
+    return nullptr;
   }
   const ModelType* type = find_model_type(entity.type);
-  if (!type) return fail_unknown_type(entity);
-  const std::size_t row = scene_.models.size();
-  if (row >= limits_.models) {
-    return state_.fail(entity.where,
-                       "the world holds more than " + std::to_string(limits_.models) + " models");
-  }
-  if (!type->simulated && plain_types_.insert(type->name).second) {
+  if (!type) {
+    fail_unknown_type(entity);
+  } else if (scene_.models.size() >= limits_.models) {
+    state_.fail(entity.where, "the world holds more than " + std::to_string(limits_.models) + " models");
+    return nullptr;
+  } else if (!type->simulated && plain_types_.insert(type->name).second) {
     state_.warn(entity.where, "model type \"" + std::string(type->name) +
                                   "\" is not simulated yet and loads as a plain " +
                                   (type->has_body ? "body" : "model without a body"));
   }
+  return type;
+}
 
+void WorldLoader::load_model(const Instance& entity, std::int32_t parent,
+                             std::map<std::string_view, int>& siblings) {
+  const ModelType* type = type_of(entity);
+  if (!type) return;
+  const std::size_t row = scene_.models.size();
   const Properties properties(state_, entity);
   vocabulary_.check(Vocabulary::kModel, type->name, properties);
   ModelDesc model;
@@ -183,41 +195,52 @@ void WorldLoader::load_model(const Instance& entity, std::int32_t parent,
   }
   names_.name(model, properties.text("name", ""), siblings[type->name]++);
 
-  // Blocks and sensors are parts of this model, all other entities are models of their own, which follow it.
   Shape shape;
+  const std::vector<Instance> children = load_parts(entity, *type, model, shape);
+  read_body(properties, *type, std::move(shape), model);
+  stacks_children_.push_back(properties.flag("stack_children", true));
+  scene_.models.push_back(std::move(model));
+  if (!children.empty() && depth_ == limits::kEntityDepth) {
+    state_.fail(entity.where, "models nested more than " + std::to_string(limits::kEntityDepth) + " deep");
+  }
+  std::map<std::string_view, int> grandchildren;
+  ++depth_;
+  for (const Instance& child : children) {
+    if (state_.error) return;
+    load_model(child, static_cast<std::int32_t>(row), grandchildren);
+  }
+  --depth_;
+}
+
+std::vector<Instance> WorldLoader::load_parts(const Instance& entity, const ModelType& type, ModelDesc& model,
+                                              Shape& shape) {
   std::vector<Instance> children;
   for (const Section* part : entity.parts) {
     for (const Section& section : part->sections) {
       std::optional<Instance> child = instance(section);
-      if (!child || state_.error) return;
-      const bool block = child->type == "block", sensor = child->type == "sensor";
-      if (!block && !(sensor && type->kind == ModelKind::kRanger)) {
+      if (!child || state_.error) return {};
+      const bool block = child->type == "block";
+      if (!block && !(child->type == "sensor" && type.kind == ModelKind::kRanger)) {
         children.push_back(std::move(*child));
         continue;
       }
-      for (const Section* body : child->parts) {
-        if (!body->sections.empty()) {
-          return state_.fail(body->sections.front().where,
-                             "a " + std::string(child->type) + " holds no entities");
-        }
-      }
-      const Properties own(state_, *child);
-      vocabulary_.check(block ? Vocabulary::kBlock : Vocabulary::kSensor, "", own);
+      check_holds_nothing(*child);
+      const Properties properties(state_, *child);
+      vocabulary_.check(block ? Vocabulary::kBlock : Vocabulary::kSensor, "", properties);
       if (block) {
-        shape.prisms.push_back(read_block(own));
+        shape.prisms.push_back(read_block(properties));
       } else {
-        model.sensors.push_back(read_sensor(own, row));
+        model.sensors.push_back(read_sensor(properties, scene_.models.size()));
       }
     }
   }
-  read_body(properties, *type, std::move(shape), model);
-  stacks_children_.push_back(properties.flag("stack_children", true));
-  scene_.models.push_back(std::move(model));
+  return children;
+}
 
-  std::map<std::string_view, int> grandchildren;
-  for (const Instance& child : children) {
-    if (state_.error) return;
-    load_model(child, static_cast<std::int32_t>(row), grandchildren);
+void WorldLoader::check_holds_nothing(const Instance& entity) {
+  for (const Section* part : entity.parts) {
+    if (part->sections.empty()) continue;
+    state_.fail(part->sections.front().where, "a " + std::string(entity.type) + " holds no entities");
   }
 }
 

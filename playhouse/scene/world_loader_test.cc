@@ -1,25 +1,573 @@
 #include "playhouse/scene/world_loader.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
 
 namespace playhouse::scene {
 namespace {
 
-Result<SceneDesc> load(const std::string& text) {
-  MemoryFiles files({});
-  return load_world_text(text, "t.world", files);
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+using Files = std::map<std::string, std::string>;
+
+Result<SceneDesc> load(const std::string& text, Files others = {}, const WorldLimits& limits = {}) {
+  MemoryFiles files(std::move(others));
+  return load_world_text(text, "w/t.world", files, limits);
 }
 
-TEST(WorldLoader, a_default_model_is_named_after_its_type_and_stands_as_a_box) {
-  const auto scene = load("model( pose [1 2 0 90] size [1 2 3] )");
-  ASSERT_TRUE(scene.ok()) << scene.error().line();
-  ASSERT_EQ(scene->models.size(), 1u);
-  const ModelDesc& model = scene->models[0];
-  EXPECT_EQ(model.name, "model:1");
-  EXPECT_DOUBLE_EQ(model.X_PM.a, geom::kPi / 2);
+SceneDesc loaded(const std::string& text, Files others = {}) {
+  Result<SceneDesc> scene = load(text, std::move(others));
+  EXPECT_TRUE(scene.ok()) << scene.error().line();
+  return scene ? std::move(*scene) : SceneDesc{};
+}
+
+/// The only model of a world.
+ModelDesc model_of(const std::string& text, Files others = {}) {
+  SceneDesc scene = loaded(text, std::move(others));
+  EXPECT_EQ(scene.models.size(), 1u) << text;
+  return scene.models.empty() ? ModelDesc{} : std::move(scene.models[0]);
+}
+
+std::string error_of(const std::string& text, Files others = {}) {
+  const Result<SceneDesc> scene = load(text, std::move(others));
+  return scene ? "no error" : scene.error().line();
+}
+
+std::vector<std::string> names_of(const SceneDesc& scene) {
+  std::vector<std::string> names;
+  for (const ModelDesc& model : scene.models) names.push_back(model.name);
+  return names;
+}
+
+/// x_min, x_max, y_min, y_max of points.
+std::array<double, 4> extent(const std::vector<geom::Vec2>& points) {
+  geom::Box box;
+  for (const geom::Vec2 p : points) box.add(p);
+  return {box.x_min, box.x_max, box.y_min, box.y_max};
+}
+
+double signed_area(const std::vector<geom::Vec2>& points) {
+  double twice = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) twice += cross(points[i], points[(i + 1) % points.size()]);
+  return twice / 2;
+}
+
+// ---- text
+// -------------------------------------------------------------------------------------------------------
+
+TEST(WorldText, several_properties_may_share_a_line_and_comments_hold_any_byte) {
+  const SceneDesc scene = loaded(
+      "\xEF\xBB\xBF# \xff\xfe \"( [\r\nmodel( name \"a\" size [1 1 1]color \"red\" pose [1 2 3 4 9] "
+      ")\r\rmodel\n # x\n\n"
+      "(\tname \"b\")");
+  EXPECT_THAT(names_of(scene), ElementsAre("a", "b"));
+  EXPECT_EQ(scene.models[1].where.line, 4u);
+}
+
+TEST(WorldText, numbers_may_have_exponents_and_text_may_stand_for_numbers) {
+  EXPECT_DOUBLE_EQ(model_of("model( mass 1.5e-3 )").mass, 0.0015);
+  EXPECT_DOUBLE_EQ(model_of("model( mass \"+.5\" )").mass, 0.5);
+  EXPECT_DOUBLE_EQ(model_of("model( mass 0.12345678901234567 )").mass, 0.12345678901234567);
+}
+
+TEST(WorldText, an_include_works_at_top_level_inside_an_entity_and_on_a_last_line_without_its_end) {
+  const SceneDesc scene = loaded("model( include \"size.inc\" # rest\n )\ninclude \"more.inc\"",
+                                 {{"w/size.inc", "size [1 2 3]"},
+                                  {"w/more.inc", "include \"deep/more.inc\""},
+                                  {"w/deep/more.inc", "model( name \"in\" )"}});
+  EXPECT_EQ(scene.models[0].size, (geom::Size{1, 2, 3}));
+  EXPECT_EQ(scene.models[1].name, "in");
+  EXPECT_EQ(scene.at(scene.models[1].where), "w/deep/more.inc:1");
+  EXPECT_THAT(scene.files, ElementsAre("w/t.world", "w/size.inc", "w/more.inc", "w/deep/more.inc"));
+}
+
+TEST(WorldText, an_include_beside_the_including_file_is_found_too) {
+  EXPECT_EQ(model_of("include \"deep/a.inc\"",
+                     {{"w/deep/a.inc", "include \"b.inc\""}, {"w/deep/b.inc", "model( name \"b\" )"}})
+                .name,
+            "b");
+}
+
+TEST(WorldText, faults_are_one_line_with_the_place) {
+  EXPECT_EQ(error_of("model(\n pose [1, 2] )"),
+            "w/t.world:2: unexpected character ',' (values are separated by spaces)");
+  EXPECT_EQ(error_of("model(\n pose[1 2 3 4] )"), "w/t.world:2: \"pose[1\" needs a space before its \"[\"");
+  EXPECT_EQ(error_of("model( name robot1 )"),
+            "w/t.world:1: \"name\" needs a value, found the word \"robot1\" (text takes double quotes)");
+  EXPECT_EQ(error_of("model( name\n\"x\" )"), "w/t.world:1: the value of \"name\" must be on the same line");
+  EXPECT_EQ(error_of("model( pose [1 2\n3 4] )"),
+            "w/t.world:1: the tuple of \"pose\" must end with \"]\" on the same line");
+  EXPECT_EQ(error_of("model( pose [1 2"), "w/t.world:1: the tuple of \"pose\" lacks its \"]\"");
+  EXPECT_EQ(error_of("\n\nmodel( player (\n)"), "w/t.world:3: \"model\" lacks its closing \")\"");
+  EXPECT_EQ(error_of("model( ))"), "w/t.world:1: \")\" without its \"(\"");
+  EXPECT_EQ(error_of("model( player\n)"), "w/t.world:1: \"player\" needs a value or \"(\"");
+  EXPECT_EQ(error_of("model( ( ) )"), "w/t.world:1: expected a name or \")\", found \"(\"");
+  EXPECT_EQ(error_of("model( name \"x )\n"), "w/t.world:1: string without its closing quote on this line");
+  EXPECT_THAT(error_of("define x (\n)"), HasSubstr("w/t.world:1: define x needs the type it is based on"));
+  EXPECT_THAT(error_of("define\n"), HasSubstr("define needs the name of the macro"));
+  EXPECT_THAT(error_of("model( define x model ( ) )"), HasSubstr("outside all sections only"));
+  EXPECT_THAT(error_of("include x.inc"), HasSubstr("include needs a file name in quotes"));
+  EXPECT_EQ(error_of("\ninclude \"x.inc\""),
+            "w/t.world:2: included file w/x.inc cannot be opened: no such file");
+  EXPECT_EQ(error_of("model \x01"), "w/t.world:1: unexpected character 0x01");
+}
+
+TEST(WorldText, an_include_cycle_is_reported_not_followed) {
+  EXPECT_EQ(
+      error_of("include \"a.inc\"", {{"w/a.inc", "\ninclude \"b.inc\""}, {"w/b.inc", "include \"a.inc\""}}),
+      "w/b.inc:1: file w/a.inc includes itself");
+  Files chain;
+  for (int i = 0; i < 40; ++i) {
+    chain["w/" + std::to_string(i)] = "include \"" + std::to_string(i + 1) + "\"";
+  }
+  EXPECT_THAT(error_of("include \"0\"", chain), HasSubstr("more than 32 files include each other"));
+}
+
+// ---- macros
+// -----------------------------------------------------------------------------------------------------
+
+TEST(WorldMacros, an_instance_replaces_properties_and_adds_children_after_the_macros) {
+  const SceneDesc scene = loaded(
+      "define base position ( size [1 1 1] color \"red\" model( name \"first\" ) )\n"
+      "define robot base ( color \"blue\" model( name \"second\" ) )\n"
+      "robot ( name \"r\" name \"s\" color \"lime green\" model( name \"third\" ) )");
+  EXPECT_THAT(names_of(scene), ElementsAre("s", "s.first", "s.second", "s.third"));
+  EXPECT_EQ(scene.models[0].type, "position");
+  EXPECT_EQ(scene.models[0].size, (geom::Size{1, 1, 1}));
+  EXPECT_EQ(scene.models[0].color, (Color{50 / 255.0f, 205 / 255.0f, 50 / 255.0f, 1}));
+}
+
+TEST(WorldMacros, the_first_definition_of_a_name_counts) {
+  const SceneDesc scene = loaded("define a model ( mass 1 )\ndefine a model ( mass 2 )\na( )");
+  EXPECT_EQ(scene.models[0].mass, 1);
+  EXPECT_THAT(scene.warnings,
+              ElementsAre("w/t.world:2: macro \"a\" is defined at w/t.world:1 already; the first "
+                          "definition counts"));
+}
+
+TEST(WorldMacros, a_macro_shadows_a_type_from_its_definition_on_also_inside_other_macros) {
+  const SceneDesc scene = loaded(
+      "define robot position ( block( points 3 point[0] [0 0] point[1] [1 0] point[2] [0 1] ) )\n"
+      "robot( )\ndefine block model ( size [0.5 0.5 0.5] )\nblock( pose [4 0 0 0] )\nrobot( )");
+  EXPECT_THAT(names_of(scene), ElementsAre("position:0", "model:1", "position:1", "position:1.model:0"));
+  EXPECT_EQ(scene.models[0].blocks.at(0).points.size(), 3u);
+}
+
+TEST(WorldMacros, one_may_be_based_on_a_sensor) {
+  const SceneDesc scene =
+      loaded("define s sensor ( fov 20 samples 3 )\nranger( s( ) s( samples 5 ) )\nranger( )");
+  ASSERT_EQ(scene.models[0].sensors.size(), 2u);
+  EXPECT_EQ(scene.models[0].sensors[0].samples, 3u);
+  EXPECT_EQ(scene.models[0].sensors[1].samples, 5u);
+  EXPECT_TRUE(scene.models[1].sensors.empty());
+}
+
+TEST(WorldMacros, wrong_use_is_one_clear_error) {
+  EXPECT_EQ(error_of("robot( )\ndefine robot position ( )"),
+            "w/t.world:1: macro \"robot\" is used before its definition at w/t.world:2");
+  EXPECT_THAT(error_of("define model model ( )\nmodel( )"),
+              HasSubstr("w/t.world:2: macro \"model\" is based on itself"));
+  EXPECT_THAT(error_of("define a model ( a( ) )\na( )"), HasSubstr("nested more than 64 deep"));
+  EXPECT_EQ(error_of("define robot position ( )\nrobo( )"),
+            "w/t.world:2: unknown model type \"robo\" (did you mean \"robot\"?)");
+}
+
+TEST(WorldMacros, a_few_lines_cannot_expand_without_bound) {
+  std::string text;
+  for (int i = 40; i > 0; --i) {
+    const std::string next = i == 40 ? "model" : "m" + std::to_string(i + 1);
+    text += "define m" + std::to_string(i) + " model ( " + next + "( ) " + next + "( ) )\n";
+  }
+  const auto scene = load(text + "m1( )", {}, {.models = 1000});
+  ASSERT_FALSE(scene.ok());
+  EXPECT_THAT(scene.error().line(), HasSubstr("more than 1000 models"));
+  std::string wide = "define m model ( ";
+  for (int i = 0; i < 100; ++i) wide += "mass 1 ";
+  const auto fields = load(wide + ")\nm( m( ) m( ) m( ) )", {}, {.fields = 350});
+  ASSERT_FALSE(fields.ok());
+  EXPECT_THAT(fields.error().line(), HasSubstr("more than 350 properties"));
+}
+
+// ---- names
+// ------------------------------------------------------------------------------------------------------
+
+TEST(WorldNames, default_names_count_siblings_of_a_type_and_the_ground_is_model_0) {
+  const SceneDesc scene = loaded(
+      "define robot position ( )\nmodel( ) robot( ranger( ) model( ) ranger( ) ) position( ) robot( name "
+      "\"a\" model( ) )");
+  EXPECT_THAT(names_of(scene),
+              ElementsAre("model:1", "position:0", "position:0.ranger:0", "position:0.model:0",
+                          "position:0.ranger:1", "position:1", "a", "a.model:0"));
+  EXPECT_EQ(scene.models[6].alias, "position:2");
+  EXPECT_EQ(scene.models[7].alias, "a.model:0");
+}
+
+TEST(WorldNames, a_name_is_below_its_parents_unless_it_starts_with_a_slash) {
+  const SceneDesc scene = loaded("model( name \"a\" model( name \"b\" ) model( name \"/c\" ) )");
+  EXPECT_THAT(names_of(scene), ElementsAre("a", "a.b", "c"));
+  EXPECT_EQ(scene.models[1].alias, "a.model:0");
+  EXPECT_EQ(scene.models[2].alias, "a.model:1");
+}
+
+TEST(WorldNames, the_last_model_of_a_name_has_it_and_the_others_fall_back) {
+  const SceneDesc scene =
+      loaded("model( name \"a\" model( ) )\nmodel( name \"a\" model( ) )\nmodel( name \"a\" )");
+  EXPECT_THAT(names_of(scene), ElementsAre("model:1", "model:1.model:0", "model:2", "model:2.model:0", "a"));
+  EXPECT_EQ(scene.models[1].alias, "model:1.model:0");
+  EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("w/t.world:2: the name \"a\" was given at w/t.world:1"),
+                                          HasSubstr("w/t.world:3: the name \"a\" was given at w/t.world:2")));
+}
+
+// ---- units, colours, frames
+// -------------------------------------------------------------------------------------
+
+TEST(WorldUnits, lengths_and_angles_are_scaled_where_they_are_lengths_and_angles) {
+  const SceneDesc scene = loaded(
+      "model( pose [100 0 0 3] size [50 60 80] mass 5 )\nunit_length \"cm\"\nunit_angle \"radians\"\n"
+      "position( velocity_bounds [-50 50 0 0 0 0 -1 1] odom_error [0.1 0.2 0 0.3] )\nresolution 0.05");
+  EXPECT_EQ(scene.models[0].X_PM, (geom::Pose{1, 0, 0, 3}));
+  EXPECT_EQ(scene.models[0].size, (geom::Size{0.5, 0.6, 0.8}));
+  EXPECT_EQ(scene.models[0].mass, 5);
+  EXPECT_EQ(scene.models[1].position->velocity_bounds[0].min, -0.5);
+  EXPECT_EQ(scene.models[1].position->velocity_bounds[3].max, 1);
+  EXPECT_EQ(*scene.models[1].position->odom_error, (geom::Twist{0.1, 0.2, 0, 0.3}))
+      << "fractions have no unit";
+  EXPECT_EQ(scene.resolution, 0.05) << "never scaled";
+}
+
+TEST(WorldUnits, headings_are_wrapped) {
+  EXPECT_NEAR(model_of("model( pose [0 0 0 450] )").X_PM.a, geom::kPi / 2, 1e-15);
+}
+
+TEST(WorldColors, names_beat_rgba_and_unknown_names_are_red_with_a_warning) {
+  EXPECT_EQ(model_of("model( color_rgba [0.1 0.2 0.3 0.4] )").color, (Color{0.1f, 0.2f, 0.3f, 0.4f}));
+  EXPECT_EQ(model_of("model( color \"gray50\" color_rgba [0.1 0.2 0.3 0.4] )").color,
+            (Color{127 / 255.0f, 127 / 255.0f, 127 / 255.0f, 1}));
+  EXPECT_EQ(model_of("model( color \"grey\" )").color, (Color{190 / 255.0f, 190 / 255.0f, 190 / 255.0f, 1}));
+  const SceneDesc scene = loaded("model( color \"bleu\" )");
+  EXPECT_EQ(scene.models[0].color, (Color{1, 0, 0, 1}));
+  EXPECT_THAT(scene.warnings,
+              ElementsAre("w/t.world:1: unknown color \"bleu\", red is used (did you mean \"blue\"?)"));
+}
+
+TEST(WorldColors, random_colors_differ_between_models_and_repeat_between_loads) {
+  const std::string text = "model( color \"random\" ) model( color \"random\" )";
+  const SceneDesc a = loaded(text), b = loaded(text);
+  EXPECT_EQ(a.models[0].color, b.models[0].color);
+  EXPECT_EQ(a.models[1].color, b.models[1].color);
+  EXPECT_FALSE(a.models[0].color == a.models[1].color);
+  EXPECT_EQ(a.models[0].color.a, 1);
+}
+
+TEST(WorldFrames, children_stand_on_a_parent_that_stacks) {
+  const SceneDesc scene = loaded(
+      "model( size [1 1 2] model( pose [0 0 -0.5 0] size [1 1 3] model( ) ) )\n"
+      "model( size [1 1 2] stack_children 0 model( pose [0 0 -0.5 0] ) )");
+  EXPECT_EQ(scene.models[1].X_PM.z, 1.5);
+  EXPECT_EQ(scene.models[2].X_PM.z, 3);
+  EXPECT_EQ(scene.models[4].X_PM.z, -0.5);
+  EXPECT_EQ(scene.models[2].parent, 1);
+}
+
+// ---- bodies
+// -----------------------------------------------------------------------------------------------------
+
+constexpr const char* kTriangle = "points 3 point[0] [0 0] point[1] [0 1] point[2] [1 0] ";
+
+TEST(WorldBodies, a_default_body_is_a_box_of_the_size) {
+  const ModelDesc model = model_of("model( )");
   ASSERT_EQ(model.blocks.size(), 1u);
-  EXPECT_EQ(model.blocks[0].points[0], (geom::Vec2{-0.5, -1}));
-  EXPECT_EQ(model.blocks[0].z_max, 3);
+  EXPECT_EQ(extent(model.blocks[0].points), (std::array<double, 4>{-0.2, 0.2, -0.2, 0.2}));
+  EXPECT_EQ(model.blocks[0].z_max, 1);
+  EXPECT_TRUE(model_of("model( noblocks 1 )").blocks.empty());
+  EXPECT_TRUE(model_of("ranger( )").blocks.empty());
+  EXPECT_TRUE(model_of("fiducial( )").blocks.empty());
+}
+
+TEST(WorldBodies, all_blocks_together_are_stretched_to_the_size_and_stand_on_the_floor) {
+  const ModelDesc model = model_of(
+      "model( size [2 4 6]\n block( points 4 point[0] [10 10] point[1] [10 20] point[2] [20 20] point[3] [20 "
+      "10] z [1 2] )\n"
+      "block( points 3 point[0] [20 20] point[1] [30 20] point[2] [30 50] z [2 4] ) )");
+  ASSERT_EQ(model.blocks.size(), 2u);
+  EXPECT_EQ(extent(model.blocks[0].points), (std::array<double, 4>{-1, 0, -2, -1}));
+  EXPECT_EQ(extent(model.blocks[1].points), (std::array<double, 4>{0, 1, -1, 2}));
+  EXPECT_EQ(model.blocks[0].z_min, 0);
+  EXPECT_EQ(model.blocks[0].z_max, 2);
+  EXPECT_EQ(model.blocks[1].z_max, 6);
+}
+
+TEST(WorldBodies, polygons_are_turned_counter_clockwise) {
+  const ModelDesc model = model_of(std::string("model( block( ") + kTriangle + ") )");
+  EXPECT_GT(signed_area(model.blocks.at(0).points), 0);
+}
+
+TEST(WorldBodies, a_block_without_z_is_as_high_as_the_model) {
+  const ModelDesc model = model_of(std::string("model( size [1 1 3] block( ") + kTriangle + ") block( " +
+                                   kTriangle + " z [0.5 1] ) )");
+  EXPECT_EQ(model.blocks.at(0).z_min, 0);
+  EXPECT_EQ(model.blocks.at(0).z_max, 3);
+  EXPECT_EQ(model.blocks.at(1).z_min, 0);
+}
+
+TEST(WorldBodies, a_boundary_is_four_walls_inside_the_size_that_blocks_do_not_remove) {
+  const ModelDesc walls = model_of("model( size [4 2 1] boundary 1 )");
+  ASSERT_EQ(walls.blocks.size(), 4u);
+  EXPECT_EQ(extent(walls.blocks[0].points), (std::array<double, 4>{-2, -1.99, -1, 1}));
+  EXPECT_EQ(extent(walls.blocks[3].points), (std::array<double, 4>{-2, 2, 0.99, 1}));
+  EXPECT_EQ(model_of(std::string("model( boundary 1 block( ") + kTriangle + ") )").blocks.size(), 5u);
+}
+
+TEST(WorldBodies, a_bitmap_fills_the_size_with_its_dark_pixels_and_its_first_row_is_at_positive_y) {
+  const ModelDesc model = model_of("model( size [4 2 3] bitmap \"b.pbm\" )",
+                                   {{"w/b.pbm", "P1 6 4\n000000\n011000\n001100\n000000\n"}});
+  EXPECT_TRUE(model.blocks.empty());
+  ASSERT_EQ(model.bitmaps.size(), 1u);
+  const Contours& contours = model.bitmaps[0];
+  EXPECT_EQ(contours.z_max, 3);
+  ASSERT_EQ(contours.loops.size(), 1u);
+  EXPECT_EQ(extent(contours.loops[0]), (std::array<double, 4>{-2, 2, -1, 1}));
+  EXPECT_NEAR(signed_area(contours.loops[0]), 4 * (4.0 / 3) * 1, 1e-12) << "4 pixels of 4/3 m x 1 m";
+  EXPECT_THAT(contours.loops[0], testing::Contains(geom::Vec2{-2, 1})) << "the upper left pixel is solid";
+}
+
+TEST(WorldBodies, a_bitmap_and_blocks_share_one_bounding_box) {
+  const ModelDesc model = model_of(
+      "model( size [4 2 1] bitmap \"b.pbm\" block( points 3 point[0] [2 0] point[1] [4 0] point[2] [4 2] z "
+      "[0 1] ) )",
+      {{"w/b.pbm", "P1 2 2 11 11"}});
+  EXPECT_EQ(extent(model.bitmaps.at(0).loops.at(0)), (std::array<double, 4>{-2, 0, -1, 1}));
+  EXPECT_EQ(extent(model.blocks.at(0).points), (std::array<double, 4>{0, 2, -1, 1}));
+}
+
+TEST(WorldBodies, wrong_shapes_are_errors_with_the_place) {
+  EXPECT_THAT(error_of("model( bitmap \"gone.png\" )"),
+              HasSubstr("w/t.world:1: bitmap w/gone.png cannot be opened: no such file"));
+  EXPECT_THAT(error_of("model( bitmap \"b\" )", {{"w/b", "text"}}), HasSubstr("bitmap w/b is no PNG"));
+  EXPECT_THAT(error_of("model(\nblock( points 2 ) )"), HasSubstr("w/t.world:2: a block needs \"points\""));
+  EXPECT_THAT(error_of("model( block( points 3 point[0] [0 0] point[2] [1 1] ) )"),
+              HasSubstr("\"point[1]\" is missing"));
+  EXPECT_THAT(error_of("model( block( points 3 point[0] [0 0] point[1] [1 0] point[2] [2 0] ) )"),
+              HasSubstr("lie on one line"));
+  EXPECT_THAT(error_of("model( block( z [2 1] points 3 point[0] [0 0] point[1] [1 0] point[2] [2 1] ) )"),
+              HasSubstr("ends below its start"));
+  EXPECT_THAT(error_of("model( block( model( ) ) )"), HasSubstr("a block holds no entities"));
+}
+
+TEST(WorldBodies, a_bitmap_without_dark_pixels_is_no_body_and_a_warning) {
+  const SceneDesc scene = loaded("model( bitmap \"b\" )", {{"w/b", "P1 1 1 0"}});
+  EXPECT_TRUE(scene.models[0].blocks.empty());
+  EXPECT_TRUE(scene.models[0].bitmaps.empty());
+  EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("no dark pixel")));
+}
+
+// ---- kinds
+// ------------------------------------------------------------------------------------------------------
+
+TEST(WorldModels, base_properties_are_read_and_have_their_defaults) {
+  const ModelDesc model = model_of(
+      "model( origin [1 2 3 90] obstacle_return 0 ranger_return -1 fiducial_return -5 fiducial_key 3 "
+      "gripper_return 1\n"
+      "update_interval 250 alwayson 1 gui_move 0 say \"hi\" trail_length 7 ctrl [\"wander\" \"lib a b\"] )");
+  EXPECT_EQ(model.X_MB, (geom::Pose{1, 2, 3, geom::kPi / 2}));
+  EXPECT_FALSE(model.obstacle_return);
+  EXPECT_EQ(model.ranger_return, -1);
+  EXPECT_EQ(model.fiducial_return, -5);
+  EXPECT_EQ(model.fiducial_key, 3);
+  EXPECT_TRUE(model.gripper_return);
+  EXPECT_EQ(model.update_interval, 0.25);
+  EXPECT_TRUE(model.alwayson);
+  EXPECT_FALSE(model.gui_move);
+  EXPECT_EQ(model.say, "hi");
+  EXPECT_EQ(model.trail_length, 7);
+  EXPECT_THAT(model.ctrl, ElementsAre("wander", "lib a b"));
+
+  const SceneDesc defaults = loaded("model( update_interval 0 model( ) )");
+  EXPECT_TRUE(defaults.models[0].obstacle_return);
+  EXPECT_EQ(defaults.models[0].ranger_return, 1);
+  EXPECT_EQ(defaults.models[0].update_interval, 0.1) << "at most once a tick";
+  EXPECT_TRUE(defaults.models[0].gui_move);
+  EXPECT_FALSE(defaults.models[1].gui_move);
+}
+
+TEST(WorldModels, a_position_has_its_drive_and_bounds) {
+  const PositionDesc defaults = model_of("position( )").position.value();
+  EXPECT_EQ(defaults.drive, Drive::kDiff);
+  EXPECT_EQ(defaults.localization, Localization::kGps);
+  EXPECT_FALSE(defaults.localization_origin);
+  EXPECT_FALSE(defaults.odom_error);
+  EXPECT_EQ(defaults.velocity_bounds[0].max, 1);
+  EXPECT_EQ(defaults.acceleration_bounds[3].min, -geom::kPi / 2);
+  const PositionDesc car = model_of(
+                               "position( drive \"car\" wheelbase 0.5 localization \"odom\" "
+                               "localization_origin [1 2 0 180] velocity [1 0 0 90] )")
+                               .position.value();
+  EXPECT_EQ(car.drive, Drive::kCar);
+  EXPECT_EQ(car.wheelbase, 0.5);
+  EXPECT_EQ(car.localization, Localization::kOdometry);
+  EXPECT_EQ(*car.localization_origin, (geom::Pose{1, 2, 0, geom::kPi}));
+  EXPECT_EQ(car.velocity, (geom::Twist{1, 0, 0, geom::kPi / 2}));
+  EXPECT_EQ(
+      error_of("position( drive \"dif\" )"),
+      "w/t.world:1: \"drive\" is one of \"diff\", \"omni\", \"car\", found \"dif\" (did you mean \"diff\"?)");
+  EXPECT_THAT(error_of("position( velocity_bounds [1 0 0 0 0 0 0 0] )"),
+              HasSubstr("minimum above its maximum"));
+  EXPECT_THAT(error_of("position( wheelbase 0 )"), HasSubstr("above 0"));
+}
+
+TEST(WorldModels, a_ranger_has_its_sensors) {
+  const ModelDesc ranger = model_of(
+      "ranger( sensor( ) sensor( pose [0.1 0 0.2 90] size [0.1 0.1 0.4] range [0.5 8] fov 180 samples 181\n"
+      "noise [0.01 0.02 180] color_rgba [0 1 0 0.2] ) )");
+  EXPECT_EQ(ranger.size, (geom::Size{0.15, 0.15, 0.2}));
+  ASSERT_EQ(ranger.sensors.size(), 2u);
+  EXPECT_EQ(ranger.sensors[0].range_max, 5);
+  EXPECT_EQ(ranger.sensors[0].samples, 1u);
+  EXPECT_EQ(ranger.sensors[0].fov, 0.1);
+  EXPECT_EQ(ranger.sensors[0].size.z, 0.02);
+  const RangerSensorDesc& sensor = ranger.sensors[1];
+  EXPECT_EQ(sensor.X_BS.a, geom::kPi / 2);
+  EXPECT_EQ(sensor.range_min, 0.5);
+  EXPECT_EQ(sensor.samples, 181u);
+  EXPECT_EQ(sensor.noise_angular, geom::kPi);
+  EXPECT_EQ(sensor.color.a, 0.2f);
+  EXPECT_THAT(error_of("ranger( sensor( samples 0 ) )"), HasSubstr("from 1 to 65536"));
+  EXPECT_THAT(error_of("ranger( sensor( range [3 1] ) )"), HasSubstr("0 <= min <= max"));
+  EXPECT_THAT(error_of("ranger( sensor( range 5 ) )"),
+              HasSubstr("\"range\" needs 2 values [min max], found 1"));
+}
+
+TEST(WorldModels, a_fiducial_finder_has_its_ranges) {
+  const FiducialDesc defaults = model_of("fiducial( )").fiducial.value();
+  EXPECT_EQ(defaults.range_max, 8);
+  EXPECT_DOUBLE_EQ(defaults.fov, geom::kPi);
+  const FiducialDesc finder =
+      model_of("fiducial( range_min 1 range_max 4 range_max_id 2 fov 90 ignore_zloc 1 )").fiducial.value();
+  EXPECT_EQ(finder.range_min, 1);
+  EXPECT_EQ(finder.range_max_id, 2);
+  EXPECT_DOUBLE_EQ(finder.fov, geom::kPi / 2);
+  EXPECT_TRUE(finder.ignore_zloc);
+}
+
+TEST(WorldModels, types_that_are_not_simulated_load_as_plain_bodies_with_one_warning_each) {
+  const SceneDesc scene =
+      loaded("gripper( ) gripper( ) camera( ) blobfinder( ) bumper( bcount 1 bpose[0] [0 0 0 0] )");
+  for (const ModelDesc& model : scene.models) EXPECT_EQ(model.kind, ModelKind::kPlain);
+  EXPECT_EQ(scene.models[0].size, (geom::Size{0.2, 0.3, 0.2}));
+  EXPECT_EQ(scene.models[0].blocks.size(), 1u);
+  EXPECT_TRUE(scene.models[3].blocks.empty());
+  EXPECT_EQ(scene.models[4].type, "bumper");
+  EXPECT_EQ(scene.warnings.size(), 4u);
+}
+
+TEST(WorldModels, types_and_forms_of_older_stages_are_errors_that_say_what_to_write) {
+  EXPECT_THAT(error_of("laser( )"), HasSubstr("write ranger( sensor("));
+  EXPECT_THAT(error_of("position( sonar( ) )"), HasSubstr("unknown model type \"sonar\""));
+  EXPECT_THAT(error_of("puck( )"), HasSubstr("define puck model("));
+  EXPECT_EQ(error_of("positoin( )"),
+            "w/t.world:1: unknown model type \"positoin\" (did you mean \"position\"?)");
+  EXPECT_THAT(error_of("model( size [1 2] )"), HasSubstr("\"size\" needs 3 values [x y z]"));
+  EXPECT_THAT(error_of("model( pose [1 2 3] )"), HasSubstr("\"pose\" needs 4 values [x y z heading]"));
+  EXPECT_THAT(error_of("model( size 1 )"), HasSubstr("\"size\" needs 3 values"));
+  EXPECT_THAT(error_of("model( mass \"heavy\" )"), HasSubstr("\"mass\" needs a number, found \"heavy\""));
+  EXPECT_THAT(error_of("model( mass 1.2.3 )"), HasSubstr("found \"1.2.3\""));
+  EXPECT_THAT(error_of("model( pose [1e300 0 0 0] )"), HasSubstr("at most 1e9"));
+  EXPECT_THAT(error_of("model( size [-1 1 1] )"), HasSubstr("must not be negative"));
+  EXPECT_THAT(error_of("model( sensor( ) )"), HasSubstr("\"sensor\" belongs into a ranger"));
+  EXPECT_THAT(error_of("block( )"), HasSubstr("\"block\" belongs into a model"));
+  EXPECT_THAT(error_of("model( window( ) )"), HasSubstr("\"window\" belongs into no model"));
+}
+
+// ---- the world and its window
+// -----------------------------------------------------------------------------------
+
+TEST(WorldGlobals, world_properties_may_stand_anywhere) {
+  const SceneDesc scene =
+      loaded("model( )\nname \"here\" interval_sim 20 quit_time 60 speedup -1 paused 1\n");
+  EXPECT_EQ(scene.name, "here");
+  EXPECT_EQ(scene.interval, 0.02);
+  EXPECT_EQ(scene.quit_time, 60);
+  EXPECT_EQ(scene.speedup, -1);
+  EXPECT_TRUE(scene.paused);
+  EXPECT_EQ(loaded("").name, "w/t.world");
+  EXPECT_THAT(error_of("interval_sim 0"), HasSubstr("above 0"));
+  EXPECT_THAT(error_of("resolution 0"), HasSubstr("above 0"));
+  EXPECT_EQ(error_of("unit_angle \"degree\""),
+            "w/t.world:1: unit_angle \"degree\" is no unit (did you mean \"degrees\"?)");
+}
+
+TEST(WorldGlobals, the_first_window_counts) {
+  const SceneDesc scene = loaded(
+      "unit_length \"cm\"\nwindow( center [1 2] scale 30 rotate [90 180] show_data 1 follow_model "
+      "\"model:1\" )\n"
+      "window( scale 5 )\nmodel( )");
+  EXPECT_EQ(scene.window.center, (geom::Vec2{1, 2}));
+  EXPECT_EQ(scene.window.scale, 30);
+  EXPECT_DOUBLE_EQ(scene.window.pitch, geom::kPi / 2);
+  EXPECT_TRUE(scene.window.show_data);
+  EXPECT_EQ(scene.window.follow_model, "model:1");
+  EXPECT_THAT(scene.warnings, ElementsAre("w/t.world:3: a second window has no effect"));
+}
+
+TEST(WorldGlobals, following_a_model_that_does_not_exist_is_a_warning) {
+  EXPECT_THAT(loaded("window( follow_model \"r\" ) model( name \"r0\" )").warnings,
+              ElementsAre(HasSubstr("which is no model (did you mean \"r0\"?)")));
+}
+
+TEST(WorldWarnings, an_unknown_property_is_told_once_per_line_with_the_nearest_word) {
+  const SceneDesc scene =
+      loaded("define m model ( colour \"red\" )\nm( ) m( )\nmodel( boundry 1 )\nresolutoin 1");
+  EXPECT_THAT(
+      scene.warnings,
+      ElementsAre("w/t.world:4: unknown property \"resolutoin\" of the world (did you mean \"resolution\"?)",
+                  "w/t.world:1: unknown property \"colour\" of model (did you mean \"color\"?)",
+                  "w/t.world:3: unknown property \"boundry\" of model (did you mean \"boundary\"?)"));
+}
+
+TEST(WorldWarnings, words_of_other_versions_say_that_they_have_no_effect) {
+  const SceneDesc scene = loaded(
+      "interval_real 100\nmodel( laser_return 1 ) model( laser_return 1 )\nranger( samples 32 sensor( "
+      "range_max 30 ) )\n"
+      "model( joules 5 )");
+  EXPECT_THAT(scene.warnings,
+              ElementsAre("w/t.world:1: \"interval_real\" of the world has no effect",
+                          "w/t.world:2: \"laser_return\" of model has no effect: Stage 4 has ranger_return",
+                          "w/t.world:3: \"samples\" of ranger has no effect: it belongs into a sensor( ... )",
+                          "w/t.world:3: \"range_max\" of sensor has no effect: write range [min max]",
+                          "w/t.world:4: \"joules\" is not simulated yet and has no effect"));
+}
+
+TEST(WorldWarnings, words_for_display_and_scheduling_are_silent) {
+  EXPECT_THAT(
+      loaded("threads 4\nmodel( gui_nose 1 gui_outline 0 blob_return 1 friction 0 )\nwindow( size [1 2] )")
+          .warnings,
+      IsEmpty());
+}
+
+// ---- disk
+// -------------------------------------------------------------------------------------------------------
+
+TEST(WorldFiles, a_world_is_found_in_stagepath_by_its_base_name) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "scene_stagepath";
+  std::filesystem::create_directories(folder / "deep");
+  std::ofstream(folder / "deep" / "there.world") << "include \"it.inc\"";
+  std::ofstream(folder / "deep" / "it.inc") << "model( name \"found\" )";
+  const std::string path = folder.string() + "/none:" + (folder / "deep").string();
+  setenv("STAGEPATH", path.c_str(), 1);
+  const auto scene = load_world("nowhere/there.world");
+  const auto missing = load_world("nowhere/missing.world");
+  unsetenv("STAGEPATH");
+  ASSERT_TRUE(scene.ok()) << scene.error().line();
+  EXPECT_EQ(scene->models[0].name, "found");
+  EXPECT_EQ(missing.error().line(),
+            "nowhere/missing.world: cannot be opened: no such file, also not in STAGEPATH");
+  EXPECT_EQ(load_world(folder.string()).error().line(),
+            folder.string() + ": cannot be opened: not a regular file");
 }
 
 }  // namespace

@@ -1,0 +1,151 @@
+#include "playhouse/scene/bitmap.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <png.h>
+#include <rapidcheck/gtest.h>
+
+#include <string>
+
+namespace playhouse::scene {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// A bitmap drawn in text, "#" solid, rows from the top.
+Bitmap drawn(const std::vector<std::string>& rows) {
+  Bitmap bitmap{static_cast<int>(rows[0].size()), static_cast<int>(rows.size()), {}};
+  for (const std::string& row : rows) {
+    for (const char c : row) bitmap.solid.push_back(c == '#' ? 1 : 0);
+  }
+  return bitmap;
+}
+
+std::vector<std::uint8_t> solid_of(std::string_view bytes) {
+  const Result<Bitmap> bitmap = decode_bitmap(bytes);
+  EXPECT_TRUE(bitmap.ok()) << bitmap.error().line();
+  return bitmap ? bitmap->solid : std::vector<std::uint8_t>{};
+}
+
+std::string png_of(std::uint32_t width, std::uint32_t height, std::uint32_t format,
+                   const std::string& pixels) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = width;
+  image.height = height;
+  image.format = format;
+  png_alloc_size_t size = 0;
+  EXPECT_TRUE(png_image_write_to_memory(&image, nullptr, &size, 0, pixels.data(), 0, nullptr));
+  std::string bytes(size, '\0');
+  EXPECT_TRUE(png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels.data(), 0, nullptr));
+  return bytes;
+}
+
+TEST(Bitmap, a_pixel_is_solid_up_to_half_of_its_first_channel) {
+  EXPECT_THAT(solid_of(png_of(4, 1, PNG_FORMAT_GRAY, std::string("\0\x7f\x80\xff", 4))),
+              ElementsAre(1, 1, 0, 0));
+  // Red is free, cyan is solid; transparency does not count.
+  EXPECT_THAT(solid_of(png_of(2, 1, PNG_FORMAT_RGB, std::string("\xff\0\0\0\xff\xff", 6))),
+              ElementsAre(0, 1));
+  EXPECT_THAT(solid_of(png_of(2, 1, PNG_FORMAT_RGBA, std::string("\0\0\0\0\xff\xff\xff\0", 8))),
+              ElementsAre(1, 0));
+}
+
+TEST(Bitmap, all_kinds_of_pnm_are_read) {
+  EXPECT_THAT(solid_of("P1\n# note\n2 2\n10\n0 1\n"), ElementsAre(1, 0, 0, 1));
+  EXPECT_THAT(solid_of("P2 3 1 15 0 7 8"), ElementsAre(1, 1, 0)) << "7 of 15 is 119 of 255, 8 is 136";
+  EXPECT_THAT(solid_of("P3 2 1 255 255 0 0 0 255 255"), ElementsAre(0, 1));
+  EXPECT_THAT(solid_of(std::string("P4\n9 2\n\x80\x80\x00\x80", 12)),
+              ElementsAre(1, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 1));
+  EXPECT_THAT(solid_of(std::string("P5\n2 1\n255\n\x10\xf0", 13)), ElementsAre(1, 0));
+  EXPECT_THAT(solid_of(std::string("P5\n2 1\n1000\n\x01\xe0\x03\xe8", 16)), ElementsAre(1, 0))
+      << "480 of 1000 is 122";
+  EXPECT_THAT(solid_of(std::string("P6\n2 1\n255\n\xff\0\0\0\xff\xff", 17)), ElementsAre(0, 1));
+}
+
+TEST(Bitmap, a_bmp_is_read) {
+  std::string bmp("BM\x3a\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0\x01\0\0\0\x01\0\0\0\x01\0\x18\0", 30);
+  bmp.resize(54, '\0');
+  bmp += std::string("\0\0\xff\0", 4);  // one red pixel, blue first
+  EXPECT_THAT(solid_of(bmp), ElementsAre(0));
+}
+
+TEST(Bitmap, what_is_no_image_says_so) {
+  const auto error = [](std::string_view bytes) {
+    const Result<Bitmap> bitmap = decode_bitmap(bytes, 1000);
+    return bitmap ? "no error" : bitmap.error().line();
+  };
+  EXPECT_THAT(error(""), HasSubstr("is no PNG, PNM, BMP"));
+  EXPECT_THAT(error("hello"), HasSubstr("is no PNG, PNM, BMP"));
+  EXPECT_THAT(error("P1 3 3 1 1"), HasSubstr("end too early"));
+  EXPECT_THAT(error("P2 1 1 255 256"), HasSubstr("no readable PNM"));
+  EXPECT_THAT(error("P5 2 2 255 \x01\x02"), HasSubstr("end too early"));
+  EXPECT_THAT(error("P5 88888888888888888 1 255 1"), HasSubstr("pixels; up to 1000"));
+  EXPECT_THAT(error("P4 99999 99999 "), HasSubstr("99999 x 99999 pixels; up to 1000"));
+  const std::string png = png_of(4, 4, PNG_FORMAT_GRAY, std::string(16, '\0'));
+  EXPECT_THAT(error(png.substr(0, png.size() / 2)), HasSubstr("is no readable PNG"));
+  EXPECT_THAT(error(png_of(40, 40, PNG_FORMAT_GRAY, std::string(1600, '\0'))), HasSubstr("40 x 40 pixels"));
+}
+
+TEST(Contours, a_square_is_four_corners_counter_clockwise) {
+  const auto loops = trace_contours(drawn({"....", ".##.", ".##.", "...."}));
+  ASSERT_EQ(loops.size(), 1u);
+  EXPECT_THAT(loops[0], ElementsAre(geom::Vec2{1, 3}, geom::Vec2{1, 1}, geom::Vec2{3, 1}, geom::Vec2{3, 3}));
+}
+
+TEST(Contours, a_hole_is_a_second_loop_the_other_way_round) {
+  const auto loops = trace_contours(drawn({"###", "#.#", "###"}));
+  ASSERT_EQ(loops.size(), 2u);
+  EXPECT_THAT(loops[1], testing::UnorderedElementsAre(geom::Vec2{1, 1}, geom::Vec2{1, 2}, geom::Vec2{2, 2},
+                                                      geom::Vec2{2, 1}));
+  double area[2] = {};
+  for (std::size_t l = 0; l < 2; ++l) {
+    for (std::size_t i = 0; i < 4; ++i) area[l] += cross(loops[l][i], loops[l][(i + 1) % 4]) / 2;
+  }
+  EXPECT_EQ(area[0], 9);
+  EXPECT_EQ(area[1], -1);
+}
+
+TEST(Contours, pixels_that_touch_at_a_corner_are_apart) {
+  EXPECT_EQ(trace_contours(drawn({"#.", ".#"})).size(), 2u);
+  EXPECT_EQ(trace_contours(drawn({".#", "#."})).size(), 2u);
+  EXPECT_TRUE(trace_contours(drawn({".."})).empty());
+}
+
+/// Oracle: crossings of a ray to the right from the pixel's centre with the vertical edges of all loops.
+bool inside(const std::vector<std::vector<geom::Vec2>>& loops, geom::Vec2 p) {
+  bool odd = false;
+  for (const auto& loop : loops) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const geom::Vec2 a = loop[i], b = loop[(i + 1) % loop.size()];
+      if (a.x == b.x && a.x > p.x && (a.y > p.y) != (b.y > p.y)) odd = !odd;
+    }
+  }
+  return odd;
+}
+
+RC_GTEST_PROP(Contours, filled_again_by_the_even_odd_rule_they_are_the_bitmap, ()) {
+  const int width = *rc::gen::inRange(1, 14), height = *rc::gen::inRange(1, 14);
+  Bitmap bitmap{width, height, {}};
+  const auto cells = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  bitmap.solid = *rc::gen::container<std::vector<std::uint8_t>>(
+      cells, rc::gen::weightedElement<std::uint8_t>({{3, 0}, {4, 1}}));
+  const auto loops = trace_contours(bitmap);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) RC_ASSERT(inside(loops, {x + 0.5, height - y - 0.5}) == bitmap.at(x, y));
+  }
+  double area = 0;
+  for (const auto& loop : loops) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const geom::Vec2 a = loop[i], b = loop[(i + 1) % loop.size()], c = loop[(i + 2) % loop.size()];
+      area += cross(a, b) / 2;
+      RC_ASSERT((a.x == b.x) != (a.y == b.y));
+      RC_ASSERT((a.x == b.x) != (b.x == c.x));  // collinear runs are merged
+    }
+  }
+  RC_ASSERT(area == static_cast<double>(std::count(bitmap.solid.begin(), bitmap.solid.end(), 1)));
+}
+
+}  // namespace
+}  // namespace playhouse::scene

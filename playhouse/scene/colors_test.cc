@@ -1,0 +1,39 @@
+#include "playhouse/scene/colors.h"
+
+#include <gtest/gtest.h>
+
+namespace playhouse::scene {
+namespace {
+
+Color rgb(int r, int g, int b) {
+  return {static_cast<float>(r) / 255.0f, static_cast<float>(g) / 255.0f, static_cast<float>(b) / 255.0f, 1};
+}
+
+TEST(Colors, names_have_their_x11_values_not_those_of_the_web) {
+  EXPECT_EQ(color_by_name("green"), rgb(0, 255, 0));
+  EXPECT_EQ(color_by_name("gray"), rgb(190, 190, 190));
+  EXPECT_EQ(color_by_name("maroon"), rgb(176, 48, 96));
+  EXPECT_EQ(color_by_name("purple"), rgb(160, 32, 240));
+  EXPECT_EQ(color_by_name("NavyBlue"), rgb(0, 0, 128));
+  EXPECT_EQ(color_by_name("light slate grey"), rgb(119, 136, 153));
+  EXPECT_EQ(color_by_name("LightSlateGray"), rgb(119, 136, 153));
+  EXPECT_EQ(color_by_name("SteelBlue3"), rgb(79, 148, 205));
+  EXPECT_EQ(color_by_name("silver"), rgb(192, 192, 192));
+}
+
+TEST(Colors, gray_levels_round_as_x11_does) {
+  EXPECT_EQ(color_by_name("gray0"), rgb(0, 0, 0));
+  EXPECT_EQ(color_by_name("grey10"), rgb(26, 26, 26));
+  EXPECT_EQ(color_by_name("gray50"), rgb(127, 127, 127));
+  EXPECT_EQ(color_by_name("gray90"), rgb(229, 229, 229));
+  EXPECT_EQ(color_by_name("gray100"), rgb(255, 255, 255));
+  EXPECT_FALSE(color_by_name("gray101"));
+}
+
+TEST(Colors, other_words_are_none) {
+  for (const char* word : {"", "re", "redd", "gray-1", "zzz"}) EXPECT_FALSE(color_by_name(word)) << word;
+  EXPECT_EQ(color_hint("ornage"), " (did you mean \"orange\"?)");
+}
+
+}  // namespace
+}  // namespace playhouse::scene
