@@ -3,8 +3,9 @@
 
 usage: tools/draw_bitmaps.py [FOLDER]      (default: worlds/bitmaps)
 
-The cave is a union of chambers and corridors, given below in metres, as one signed distance field whose surface is
-roughened by smooth noise. Every number is fixed, so the same pixels come out every time. Standard library only.
+The cave is a union of chambers and corridors, given below in metres, as one signed distance field whose
+surface is roughened by smooth noise. Every number is fixed, so the same pixels come out every time.
+Standard library only; half a minute.
 """
 
 import math
@@ -109,7 +110,10 @@ def curve(points):
 
 def cave():
     """Rows of the cave's pixels, True where there is rock."""
-    spans = [(radius, p, q) for radius, *points in CORRIDORS for p, q in zip(curve(points), curve(points)[1:])]
+    spans = []
+    for radius, *points in CORRIDORS:
+        bent = curve(points)
+        spans += [(radius, p, q) for p, q in zip(bent, bent[1:])]
     rows = []
     for row in range(PIXELS):
         y = SIDE / 2 - (row + 0.5) * SIDE / PIXELS

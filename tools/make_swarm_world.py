@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes worlds/swarm.world: several hundred small robots, packed like the seeds of a sunflower, that spread out.
+"""Writes worlds/swarm.world: hundreds of small robots, packed like the seeds of a sunflower, that spread out.
 
 usage: tools/make_swarm_world.py [ROBOTS] > worlds/swarm.world      (default: 400)
 """
@@ -54,8 +54,8 @@ define seed position
 def main():
     count = int(sys.argv[1]) if len(sys.argv) > 1 else 400
     side = 1.1 * math.sqrt(count)
-    print(HEAD.format(count=count, scale=900 / side, at=side / 2 + 0.1, minus=-side / 2 - 0.1, long=side + 0.4,
-                      side=side), end="")
+    at = side / 2 + 0.1
+    print(HEAD.format(count=count, scale=900 / side, at=at, minus=-at, long=side + 0.4, side=side), end="")
     for k in range(count):
         turn = k * math.pi * (3 - math.sqrt(5))
         radius = 0.19 * math.sqrt(k + 0.5)

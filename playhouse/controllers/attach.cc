@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <map>
 #include <memory>
+#include <set>
 #include <sstream>
 
 #include "playhouse/base/nearest_word.h"
@@ -74,6 +75,7 @@ class Crew {
       : world_(world), folders_(folders) {}
 
   Result<void> hire(const Post& post, const std::string& where);
+  void warn(std::string line) { warnings_.push_back(std::move(line)); }
   std::vector<std::string> take_warnings() { return std::move(warnings_); }
 
  private:
@@ -99,8 +101,8 @@ Result<Batch*> Crew::batch(const std::string& name, const std::string& where) {
   }
   if (!made && !is_stage_demo(name)) return unknown(where, name, folders_);
   if (!made) {
-    warnings_.push_back(where + ": Stage's demonstration \"" + name +
-                        "\" is not part of this program; its robots stay without a controller");
+    warn(where + ": Stage's demonstration \"" + name +
+         "\" is not part of this program; its robots stay without a controller");
   }
   Batch* const batch = made.get();
   by_name_.emplace(name, batch);
@@ -136,9 +138,16 @@ Result<std::vector<std::string>> attach(world::World& world, std::span<const std
   Crew crew(world, folders);
   for (std::uint32_t row = 0; row < world.models.size(); ++row) {
     const scene::ModelDesc& desc = world.desc({row});
+    // Robots of one batch may be decided for at the same time, so each is in it once.
+    std::set<std::string> names;
     for (std::uint32_t order = 0; order < desc.ctrl.size(); ++order) {
       std::vector<std::string> words = split(desc.ctrl[order]);
       if (words.empty()) continue;
+      if (!names.insert(words[0]).second) {
+        crew.warn(world.scene().at(desc.where) + ": \"" + desc.name + "\" names controller \"" + words[0] +
+                  "\" twice; the second is left out");
+        continue;
+      }
       Post post{{row}, words[0], {words.begin() + 1, words.end()}, order};
       if (const Result<void> hired = crew.hire(post, world.scene().at(desc.where)); !hired)
         return hired.error();

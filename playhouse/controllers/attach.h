@@ -19,7 +19,8 @@ std::vector<std::filesystem::path> library_folders(const scene::SceneDesc& scene
 
 /// Gives every model of the world the controllers that its `ctrl` names: built-ins first, then libraries in
 /// `folders`. Call once, before the first tick; fills world.deciders and subscribes what the controllers use.
-/// Gives the warnings, "file:line: text" (demonstrations of Stage that this program has not got).
+/// Gives the warnings, "file:line: text": demonstrations of Stage that this program has not got, a name given
+/// twice.
 /// Fails on the first name that is unknown, library that can't be used, or model that lacks what its
 /// controller needs.
 Result<std::vector<std::string>> attach(world::World& world, std::span<const std::filesystem::path> folders);

@@ -187,6 +187,17 @@ TEST(Attach, warns_once_about_a_demonstration_of_stage_and_leaves_its_robots_alo
   EXPECT_EQ(f.world.models.subscribers[0], 0u);
 }
 
+TEST(Attach, gives_a_robot_several_controllers_but_each_only_once) {
+  scene::SceneDesc scene = testing::robots(1, testing::ring(4), "wander");
+  scene.models[0].ctrl = {"wander", "source 2", "wander fast"};
+  Fixture f(std::move(scene));
+  ASSERT_EQ(f.error, "");
+  EXPECT_EQ(f.world.deciders.size(), 2u);
+  EXPECT_EQ(f.world.deciders[0]->size(), 1u);
+  ASSERT_EQ(f.warnings.size(), 1u);
+  EXPECT_THAT(f.warnings[0], HasSubstr("names controller \"wander\" twice"));
+}
+
 TEST(Attach, puts_all_robots_of_one_controller_into_one_batch) {
   Fixture f(testing::robots(50, testing::ring(4), "expand_swarm"));
   ASSERT_EQ(f.world.deciders.size(), 1u);

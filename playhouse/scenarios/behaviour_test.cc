@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "playhouse/controllers/attach.h"
 #include "playhouse/scenarios/scenario.h"
@@ -96,6 +97,23 @@ TEST(Shy, runs_from_its_shared_library) {
   run.step(100);
   const geom::Pose end = run.world().models.X_WM[run.world().find("bold").index];
   EXPECT_GT(std::hypot(end.x - start.x, end.y - start.y), 0.5);
+}
+
+TEST(ReferenceWorlds, get_their_controllers) {
+  const std::filesystem::path folder =
+      std::filesystem::path(PLAYHOUSE_SOURCE_DIR) / "../shared/stage/worlds-data/worlds";
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no reference worlds at " << folder;
+  std::size_t loaded = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() != ".world") continue;
+    const Result<scene::SceneDesc> scene = scene::load_world(entry.path().string());
+    if (!scene) continue;  // written for Stage 2
+    world::World world(*scene, 1);
+    const auto attached = controllers::attach(world, {});
+    EXPECT_TRUE(attached) << attached.error().line();
+    ++loaded;
+  }
+  EXPECT_GE(loaded, 10u);
 }
 
 TEST(Determinism, holds_for_any_number_of_workers) {
