@@ -7,11 +7,11 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from codegen import emit_cpp, emit_docs, emit_python
+from codegen import emit_cpp, emit_cpp_fields, emit_docs, emit_python
 from codegen.model import SchemaError, load
 
 ROOT = Path(__file__).resolve().parent.parent
-EMITTERS = [emit_cpp, emit_docs, emit_python]
+EMITTERS = [emit_cpp, emit_cpp_fields, emit_docs, emit_python]
 # Folders that belong to the emitters alone: a file there that no emitter writes is left over.
 OWNED = [emit_cpp.FOLDER, emit_docs.FOLDER, emit_python.FOLDER]
 

@@ -8,6 +8,8 @@ std::string c_string(std::string_view text) {
   return raw;
 }
 
-std::string_view text(std::string_view raw) { return raw.substr(0, raw.find('\0')); }
+std::string_view text(std::string_view raw) {
+  return raw.substr(0, raw.find('\0'));
+}
 
 }  // namespace playhouse::wire

@@ -16,12 +16,18 @@ void put(std::span<std::byte> out, std::uint32_t value) {
 
 std::string_view name(MessageType type) {
   switch (type) {
-    case MessageType::kData: return "DATA";
-    case MessageType::kCmd: return "CMD";
-    case MessageType::kReq: return "REQ";
-    case MessageType::kAck: return "ACK";
-    case MessageType::kSynch: return "SYNCH";
-    case MessageType::kNack: return "NACK";
+    case MessageType::kData:
+      return "DATA";
+    case MessageType::kCmd:
+      return "CMD";
+    case MessageType::kReq:
+      return "REQ";
+    case MessageType::kAck:
+      return "ACK";
+    case MessageType::kSynch:
+      return "SYNCH";
+    case MessageType::kNack:
+      return "NACK";
   }
   return "?";
 }

@@ -28,8 +28,11 @@ void append_float(std::string& out, Float value) {
 std::size_t utf8_length(std::string_view rest) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(rest[i]); };
   const unsigned char lead = byte(0);
-  const std::size_t length = lead < 0x80 ? 1 : lead >= 0xC2 && lead < 0xE0 ? 2 : lead >= 0xE0 && lead < 0xF0 ? 3
-                             : lead >= 0xF0 && lead < 0xF5 ? 4 : 0;
+  const std::size_t length = lead < 0x80                   ? 1
+                             : lead >= 0xC2 && lead < 0xE0 ? 2
+                             : lead >= 0xE0 && lead < 0xF0 ? 3
+                             : lead >= 0xF0 && lead < 0xF5 ? 4
+                                                           : 0;
   if (length == 0 || length > rest.size()) return 0;
   for (std::size_t i = 1; i < length; ++i) {
     if ((byte(i) & 0xC0) != 0x80) return 0;
@@ -61,16 +64,36 @@ void append_base64(std::string& out, std::span<const std::uint8_t> bytes) {
 
 }  // namespace
 
-void json_value(std::string& out, char value) { append_number(out, static_cast<int>(static_cast<signed char>(value))); }
-void json_value(std::string& out, std::int8_t value) { append_number(out, static_cast<int>(value)); }
-void json_value(std::string& out, std::uint8_t value) { append_number(out, static_cast<int>(value)); }
-void json_value(std::string& out, std::int16_t value) { append_number(out, value); }
-void json_value(std::string& out, std::uint16_t value) { append_number(out, value); }
-void json_value(std::string& out, std::int32_t value) { append_number(out, value); }
-void json_value(std::string& out, std::uint32_t value) { append_number(out, value); }
-void json_value(std::string& out, std::int64_t value) { append_number(out, value); }
-void json_value(std::string& out, float value) { append_float(out, value); }
-void json_value(std::string& out, double value) { append_float(out, value); }
+void json_value(std::string& out, char value) {
+  append_number(out, static_cast<int>(static_cast<signed char>(value)));
+}
+void json_value(std::string& out, std::int8_t value) {
+  append_number(out, static_cast<int>(value));
+}
+void json_value(std::string& out, std::uint8_t value) {
+  append_number(out, static_cast<int>(value));
+}
+void json_value(std::string& out, std::int16_t value) {
+  append_number(out, value);
+}
+void json_value(std::string& out, std::uint16_t value) {
+  append_number(out, value);
+}
+void json_value(std::string& out, std::int32_t value) {
+  append_number(out, value);
+}
+void json_value(std::string& out, std::uint32_t value) {
+  append_number(out, value);
+}
+void json_value(std::string& out, std::int64_t value) {
+  append_number(out, value);
+}
+void json_value(std::string& out, float value) {
+  append_float(out, value);
+}
+void json_value(std::string& out, double value) {
+  append_float(out, value);
+}
 
 void json_text(std::string& out, std::string_view raw) {
   std::string_view rest = raw.substr(0, raw.find('\0'));

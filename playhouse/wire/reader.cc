@@ -11,11 +11,18 @@ std::string plural(std::size_t n, std::string_view noun) {
   return std::to_string(n) + " " + std::string(noun) + (n == 1 ? "" : "s");
 }
 
+std::uint64_t big_endian(std::span<const std::byte> bytes) {
+  std::uint64_t value = 0;
+  for (const std::byte b : bytes) value = value << 8 | std::to_integer<std::uint64_t>(b);
+  return value;
+}
+
 }  // namespace
 
 void Reader::fail(std::string_view what) {
   if (!ok()) return;
-  error_ = std::string(what) + ", at byte " + std::to_string(offset_) + " of " + std::to_string(bytes_.size());
+  error_ =
+      std::string(what) + ", at byte " + std::to_string(offset_) + " of " + std::to_string(bytes_.size());
   offset_ = bytes_.size();
 }
 
@@ -31,34 +38,33 @@ std::span<const std::byte> Reader::take(std::size_t size) {
 }
 
 std::uint32_t Reader::word() {
-  const auto b = take(4);
-  if (b.empty()) return 0;
-  return std::to_integer<std::uint32_t>(b[0]) << 24 | std::to_integer<std::uint32_t>(b[1]) << 16 |
-         std::to_integer<std::uint32_t>(b[2]) << 8 | std::to_integer<std::uint32_t>(b[3]);
+  return static_cast<std::uint32_t>(big_endian(take(4)));
 }
 
 std::uint64_t Reader::double_word() {
-  const std::uint64_t high = word();
-  const std::uint64_t low = word();
-  return ok() ? high << 32 | low : 0;
+  return big_endian(take(8));
 }
 
-void Reader::read(float& value) { value = std::bit_cast<float>(word()); }
+void Reader::read(float& value) {
+  value = std::bit_cast<float>(word());
+}
 
-void Reader::read(double& value) { value = std::bit_cast<double>(double_word()); }
+void Reader::read(double& value) {
+  value = std::bit_cast<double>(double_word());
+}
 
 std::size_t Reader::length_within(std::string_view name, std::uint32_t bound, std::string_view bound_name,
                                   std::size_t element_bytes) {
   const std::uint32_t length = word();
   if (!ok()) return 0;
   if (length > bound) {
-    fail(std::string(name) + " has a length of " + std::to_string(length) + ", over its " + std::string(bound_name) +
-         " of " + std::to_string(bound));
+    fail(std::string(name) + " has a length of " + std::to_string(length) + ", over its " +
+         std::string(bound_name) + " of " + std::to_string(bound));
     return 0;
   }
   if (length > remaining() / element_bytes) {
-    fail(std::string(name) + " claims " + plural(length, "element") + ", but only " + plural(remaining(), "byte") +
-         " are left");
+    fail(std::string(name) + " claims " + plural(length, "element") + ", but only " +
+         plural(remaining(), "byte") + " are left");
     return 0;
   }
   return length;
@@ -81,8 +87,14 @@ void Reader::copy_bytes(Container& out, std::size_t length) {
   std::memcpy(out.data(), bytes.data(), length);
 }
 
-void Reader::read_bytes(std::string& out, std::size_t length) { copy_bytes(out, length); }
-void Reader::read_bytes(std::vector<std::uint8_t>& out, std::size_t length) { copy_bytes(out, length); }
-void Reader::read_bytes(std::vector<std::int8_t>& out, std::size_t length) { copy_bytes(out, length); }
+void Reader::read_bytes(std::string& out, std::size_t length) {
+  copy_bytes(out, length);
+}
+void Reader::read_bytes(std::vector<std::uint8_t>& out, std::size_t length) {
+  copy_bytes(out, length);
+}
+void Reader::read_bytes(std::vector<std::int8_t>& out, std::size_t length) {
+  copy_bytes(out, length);
+}
 
 }  // namespace playhouse::wire

@@ -17,9 +17,13 @@ void Writer::double_word(std::uint64_t value) {
   word(static_cast<std::uint32_t>(value));
 }
 
-void Writer::write(float value) { word(std::bit_cast<std::uint32_t>(value)); }
+void Writer::write(float value) {
+  word(std::bit_cast<std::uint32_t>(value));
+}
 
-void Writer::write(double value) { double_word(std::bit_cast<std::uint64_t>(value)); }
+void Writer::write(double value) {
+  double_word(std::bit_cast<std::uint64_t>(value));
+}
 
 void Writer::write_length(std::string_view name, std::size_t length, std::uint32_t max) {
   if (length > max) fail_length(name, length, max);
