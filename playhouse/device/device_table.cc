@@ -20,6 +20,7 @@ std::string describe(Address address) {
 }  // namespace
 
 DeviceTable::~DeviceTable() {
+  ending_ = true;
   for (std::uint32_t row = 0; row < entries_.size(); ++row) {
     if (entries_[row].users > 0) entries_[row].driver->stop(DeviceId{row});
   }
@@ -30,10 +31,6 @@ Result<DeviceId> DeviceTable::add(Address address, Driver& driver) {
   if (driver.name().size() >= limits::kDriverNameBytes) {
     return Error{std::string(driver.name()),
                  fmt::format("a driver name has less than {} bytes", limits::kDriverNameBytes)};
-  }
-  if (devices_of(address.robot).size() >= limits::kDevices) {
-    return Error{describe(address),
-                 fmt::format("port {} has {} devices, the limit", address.robot, limits::kDevices)};
   }
   const DeviceId id{static_cast<std::uint32_t>(entries_.size())};
   if (!by_address_.emplace(address, id).second)
@@ -69,6 +66,7 @@ Result<void> DeviceTable::open(DeviceId id) {
 }
 
 void DeviceTable::close(DeviceId id) {
+  if (ending_) return;
   PLAYHOUSE_ASSERT(id.row < entries_.size() && entries_[id.row].users > 0);
   Entry& entry = entries_[id.row];
   if (--entry.users == 0) entry.driver->stop(id);

@@ -27,7 +27,8 @@ class DeviceTable {
   DeviceTable(const DeviceTable&) = delete;
   DeviceTable& operator=(const DeviceTable&) = delete;
 
-  /// Fails if the address is taken, is the meta device player:0, or its port has limits::kDevices already.
+  /// Fails if the address is taken or is the meta device player:0. A port may have more devices than
+  /// limits::kDevices: only the list that clients get ends there.
   Result<DeviceId> add(Address address, Driver& driver);
 
   /// The device at an address; an invalid id if there is none.
@@ -39,11 +40,13 @@ class DeviceTable {
 
   /// One more user; the first one starts the device and gets the driver's error if it cannot start.
   Result<void> open(DeviceId id);
-  /// One user less; the last one stops the device. Asserts that there is one.
+  /// One user less; the last one stops the device. Asserts that there is one. Does nothing while the table is
+  /// destroyed, which stops every device once: drivers that hold others release them then.
   void close(DeviceId id);
 
  private:
   std::vector<Entry> entries_;
+  bool ending_ = false;
   std::map<Address, DeviceId> by_address_;
   std::map<std::uint32_t, std::vector<DeviceId>> by_robot_;
 };

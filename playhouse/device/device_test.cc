@@ -1,8 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "playhouse/base/limits.h"
 #include "playhouse/device/device_table.h"
-#include "playhouse/device/mailbox.h"
 #include "playhouse/device/properties.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/common.h"
@@ -50,16 +48,6 @@ TEST(DeviceTable, refuses_a_second_device_at_an_address_and_the_server_s_own) {
   EXPECT_FALSE(table.add({6665, 1, 0}, driver));
 }
 
-TEST(DeviceTable, refuses_more_devices_than_a_client_can_list) {
-  CountingDriver driver;
-  DeviceTable table;
-  for (std::size_t i = 0; i < limits::kDevices; ++i) {
-    ASSERT_TRUE(table.add({6665, 4, static_cast<std::uint16_t>(i)}, driver));
-  }
-  EXPECT_FALSE(table.add({6665, 6, 0}, driver));
-  EXPECT_TRUE(table.add({6666, 6, 0}, driver));
-}
-
 TEST(DeviceTable, starts_with_the_first_open_and_stops_with_the_last_close) {
   CountingDriver driver;
   DeviceTable table;
@@ -91,25 +79,6 @@ TEST(DeviceTable, stops_what_still_runs_when_it_goes) {
     ASSERT_TRUE(table.open(*table.add({6665, 4, 0}, driver)));
   }
   EXPECT_EQ(driver.stops, 1);
-}
-
-TEST(Mailbox, keeps_the_newest_command_only) {
-  Latest<int> slot;
-  EXPECT_FALSE(slot.take());
-  slot.put(1);
-  slot.put(2);
-  EXPECT_EQ(slot.take(), 2);
-  EXPECT_FALSE(slot.take());
-}
-
-TEST(Mailbox, gives_a_value_back_when_the_queue_is_full) {
-  BoundedQueue<std::unique_ptr<int>> queue(1);
-  EXPECT_TRUE(queue.push(std::make_unique<int>(1)));
-  auto second = std::make_unique<int>(2);
-  EXPECT_FALSE(queue.push(std::move(second)));
-  ASSERT_TRUE(second);
-  EXPECT_EQ(queue.take_all().size(), 1u);
-  EXPECT_TRUE(queue.push(std::move(second)));
 }
 
 /// Keeps the answer to one request.

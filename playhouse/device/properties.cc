@@ -93,13 +93,18 @@ template <typename Request, typename T>
 void PropertyBag::serve_set(const Message& message, Replier& replier) {
   const Result<Request> request = wire::decode<Request>(message.body);
   if (!request) return replier.nack();
-  const std::scoped_lock lock(mutex_);
-  const auto found = properties_.find(std::string(wire::text(request->key)));
-  const bool allowed = found != properties_.end() && std::holds_alternative<T>(found->second.value) &&
-                       found->second.access == PropertyAccess::kReadWrite;
-  if (!allowed) return replier.nack();
-  found->second.value = taken_value<T>(*request);
+  const std::string key(wire::text(request->key));
+  if (!change(key, taken_value<T>(*request))) return replier.nack();
   replier.ack();
+}
+
+bool PropertyBag::change(const std::string& key, PropertyValue value) {
+  const std::scoped_lock lock(mutex_);
+  const auto found = properties_.find(key);
+  if (found == properties_.end() || found->second.access == PropertyAccess::kReadOnly) return false;
+  if (found->second.value.index() != value.index()) return false;
+  found->second.value = std::move(value);
+  return true;
 }
 
 }  // namespace playhouse::device

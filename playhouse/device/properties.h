@@ -40,6 +40,8 @@ class PropertyBag {
     PropertyValue value;
     PropertyAccess access;
   };
+  /// For a client: false on an unknown key, another type or a read-only property.
+  bool change(const std::string& key, PropertyValue value);
   template <typename Request, typename T>
   void serve_get(const Message& message, Replier& replier) const;
   template <typename Request, typename T>

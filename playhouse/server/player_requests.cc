@@ -1,5 +1,8 @@
 // Requests to the server itself: the meta device player:0.
 
+#include <algorithm>
+#include <span>
+
 #include "playhouse/base/limits.h"
 #include "playhouse/base/log.h"
 #include "playhouse/server/session.h"
@@ -52,7 +55,8 @@ void Session::player_message(const wire::Header& header, Body body) {
 
 void Session::list_devices(const wire::Header& header) {
   player::DeviceDevlist list;
-  for (const device::DeviceId id : board_.devices.devices_of(robot_)) {
+  const std::span<const device::DeviceId> devices = board_.devices.devices_of(robot_);
+  for (const device::DeviceId id : devices.first(std::min(devices.size(), limits::kDevices))) {
     const device::Address address = board_.devices[id].address;
     list.devices.push_back({wire::kLocalhost, robot_, address.interf, address.index});
   }

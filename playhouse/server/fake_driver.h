@@ -1,0 +1,62 @@
+#pragma once
+
+/// A driver for the tests of this module: answers as it is told and remembers what it was asked.
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "playhouse/device/driver.h"
+#include "playhouse/device/properties.h"
+
+namespace playhouse::server {
+
+class FakeDriver final : public device::Driver {
+ public:
+  explicit FakeDriver(std::string name = "fake") : name_(std::move(name)) {}
+
+  /// Bodies of the ACKs by subtype of the request; what is not here gets NACK.
+  std::map<std::uint8_t, std::vector<std::byte>> answers;
+  /// A NACK carries the body of the request, as the original's "dummy" driver does.
+  std::optional<std::uint8_t> ignored_command;
+  bool bounces = false, fails_to_start = false, holds_requests = false, capable_of_all = false;
+  device::PropertyBag properties;
+
+  int starts = 0, stops = 0;
+  std::vector<std::pair<std::uint8_t, std::vector<std::byte>>> commands;  // subtype, body
+  int requests = 0;
+  std::vector<device::Replier> held;
+  std::function<void()> on_request = [] {};
+
+  std::string_view name() const override { return name_; }
+  Result<void> start(device::DeviceId) override {
+    if (fails_to_start) return Error{"/dev/none", "no such device"};
+    ++starts;
+    return {};
+  }
+  void stop(device::DeviceId) override { ++stops; }
+  bool command(const device::Message& message) override {
+    if (ignored_command == message.subtype) return false;
+    commands.emplace_back(message.subtype, std::vector(message.body.begin(), message.body.end()));
+    return true;
+  }
+  void request(const device::Message& message, device::Replier replier) override {
+    ++requests;
+    on_request();
+    if (holds_requests) return held.push_back(std::move(replier));
+    if (bounces) return replier.nack({message.body.begin(), message.body.end()});
+    if (device::PropertyBag::is_property_request(message))
+      return properties.request(message, std::move(replier));
+    if (const auto found = answers.find(message.subtype); found != answers.end()) replier.ack(found->second);
+  }
+  bool capable(device::DeviceId, std::uint8_t, std::uint8_t) const override { return capable_of_all; }
+
+ private:
+  std::string name_;
+};
+
+}  // namespace playhouse::server

@@ -1,0 +1,297 @@
+#include "playhouse/server/out_queue.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "playhouse/base/limits.h"
+#include "playhouse/wire/codec.h"
+#include "playhouse/wire/generated/common.h"
+
+namespace playhouse::server {
+namespace {
+
+Frame frame(wire::MessageType type, std::uint16_t interf, std::uint32_t tag, std::size_t body_bytes = 0) {
+  wire::Header header;
+  header.interf = interf;
+  header.type = type;
+  header.subtype = 1;
+  header.seq = tag;
+  return make_frame(header, std::vector<std::byte>(body_bytes));
+}
+Frame data(std::uint16_t interf, std::uint32_t tag) {
+  return frame(wire::MessageType::kData, interf, tag);
+}
+Frame ack(std::uint32_t tag) {
+  return frame(wire::MessageType::kAck, 1, tag);
+}
+
+/// What goes out, as "D4.1" for data of interface 4 with tag 1, "A2" for an ACK, "S1" for a SYNCH by its
+/// subtype.
+std::string taken(OutQueue& queue, std::size_t max_bytes = 1 << 30) {
+  std::vector<net::SharedBytes> out;
+  queue.take(out, max_bytes, 5.0);
+  std::string text;
+  for (const net::SharedBytes& bytes : out) {
+    const wire::Header header = wire::decode_header(std::span(*bytes).first<limits::kHeaderBytes>());
+    if (!text.empty()) text += " ";
+    switch (header.type) {
+      case wire::MessageType::kData:
+        text += "D" + std::to_string(header.interf) + "." + std::to_string(header.seq);
+        break;
+      case wire::MessageType::kSynch:
+        text += "S" + std::to_string(header.subtype);
+        break;
+      default:
+        text += "A" + std::to_string(header.seq);
+    }
+  }
+  return text;
+}
+
+std::uint32_t overflow_count(OutQueue& queue) {
+  std::vector<net::SharedBytes> out;
+  queue.take(out, std::size_t{1} << 40, 5.0);
+  const auto body = std::span(*out.back()).subspan(limits::kHeaderBytes);
+  return wire::decode<wire::Uint32>(body)->value;
+}
+
+TEST(OutQueue, sends_everything_in_order_when_pushing) {
+  OutQueue queue;
+  queue.add(data(4, 1));
+  queue.add(ack(2));
+  queue.add(data(6, 3));
+  EXPECT_EQ(taken(queue), "D4.1 A2 D6.3");
+  EXPECT_EQ(queue.waiting(), 0u);
+}
+
+TEST(OutQueue, stops_at_the_size_it_was_given) {
+  OutQueue queue;
+  for (std::uint32_t i = 0; i < 5; ++i) queue.add(data(4, i));
+  EXPECT_EQ(taken(queue, 80), "D4.0 D4.1");
+  EXPECT_EQ(queue.waiting(), 3u);
+}
+
+TEST(OutQueue, holds_data_until_it_is_asked_for_and_ends_the_round_with_a_synch) {
+  OutQueue queue;
+  queue.set_mode(DeliveryMode::kPull);
+  queue.add(data(4, 1));
+  queue.add(data(6, 2));
+  EXPECT_EQ(taken(queue), "");
+  queue.request_data(ack(9));
+  EXPECT_EQ(taken(queue), "A9 D4.1 D6.2 S1");
+  queue.add(data(4, 3));
+  EXPECT_EQ(taken(queue), "");
+}
+
+TEST(OutQueue, never_sends_a_synch_without_data) {
+  OutQueue queue;
+  queue.set_mode(DeliveryMode::kPull);
+  queue.request_data(ack(9));
+  EXPECT_EQ(taken(queue), "A9");
+  queue.add(data(4, 1));
+  EXPECT_EQ(taken(queue), "D4.1 S1");
+}
+
+TEST(OutQueue, answers_twice_asked_with_one_synch) {
+  OutQueue queue;
+  queue.set_mode(DeliveryMode::kPull);
+  queue.request_data(ack(8));
+  queue.request_data(ack(9));
+  EXPECT_EQ(taken(queue), "A9 A8");
+  queue.add(data(4, 1));
+  EXPECT_EQ(taken(queue), "D4.1 S1");
+}
+
+TEST(OutQueue, lets_an_answer_pull_the_data_before_it_out_of_a_pull_queue) {
+  OutQueue queue;
+  queue.set_mode(DeliveryMode::kPull);
+  queue.add(data(4, 1));
+  queue.add(ack(2));
+  queue.add(data(4, 3));
+  EXPECT_EQ(taken(queue), "D4.1 A2");
+  queue.set_mode(DeliveryMode::kPush);
+  EXPECT_EQ(taken(queue), "D4.3");
+}
+
+TEST(OutQueue, ends_a_round_even_when_data_comes_faster_than_it_goes) {
+  OutQueue queue;
+  queue.set_mode(DeliveryMode::kPull);
+  queue.add(data(4, 1));
+  queue.add(data(4, 2));
+  queue.request_data(ack(9));
+  EXPECT_EQ(taken(queue, 80), "A9 D4.1");
+  queue.add(data(4, 3));
+  EXPECT_EQ(taken(queue, 80), "D4.2 S1");
+  EXPECT_EQ(taken(queue), "");
+}
+
+TEST(OutQueue, replaces_by_rule_at_the_end_and_leaves_out_by_rule) {
+  OutQueue queue;
+  ASSERT_TRUE(queue.add_rule({4, -1, 1, -1, QueueAction::kReplace}));
+  ASSERT_TRUE(queue.add_rule({6, -1, 1, -1, QueueAction::kIgnore}));
+  queue.add(data(4, 1));
+  queue.add(data(5, 2));
+  queue.add(data(4, 3));
+  queue.add(data(6, 4));
+  EXPECT_EQ(taken(queue), "D5.2 D4.3");
+}
+
+TEST(OutQueue, obeys_the_first_rule_that_matches) {
+  OutQueue queue;
+  ASSERT_TRUE(queue.add_rule({-1, -1, 1, -1, QueueAction::kReplace}));
+  ASSERT_TRUE(queue.add_rule({6, -1, 1, -1, QueueAction::kIgnore}));
+  queue.add(data(6, 1));
+  queue.add(data(6, 2));
+  EXPECT_EQ(taken(queue), "D6.2");
+  ASSERT_TRUE(
+      queue.add_rule({-5, -1, 1, -7, QueueAction::kIgnore}));  // the first rule again: negative is negative
+  queue.add(data(6, 3));
+  EXPECT_EQ(taken(queue), "");
+}
+
+TEST(OutQueue, can_be_told_to_leave_out_answers_but_not_the_answer_to_a_request_for_data) {
+  OutQueue queue;
+  ASSERT_TRUE(queue.add_rule({-1, -1, -1, -1, QueueAction::kIgnore}));
+  queue.add(ack(1));
+  queue.add(data(4, 2));
+  queue.request_data(ack(3));
+  EXPECT_EQ(taken(queue), "A3");
+}
+
+TEST(OutQueue, has_a_limit_of_rules) {
+  OutQueue queue;
+  for (std::size_t i = 0; i < limits::kSessionRules; ++i) {
+    ASSERT_TRUE(queue.add_rule({static_cast<std::int32_t>(i), -1, -1, -1, QueueAction::kAccept}));
+  }
+  EXPECT_FALSE(queue.add_rule({9999, -1, -1, -1, QueueAction::kAccept}));
+  EXPECT_TRUE(queue.add_rule({0, -1, -1, -1, QueueAction::kIgnore}));
+}
+
+TEST(OutQueue, drops_the_oldest_data_over_the_limit_and_tells_the_true_count) {
+  OutQueue queue;
+  queue.set_mode(DeliveryMode::kPull);
+  for (std::uint32_t i = 0; i < limits::kSessionQueueMessages + 3; ++i) queue.add(data(4, i));
+  EXPECT_EQ(queue.waiting(), limits::kSessionQueueMessages);
+  EXPECT_EQ(queue.dropped(), 3u);
+  queue.request_data(ack(0));
+  EXPECT_EQ(taken(queue, 80), "A0 D4.3");
+  EXPECT_EQ(overflow_count(queue), 3u);
+  queue.add(data(4, 1));
+  queue.request_data(ack(0));
+  EXPECT_EQ(taken(queue), "A0 D4.1 S1");
+}
+
+TEST(OutQueue, is_bounded_in_bytes_too) {
+  OutQueue queue;
+  const Frame big = frame(wire::MessageType::kData, 40, 0, limits::kSessionQueueBytes / 4);
+  for (int i = 0; i < 10; ++i) queue.add(big);
+  EXPECT_EQ(queue.waiting(), 3u);
+  EXPECT_EQ(queue.dropped(), 7u);
+}
+
+TEST(OutQueue, never_drops_an_answer) {
+  OutQueue queue;
+  queue.add(ack(1));
+  for (std::uint32_t i = 0; i < 2 * limits::kSessionQueueMessages; ++i) queue.add(data(4, i));
+  EXPECT_EQ(queue.answers_waiting(), 1u);
+  EXPECT_EQ(taken(queue, 40), "A1");
+}
+
+TEST(OutQueue, forgets_the_data_of_a_device_and_nothing_else) {
+  OutQueue queue;
+  queue.add(data(4, 1));
+  queue.add(data(6, 2));
+  queue.add(ack(3));
+  queue.add(data(4, 4));
+  queue.forget(4, 0);
+  EXPECT_EQ(taken(queue), "D6.2 A3");
+}
+
+/// The same rules, written the long way round: one list, searched each time.
+class SlowQueue {
+ public:
+  bool pull = false;
+  ReplaceRules rules;
+  void add(const Frame& frame) {
+    const QueueAction action = rules.action_for(frame);
+    if (action == QueueAction::kIgnore) return;
+    if (action == QueueAction::kReplace) {
+      for (std::size_t i = list_.size(); i-- > 0;) {
+        if (list_[i].kind() != frame.kind()) continue;
+        list_.erase(list_.begin() + static_cast<std::ptrdiff_t>(i));
+        break;
+      }
+    }
+    list_.push_back(frame);
+  }
+  void request(const Frame& answer) {
+    list_.insert(list_.begin(), answer);
+    requested_ = true;
+    delivered_ = false;
+  }
+  /// Everything that may go, the SYNCH as null.
+  std::vector<net::SharedBytes> take_all() {
+    std::vector<net::SharedBytes> out;
+    for (;;) {
+      if (list_.empty()) {
+        if (!pull || !requested_ || !delivered_) return out;
+        requested_ = delivered_ = false;
+        out.push_back(nullptr);
+        continue;
+      }
+      const bool answer =
+          std::any_of(list_.begin(), list_.end(), [](const Frame& f) { return f.is_answer(); });
+      if (!answer && pull && !requested_) return out;
+      if (requested_ && !list_.front().is_answer()) delivered_ = true;
+      out.push_back(list_.front().bytes);
+      list_.erase(list_.begin());
+    }
+  }
+
+ private:
+  std::vector<Frame> list_;
+  bool requested_ = false, delivered_ = false;
+};
+
+RC_GTEST_PROP(OutQueue, sends_what_the_slow_queue_sends_when_nothing_overflows, ()) {
+  OutQueue queue;
+  SlowQueue oracle;
+  for (const int step : *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 100))) {
+    const auto interf = static_cast<std::uint16_t>(4 + step % 3);
+    if (step < 45) {
+      const Frame f = data(interf, static_cast<std::uint32_t>(step));
+      queue.add(f);
+      oracle.add(f);
+    } else if (step < 60) {
+      const Frame f = ack(static_cast<std::uint32_t>(step));
+      queue.add(f);
+      oracle.add(f);
+    } else if (step < 75) {
+      const Frame f = ack(static_cast<std::uint32_t>(step));
+      queue.request_data(f);
+      oracle.request(f);
+    } else if (step < 85) {
+      const bool pull = step % 2 == 0;
+      queue.set_mode(pull ? DeliveryMode::kPull : DeliveryMode::kPush);
+      oracle.pull = pull;
+    } else if (step < 90) {
+      const ReplaceRule rule{interf, -1, 1, -1, static_cast<QueueAction>(step % 3)};
+      RC_ASSERT(queue.add_rule(rule) == oracle.rules.add(rule));
+    }
+    std::vector<net::SharedBytes> out;
+    queue.take(out, std::size_t{1} << 40, 0);
+    const auto expected = oracle.take_all();
+    RC_ASSERT(out.size() == expected.size());
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      const bool synch = wire::decode_header(std::span(*out[i]).first<limits::kHeaderBytes>()).type ==
+                         wire::MessageType::kSynch;
+      RC_ASSERT((expected[i] ? out[i] == expected[i] : synch));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace playhouse::server

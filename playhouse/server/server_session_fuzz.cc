@@ -1,0 +1,101 @@
+// Clients that send anything, stall, vanish and come back, while devices publish: the server must neither
+// crash nor grow nor wait. The first byte of the input seeds the network's pieces; each later step is one
+// byte of what to do and, for bytes to send, two bytes of length.
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "playhouse/base/log.h"
+#include "playhouse/net/simulated.h"
+#include "playhouse/server/fake_driver.h"
+#include "playhouse/server/server.h"
+
+namespace playhouse::server {
+namespace {
+
+constexpr std::uint16_t kPort = 6665;
+
+class Script {
+ public:
+  explicit Script(std::span<const std::byte> bytes) : bytes_(bytes) {}
+  bool done() const { return bytes_.empty(); }
+  std::uint8_t byte() {
+    if (bytes_.empty()) return 0;
+    const auto value = static_cast<std::uint8_t>(bytes_.front());
+    bytes_ = bytes_.subspan(1);
+    return value;
+  }
+  std::span<const std::byte> take(std::size_t count) {
+    const auto result = bytes_.first(std::min(count, bytes_.size()));
+    bytes_ = bytes_.subspan(result.size());
+    return result;
+  }
+
+ private:
+  std::span<const std::byte> bytes_;
+};
+
+void play(Script script) {
+  net::SimulatedNetwork network(script.byte());
+  network.window_bytes = 512;
+  FakeDriver wheels, laser;
+  wheels.answers[1] = std::vector<std::byte>(72);
+  wheels.properties.declare("rate", 0.5);
+  laser.holds_requests = true;
+  Server server(network);
+  if (!server.listen(kPort)) return;
+  const device::DeviceId ids[] = {*server.add_device({kPort, 4, 0}, wheels),
+                                  *server.add_device({kPort, 6, 0}, laser)};
+  std::vector<net::SimulatedPeer> peers{network.connect(kPort)};
+  double time = 0;
+  while (!script.done()) {
+    const std::uint8_t step = script.byte();
+    net::SimulatedPeer& peer = peers[step / 16 % peers.size()];
+    switch (step % 16) {
+      case 0: {
+        std::vector<device::Publication> batch;
+        batch.push_back({ids[step / 16 % 2], 1, time += 0.1, std::vector<std::byte>(step)});
+        server.publish(std::move(batch));
+        break;
+      }
+      case 1:
+        if (peers.size() < 4) peers.push_back(network.connect(kPort));
+        break;
+      case 2:
+        peer.finish();
+        break;
+      case 3:
+        peer.vanish();
+        break;
+      case 4:
+        peer.stall();
+        break;
+      case 5:
+        peer.read_on();
+        break;
+      case 6:
+        laser.held.clear();
+        break;
+      case 7:
+        network.run();
+        break;
+      default:
+        peer.send(script.take(script.byte() * 256u + script.byte()));
+    }
+    if (step % 2 == 0) network.run();
+  }
+  network.run();
+  laser.held.clear();
+}
+
+}  // namespace
+}  // namespace playhouse::server
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  spdlog::set_level(spdlog::level::off);
+  playhouse::server::play(playhouse::server::Script(std::as_bytes(std::span(data, size))));
+  return 0;
+}

@@ -1,0 +1,485 @@
+// The whole server over the simulated network: what clients see. Out of scope here: sockets
+// (server_tcp_test.cc).
+
+#include "playhouse/server/server.h"
+
+#include <gtest/gtest.h>
+
+#include "playhouse/server/fake_driver.h"
+#include "playhouse/server/test_client.h"
+#include "playhouse/wire/generated/laser.h"
+#include "playhouse/wire/generated/position2d.h"
+
+namespace playhouse::server {
+namespace {
+
+namespace position2d = wire::position2d;
+constexpr std::uint16_t kWheels = position2d::kCode, kLaser = wire::laser::kCode;
+constexpr std::uint16_t kPort = 6665;
+
+Bytes drive(double speed) {
+  position2d::CmdVel command;
+  command.vel.px = speed;
+  return message(wire::MessageType::kCmd, kWheels, 0, position2d::kCmdVel, wire::encode(command));
+}
+Bytes request(std::uint16_t interf, std::uint8_t subtype, const Bytes& body = {}, std::uint32_t seq = 0) {
+  return message(wire::MessageType::kReq, interf, 0, subtype, body, seq);
+}
+Bytes with_size(Bytes message, std::uint32_t size) {
+  for (int i = 0; i < 4; ++i)
+    message[36 + static_cast<std::size_t>(i)] = static_cast<std::byte>(size >> (24 - 8 * i));
+  return message;
+}
+
+class ServerTest : public ::testing::Test {
+ protected:
+  ServerTest() {
+    server.set_clock([this] { return now; });
+    EXPECT_EQ(*server.listen(kPort), kPort);
+    wheels_id = *server.add_device({kPort, kWheels, 0}, wheels);
+    laser_id = *server.add_device({kPort, kLaser, 0}, laser);
+    wheels.answers[position2d::kReqGetGeom] = wire::encode(position2d::Geom{});
+    wheels.answers[position2d::kReqSetOdom] = {};
+  }
+  // Drivers let go of requests before the server ends.
+  ~ServerTest() override { wheels.held.clear(); }
+
+  void publish(device::DeviceId id, double time, std::size_t bytes = 52) {
+    std::vector<device::Publication> batch;
+    batch.push_back({id, 1, time, Bytes(bytes)});
+    server.publish(std::move(batch));
+  }
+
+  net::SimulatedNetwork network{11};
+  FakeDriver wheels{"stage"}, laser{"stage"};
+  Server server{network};
+  device::DeviceId wheels_id, laser_id;
+  double now = 100.0;
+};
+
+TEST_F(ServerTest, greets_with_thirty_two_bytes_that_name_the_version) {
+  TestClient client(network, kPort);
+  ASSERT_EQ(client.banner.size(), 32u);
+  EXPECT_EQ(client.banner.substr(0, 14), "Player v.3.1.1");
+  EXPECT_EQ(client.banner.back(), '\0');
+  EXPECT_TRUE(client.read().empty());
+}
+
+TEST_F(ServerTest, lists_the_devices_of_its_port_and_names_their_drivers) {
+  ASSERT_EQ(*server.listen(6666), 6666);
+  ASSERT_TRUE(server.add_device({6666, kWheels, 7}, laser));
+  TestClient client(network, kPort);
+  auto replies = client.ask(player_request(wire::player::kReqDevlist, {}, 4321));
+  ASSERT_EQ(outline(replies), "ACK 1");
+  EXPECT_EQ(replies[0].header.seq, 4321u);
+  EXPECT_EQ(replies[0].header.host, wire::kLocalhost);
+  EXPECT_EQ(replies[0].header.robot, kPort);
+  EXPECT_EQ(replies[0].header.timestamp, 100.0);
+  const auto list = wire::decode<wire::player::DeviceDevlist>(replies[0].body);
+  const std::vector<wire::Devaddr> expected = {{wire::kLocalhost, kPort, kWheels, 0},
+                                               {wire::kLocalhost, kPort, kLaser, 0}};
+  EXPECT_EQ(list->devices, expected);
+  replies = client.ask(player_request(wire::player::kReqDriverinfo,
+                                      wire::encode(wire::player::DeviceDriverinfo{{0, 0, kLaser, 0}, ""})));
+  ASSERT_EQ(outline(replies), "ACK 2");
+  EXPECT_EQ(wire::decode<wire::player::DeviceDriverinfo>(replies[0].body)->driver_name,
+            wire::c_string("stage"));
+  replies = client.ask(player_request(wire::player::kReqDriverinfo,
+                                      wire::encode(wire::player::DeviceDriverinfo{{0, 0, kWheels, 7}, ""})));
+  ASSERT_EQ(outline(replies), "NACK 2");
+  EXPECT_TRUE(replies[0].body.empty());
+}
+
+TEST_F(ServerTest, opens_sends_data_and_closes) {
+  TestClient client(network, kPort);
+  auto replies = client.ask(open_request(kWheels, 0));
+  ASSERT_EQ(outline(replies), "ACK 3");
+  EXPECT_EQ(access_of(replies[0]), 1);
+  EXPECT_EQ(replies[0].body.size(), 36u);
+  EXPECT_EQ(wheels.starts, 1);
+  publish(wheels_id, 1.5);
+  publish(laser_id, 1.5);
+  replies = client.read();
+  ASSERT_EQ(outline(replies), "DATA 1 of 4");
+  EXPECT_EQ(replies[0].header.timestamp, 1.5);
+  replies = client.ask(open_request(kWheels, 0, 2));
+  EXPECT_EQ(access_of(replies[0]), 2);
+  EXPECT_EQ(wheels.stops, 1);
+  publish(wheels_id, 1.6);
+  EXPECT_TRUE(client.read().empty());
+}
+
+TEST_F(ServerTest, answers_a_failed_open_as_the_protocol_says) {
+  TestClient client(network, kPort);
+  auto replies = client.ask(open_request(kWheels, 77));
+  ASSERT_EQ(outline(replies), "NACK 3");
+  EXPECT_EQ(replies[0].body.size(), 28u);
+  EXPECT_EQ(access_of(replies[0]), 3);
+  replies = client.ask(open_request(kWheels, 0, 7));
+  ASSERT_EQ(outline(replies), "ACK 3");
+  EXPECT_EQ(access_of(replies[0]), 3);
+  wheels.fails_to_start = true;
+  replies = client.ask(open_request(kWheels, 0));
+  ASSERT_EQ(outline(replies), "ACK 3");
+  EXPECT_EQ(access_of(replies[0]), 3);
+  wheels.fails_to_start = false;
+  EXPECT_EQ(access_of(client.ask(open_request(kWheels, 0))[0]), 1);
+}
+
+TEST_F(ServerTest, does_not_let_a_stray_close_disturb_others) {
+  TestClient reader(network, kPort), stray(network, kPort);
+  reader.ask(open_request(kWheels, 0));
+  const auto replies = stray.ask(open_request(kWheels, 0, 2));
+  ASSERT_EQ(outline(replies), "ACK 3");
+  EXPECT_EQ(access_of(replies[0]), 3);
+  EXPECT_EQ(wheels.stops, 0);
+  publish(wheels_id, 1);
+  EXPECT_EQ(reader.read().size(), 1u);
+}
+
+TEST_F(ServerTest, delivers_once_however_often_a_device_is_opened_and_counts_closes) {
+  TestClient client(network, kPort);
+  client.ask(open_request(kWheels, 0));
+  client.ask(open_request(kWheels, 0));
+  publish(wheels_id, 1);
+  EXPECT_EQ(client.read().size(), 1u);
+  EXPECT_EQ(access_of(client.ask(open_request(kWheels, 0, 2))[0]), 2);
+  publish(wheels_id, 2);
+  EXPECT_EQ(client.read().size(), 1u);
+  EXPECT_EQ(access_of(client.ask(open_request(kWheels, 0, 2))[0]), 2);
+  EXPECT_EQ(access_of(client.ask(open_request(kWheels, 0, 2))[0]), 3);
+  EXPECT_EQ(wheels.stops, 1);
+}
+
+TEST_F(ServerTest, takes_letters_for_access_and_answers_with_the_same_letter) {
+  TestClient client(network, kPort);
+  for (const char letter : {'r', 'w', 'a', 'c'}) {
+    const auto replies = client.ask(open_request(kWheels, 0, static_cast<std::uint8_t>(letter)));
+    ASSERT_EQ(outline(replies), "ACK 3");
+    EXPECT_EQ(access_of(replies[0]), static_cast<std::uint8_t>(letter));
+  }
+}
+
+TEST_F(ServerTest, lets_a_reader_look_but_not_touch) {
+  TestClient client(network, kPort);
+  client.ask(open_request(kWheels, 0, 'r'));
+  client.ask(drive(1.0));
+  EXPECT_TRUE(wheels.commands.empty());
+  EXPECT_EQ(server.status().commands_dropped, 1u);
+  EXPECT_EQ(outline(client.ask(request(kWheels, position2d::kReqGetGeom))), "ACK 1");
+  EXPECT_EQ(outline(client.ask(request(kWheels, position2d::kReqSetOdom, Bytes(24)))), "NACK 5");
+  EXPECT_EQ(outline(client.ask(request(kWheels, 255, wire::encode(wire::CapabilitiesReq{3, 1})))),
+            "NACK 255");
+  publish(wheels_id, 1);
+  EXPECT_EQ(client.read().size(), 1u);
+  client.ask(open_request(kWheels, 0));  // the last open counts
+  client.ask(drive(1.0));
+  EXPECT_EQ(wheels.commands.size(), 1u);
+}
+
+TEST_F(ServerTest, sends_no_data_to_a_writer) {
+  TestClient client(network, kPort);
+  client.ask(open_request(kWheels, 0, 'w'));
+  publish(wheels_id, 1);
+  EXPECT_TRUE(client.read().empty());
+  client.ask(drive(1.0));
+  EXPECT_EQ(wheels.commands.size(), 1u);
+}
+
+TEST_F(ServerTest, lets_a_session_command_that_opened_nothing_and_never_locks_a_second_one_out) {
+  TestClient first(network, kPort), second(network, kPort);
+  first.ask(open_request(kWheels, 0));
+  first.ask(drive(0.25));
+  second.ask(drive(0.5));
+  ASSERT_EQ(wheels.commands.size(), 2u);
+  EXPECT_EQ(wire::decode<position2d::CmdVel>(wheels.commands[1].second)->vel.px, 0.5);
+  EXPECT_EQ(outline(second.ask(request(kWheels, position2d::kReqGetGeom, {}, 17))), "ACK 1");
+}
+
+TEST_F(ServerTest, answers_nack_to_every_request_that_cannot_be_served) {
+  TestClient client(network, kPort);
+  const auto nack = [&](const Bytes& bytes) {
+    const auto replies = client.ask(bytes);
+    return replies.size() == 1 && replies[0].header.type == wire::MessageType::kNack &&
+           replies[0].header.seq == 5;
+  };
+  EXPECT_TRUE(nack(message(wire::MessageType::kReq, kWheels, 77, 1, {}, 5)));   // no such device
+  EXPECT_TRUE(nack(request(500, 1, {}, 5)));                                    // no such interface
+  EXPECT_TRUE(nack(request(kWheels, 200, {}, 5)));                              // no such request
+  EXPECT_TRUE(nack(request(kWheels, 200, Bytes(4), 5)));                        // the same with a body
+  EXPECT_TRUE(nack(request(kWheels, position2d::kReqSetOdom, Bytes(4), 5)));    // too short
+  EXPECT_TRUE(nack(request(kWheels, position2d::kReqSpeedPid, Bytes(12), 5)));  // the driver does not know it
+  EXPECT_TRUE(nack(player_request(99, {}, 5)));
+  EXPECT_TRUE(nack(player_request(99, Bytes(8), 5)));
+  EXPECT_TRUE(nack(player_request(wire::player::kReqAuth, Bytes(8), 5)));
+  EXPECT_TRUE(nack(player_request(wire::player::kReqNameservice, Bytes(12), 5)));
+  EXPECT_TRUE(nack(player_request(wire::player::kReqDev, Bytes(3), 5)));
+  EXPECT_TRUE(nack(message(wire::MessageType::kCmd, wire::player::kCode, 0, 3, {}, 5)));
+  EXPECT_EQ(server.status().sessions, 1u);
+}
+
+TEST_F(ServerTest, drops_commands_that_cannot_be_carried_out_and_counts_them) {
+  TestClient client(network, kPort);
+  wheels.ignored_command = position2d::kCmdCar;
+  client.ask(message(wire::MessageType::kCmd, kWheels, 9, position2d::kCmdVel, Bytes(28)));
+  client.ask(message(wire::MessageType::kCmd, kWheels, 0, 99, Bytes(28)));
+  client.ask(message(wire::MessageType::kCmd, kWheels, 0, position2d::kCmdVel, Bytes(12)));
+  client.ask(message(wire::MessageType::kCmd, kWheels, 0, position2d::kCmdVel));
+  client.ask(message(wire::MessageType::kCmd, kWheels, 0, position2d::kCmdCar, Bytes(16)));
+  client.ask(message(wire::MessageType::kData, kWheels, 0, 1, Bytes(52)));
+  EXPECT_TRUE(client.ask(message(wire::MessageType{255}, kWheels, 0, 1)).empty());
+  EXPECT_TRUE(wheels.commands.empty());
+  EXPECT_EQ(server.status().commands_dropped, 7u);
+  EXPECT_EQ(outline(client.ask(request(kWheels, position2d::kReqGetGeom))), "ACK 1");
+}
+
+TEST_F(ServerTest, answers_for_capabilities_and_properties) {
+  wheels.properties.declare("skip", 7);
+  TestClient client(network, kPort);
+  const Bytes ask_skip = wire::encode(wire::IntpropReq{wire::c_string("skip"), 0});
+  const auto replies = client.ask(request(kWheels, wire::kReqGetIntprop, ask_skip));
+  ASSERT_EQ(outline(replies), "ACK 254");
+  EXPECT_EQ(wire::decode<wire::IntpropReq>(replies[0].body)->value, 7);
+  const Bytes ask_capability = wire::encode(wire::CapabilitiesReq{3, 1});
+  EXPECT_EQ(outline(client.ask(request(kWheels, wire::kReqCapabilities, ask_capability))), "NACK 255");
+  wheels.capable_of_all = true;
+  EXPECT_EQ(outline(client.ask(request(kWheels, wire::kReqCapabilities, ask_capability))), "ACK 255");
+}
+
+TEST_F(ServerTest, answers_later_when_the_driver_does_and_nobody_when_the_client_is_gone) {
+  wheels.holds_requests = true;
+  TestClient client(network, kPort), leaver(network, kPort);
+  EXPECT_TRUE(client.ask(request(kWheels, position2d::kReqGetGeom, {}, 1)).empty());
+  EXPECT_TRUE(client.ask(request(kWheels, position2d::kReqGetGeom, {}, 2)).empty());
+  leaver.ask(request(kWheels, position2d::kReqGetGeom, {}, 3));
+  leaver.peer.vanish();
+  network.run();
+  ASSERT_EQ(wheels.held.size(), 3u);
+  wheels.held[2].ack();
+  wheels.held[1].ack(Bytes(72));
+  wheels.held.clear();  // the first is dropped unanswered
+  const auto replies = client.read();
+  ASSERT_EQ(outline(replies), "ACK 1, NACK 1");
+  EXPECT_EQ(replies[0].header.seq, 2u);
+  EXPECT_EQ(replies[1].header.seq, 1u);
+}
+
+TEST_F(ServerTest, speaks_pull_as_the_c_library_does) {
+  TestClient client(network, kPort);
+  client.ask(mode_request(2));
+  client.ask(open_request(kWheels, 0));
+  publish(wheels_id, 1);
+  publish(wheels_id, 2);
+  EXPECT_TRUE(client.read().empty());
+  EXPECT_EQ(outline(client.ask(player_request(wire::player::kReqData))),
+            "ACK 4, DATA 1 of 4, DATA 1 of 4, SYNCH 1");
+  EXPECT_EQ(outline(client.ask(player_request(wire::player::kReqData))), "ACK 4");
+  publish(wheels_id, 3);
+  EXPECT_EQ(outline(client.read()), "DATA 1 of 4, SYNCH 1");
+  client.ask(rule_request(-1, 1, 1));
+  publish(wheels_id, 4);
+  publish(wheels_id, 5);
+  const auto round = client.ask(player_request(wire::player::kReqData));
+  ASSERT_EQ(outline(round), "ACK 4, DATA 1 of 4, SYNCH 1");
+  EXPECT_EQ(round[1].header.timestamp, 5.0);
+  EXPECT_EQ(outline(client.ask(mode_request(9))), "ACK 5");
+  publish(wheels_id, 6);
+  EXPECT_TRUE(client.read().empty());
+  EXPECT_EQ(outline(client.ask(mode_request(1))), "DATA 1 of 4, ACK 5");
+}
+
+TEST_F(ServerTest, purges_the_data_of_a_closed_device) {
+  TestClient client(network, kPort);
+  client.ask(mode_request(2));
+  client.ask(open_request(kWheels, 0));
+  publish(wheels_id, 1);
+  EXPECT_EQ(outline(client.ask(open_request(kWheels, 0, 2))), "ACK 3");
+}
+
+TEST_F(ServerTest, raises_timestamps_that_do_not_increase) {
+  TestClient client(network, kPort);
+  client.ask(open_request(kWheels, 0));
+  for (const double time : {5.0, 5.0, 4.0, 6.0}) publish(wheels_id, time);
+  const auto data = client.read();
+  ASSERT_EQ(data.size(), 4u);
+  for (std::size_t i = 1; i < data.size(); ++i)
+    EXPECT_GT(data[i].header.timestamp, data[i - 1].header.timestamp);
+  EXPECT_EQ(data[3].header.timestamp, 6.0);
+}
+
+TEST_F(ServerTest, encodes_a_message_once_for_all_its_readers) {
+  std::vector<TestClient> clients;
+  for (int i = 0; i < 20; ++i) clients.emplace_back(network, kPort).ask(open_request(kWheels, 0));
+  publish(wheels_id, 1);
+  for (TestClient& client : clients) EXPECT_EQ(client.read().size(), 1u);
+  EXPECT_EQ(server.status().messages_encoded, 1u);
+  EXPECT_EQ(server.status().messages_sent, 40u);
+}
+
+TEST_F(ServerTest, carries_out_what_was_sent_before_the_end) {
+  TestClient client(network, kPort);
+  client.ask(open_request(kWheels, 0));
+  client.send(drive(0.5));
+  client.send(drive(0.0));
+  client.peer.finish();
+  network.run();
+  ASSERT_EQ(wheels.commands.size(), 2u);
+  EXPECT_EQ(wire::decode<position2d::CmdVel>(wheels.commands[1].second)->vel.px, 0.0);
+  EXPECT_EQ(wheels.stops, 1);
+  EXPECT_EQ(server.status().sessions, 0u);
+}
+
+TEST_F(ServerTest, still_answers_a_client_that_has_finished_sending) {
+  TestClient client(network, kPort);
+  client.send(request(kWheels, position2d::kReqGetGeom));
+  client.peer.finish();
+  EXPECT_EQ(outline(client.read()), "ACK 1");
+  EXPECT_TRUE(client.peer.closed());
+}
+
+TEST_F(ServerTest, closes_the_devices_of_a_client_that_vanishes) {
+  TestClient client(network, kPort), other(network, kPort);
+  client.ask(open_request(kWheels, 0));
+  other.ask(open_request(kLaser, 0));
+  client.peer.vanish();
+  network.run();
+  EXPECT_EQ(wheels.stops, 1);
+  EXPECT_EQ(laser.stops, 0);
+  EXPECT_FALSE(server.has_readers(wheels_id));
+}
+
+TEST_F(ServerTest, closes_only_the_session_whose_frame_cannot_be) {
+  TestClient good(network, kPort);
+  for (const std::uint32_t size :
+       {0x7fffffffu, 0x80000000u, 0xffffffd8u, 0xffffffffu, 0xfffffff0u, 0x2000000u}) {
+    TestClient bad(network, kPort);
+    bad.send(drive(1.0));
+    bad.send(with_size(drive(2.0), size));
+    network.run();
+    EXPECT_TRUE(bad.peer.closed()) << size;
+    EXPECT_EQ(wheels.commands.size(), 1u);  // what came before it counts
+    wheels.commands.clear();
+  }
+  EXPECT_EQ(server.status().sessions_broken, 6u);
+  EXPECT_EQ(outline(good.ask(player_request(wire::player::kReqDevlist))), "ACK 1");
+}
+
+TEST_F(ServerTest, waits_for_a_large_body_and_ignores_bytes_after_a_value) {
+  TestClient client(network, kPort);
+  network.piece_bytes = 65536;
+  Bytes command = wire::encode(position2d::CmdVel{});
+  command.resize(3u << 20);
+  client.ask(message(wire::MessageType::kCmd, kWheels, 0, position2d::kCmdVel, command));
+  EXPECT_EQ(wheels.commands.size(), 1u);
+}
+
+TEST_F(ServerTest, takes_messages_byte_by_byte_and_ignores_high_bits_of_small_fields) {
+  network.piece_bytes = 1;
+  TestClient client(network, kPort);
+  Bytes odd = request(kWheels, position2d::kReqGetGeom);
+  odd[8] = odd[12] = odd[16] = odd[20] = std::byte{0xAB};
+  client.send(odd);
+  client.send(player_request(wire::player::kReqDevlist));
+  EXPECT_EQ(outline(client.read()), "ACK 1, ACK 1");
+}
+
+TEST_F(ServerTest, bounds_what_waits_for_a_stalled_client_and_serves_the_others) {
+  network.window_bytes = 4096;
+  TestClient stalled(network, kPort), good(network, kPort);
+  stalled.ask(open_request(kWheels, 0));
+  good.ask(open_request(kWheels, 0));
+  stalled.peer.stall();
+  std::size_t received = 0;
+  for (int i = 0; i < 3000; ++i) {
+    publish(wheels_id, i);
+    received += good.read().size();
+  }
+  EXPECT_EQ(received, 3000u);
+  const ServerStatus status = server.status();
+  EXPECT_EQ(status.stalled_sessions, 1u);
+  EXPECT_GT(status.data_dropped, 1500u);
+  EXPECT_LE(server.sessions()[0].messages_waiting, limits::kSessionQueueMessages);
+  stalled.peer.read_on();
+  const auto late = stalled.read();
+  EXPECT_EQ(late.size() + status.data_dropped, 3000u);
+  EXPECT_EQ(late.back().header.timestamp, 2999.0);
+  EXPECT_EQ(server.status().stalled_sessions, 0u);
+}
+
+TEST_F(ServerTest, stops_reading_from_a_client_that_asks_without_reading) {
+  network.window_bytes = 4096;
+  TestClient flooder(network, kPort), good(network, kPort);
+  flooder.peer.stall();
+  constexpr int kRequests = 20000;
+  for (int i = 0; i < kRequests; ++i) flooder.send(request(kWheels, position2d::kReqGetGeom));
+  network.run();
+  EXPECT_LT(wheels.requests, 10000);
+  EXPECT_EQ(outline(good.ask(request(kWheels, position2d::kReqGetGeom))), "ACK 1");
+  flooder.peer.read_on();
+  EXPECT_EQ(flooder.read().size(), static_cast<std::size_t>(kRequests));
+}
+
+TEST_F(ServerTest, goes_on_with_a_client_whose_answers_come_late_or_are_not_wanted) {
+  TestClient client(network, kPort);
+  wheels.holds_requests = true;
+  client.ask(rule_request(-1, -1, 2));
+  for (std::size_t i = 0; i < limits::kSessionAnswers + 10; ++i)
+    client.send(request(kWheels, position2d::kReqGetGeom));
+  network.run();
+  EXPECT_EQ(wheels.held.size(), limits::kSessionAnswers);
+  wheels.held.clear();
+  network.run();
+  EXPECT_EQ(wheels.held.size(), 10u);
+}
+
+TEST_F(ServerTest, survives_garbage_of_every_seed) {
+  TestClient good(network, kPort);
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    TestClient client(network, kPort);
+    Rng rng(seed, 0, 0, 0);
+    Bytes garbage(rng.bits() % 400);
+    for (std::byte& byte : garbage) byte = static_cast<std::byte>(rng.bits() % (seed % 2 ? 256 : 6));
+    client.send(garbage);
+    client.peer.finish();
+    client.read();
+  }
+  EXPECT_EQ(server.status().sessions, 1u);
+  EXPECT_EQ(outline(good.ask(player_request(wire::player::kReqDevlist))), "ACK 1");
+}
+
+TEST_F(ServerTest, refuses_clients_over_the_limit_and_takes_new_ones_when_others_leave) {
+  std::vector<net::SimulatedPeer> peers;
+  for (std::size_t i = 0; i < limits::kSessions + 2; ++i) peers.push_back(network.connect(kPort));
+  network.run();
+  EXPECT_EQ(server.status().sessions, limits::kSessions);
+  EXPECT_EQ(server.status().sessions_refused, 2u);
+  EXPECT_TRUE(peers.back().closed());
+  peers.front().finish();
+  network.run();
+  EXPECT_EQ(TestClient(network, kPort).banner.size(), 32u);
+}
+
+TEST_F(ServerTest, keeps_a_device_running_that_the_program_holds) {
+  ASSERT_TRUE(server.hold(wheels_id));
+  EXPECT_EQ(wheels.starts, 1);
+  TestClient client(network, kPort);
+  client.ask(open_request(kWheels, 0));
+  client.ask(open_request(kWheels, 0, 2));
+  EXPECT_EQ(wheels.stops, 0);
+  server.release(wheels_id);
+  EXPECT_EQ(wheels.stops, 1);
+}
+
+TEST_F(ServerTest, lists_no_more_devices_than_a_list_holds_but_opens_them_all) {
+  for (std::size_t i = 1; i <= limits::kDevices; ++i) {
+    ASSERT_TRUE(server.add_device({kPort, kWheels, static_cast<std::uint16_t>(i)}, wheels));
+  }
+  TestClient client(network, kPort);
+  const auto replies = client.ask(player_request(wire::player::kReqDevlist));
+  ASSERT_EQ(outline(replies), "ACK 1");
+  EXPECT_EQ(wire::decode<wire::player::DeviceDevlist>(replies[0].body)->devices.size(), limits::kDevices);
+  EXPECT_EQ(access_of(client.ask(open_request(kWheels, limits::kDevices))[0]), 1);
+}
+
+}  // namespace
+}  // namespace playhouse::server
