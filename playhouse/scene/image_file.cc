@@ -2,6 +2,7 @@
 
 #include <png.h>
 
+#include <algorithm>
 #include <csetjmp>
 #include <cstring>
 #include <memory>
@@ -116,8 +117,9 @@ class PnmText {
     skip_blanks();
     std::uint64_t value = 0;
     const std::size_t start = at_;
-    while (at_ < bytes_.size() && is_digit(bytes_[at_]) && value <= 0xFFFFFFFu) {
-      value = 10 * value + static_cast<std::uint64_t>(bytes_[at_++] - '0');
+    while (at_ < bytes_.size() && is_digit(bytes_[at_])) {
+      value =
+          std::min<std::uint64_t>(10 * value + static_cast<std::uint64_t>(bytes_[at_++] - '0'), 0xFFFFFFFFu);
     }
     if (at_ == start) return std::nullopt;
     return static_cast<std::uint32_t>(value);
