@@ -5,7 +5,7 @@
 namespace playhouse::stage {
 
 DiscIndex::DiscIndex(std::size_t count, double mean_radius)
-    : torus_(std::max(4 * mean_radius, 0.01), 4 * count), first_(torus_.cells() + 1, 0) {}
+    : torus_(std::max(6 * mean_radius, 0.01), 4 * count), first_(torus_.cells() + 1, 0) {}
 
 void DiscIndex::sort() {
   std::fill(first_.begin(), first_.end(), 0);
@@ -23,6 +23,8 @@ void DiscIndex::sort() {
   // Each entry c + 1 now holds the begin of cell c: shift back.
   for (std::size_t c = 0; c + 1 < first_.size(); ++c) first_[c] = first_[c + 1];
   first_.back() = static_cast<std::uint32_t>(discs_.size());
+  centers_.resize(discs_.size());
+  for (std::size_t i = 0; i < discs_.size(); ++i) centers_[i] = discs_[i].center;
 }
 
 }  // namespace playhouse::stage

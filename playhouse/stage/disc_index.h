@@ -34,12 +34,22 @@ class DiscIndex {
 
   double radius_max() const { return radius_max_; }
 
+  /// Calls visit(begin, end) for runs of places in centers() and discs(): all in cells that meet that box.
+  template <typename Visit>
+  void runs(geom::Vec2 p, double reach, const Visit& visit) const {
+    torus_.runs(box_about(p, reach + radius_max_), [&](std::size_t first, std::size_t last) {
+      if (first_[first] != first_[last + 1]) visit(first_[first], first_[last + 1]);
+    });
+  }
+  const geom::Vec2* centers() const { return centers_.data(); }
+  const Disc* discs() const { return discs_.data(); }
+
   /// Calls visit(disc) for everything in cells that meet the box about p, widened by the largest radius. The
   /// caller tests what it needs: there may be far things among them.
   template <typename Visit>
   void near(geom::Vec2 p, double reach, const Visit& visit) const {
-    torus_.runs(box_about(p, reach + radius_max_), [&](std::size_t first, std::size_t last) {
-      for (std::uint32_t i = first_[first]; i < first_[last + 1]; ++i) visit(discs_[i]);
+    runs(p, reach, [&](std::uint32_t begin, std::uint32_t end) {
+      for (std::uint32_t i = begin; i < end; ++i) visit(discs_[i]);
     });
   }
 
@@ -49,6 +59,7 @@ class DiscIndex {
   Torus torus_;
   double radius_max_ = 0;
   std::vector<Disc> unsorted_, discs_;  // discs_ by cell
+  std::vector<geom::Vec2> centers_;     // of discs_
   std::vector<std::uint32_t> cell_;     // of unsorted_
   std::vector<std::uint32_t> first_;    // first disc of a cell (cells + 1)
 };

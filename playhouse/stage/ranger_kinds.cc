@@ -53,14 +53,17 @@ void finish_bundle(Bundle& bundle, double body_radius) {
         std::max(bundle.reach, std::sqrt(geom::dot(bundle.p[k], bundle.p[k])) + bundle.range_max[k]);
   bundle.half = bundle.reach + body_radius + 2 * kMargin;
   bundle.cell = 2 * bundle.half / Bundle::kCells;
-  bundle.meets.assign(Bundle::kCells * Bundle::kCells, 0);
+  bundle.meets.assign(Bundle::kSide * Bundle::kSide, 0);
   const double near = body_radius + 0.7072 * bundle.cell + kMargin;
-  for (std::size_t cell = 0; cell < bundle.meets.size(); ++cell) {
-    const Vec2 middle{(static_cast<double>(cell % Bundle::kCells) + 0.5) * bundle.cell - bundle.half,
-                      (static_cast<double>(cell / Bundle::kCells) + 0.5) * bundle.cell - bundle.half};
-    for (std::size_t k = 0; k < bundle.rays(); ++k)
-      if (distance_to_ray(middle, bundle.p[k], bundle.d[k], bundle.range_max[k]) <= near)
-        bundle.meets[cell] |= std::uint64_t{1} << k;
+  for (std::size_t row = 0; row < Bundle::kCells; ++row) {
+    for (std::size_t column = 0; column < Bundle::kCells; ++column) {
+      const Vec2 middle{(static_cast<double>(column) + 0.5) * bundle.cell - bundle.half,
+                        (static_cast<double>(row) + 0.5) * bundle.cell - bundle.half};
+      std::uint64_t& rays = bundle.meets[(row + 1) * Bundle::kSide + column + 1];
+      for (std::size_t k = 0; k < bundle.rays(); ++k)
+        if (distance_to_ray(middle, bundle.p[k], bundle.d[k], bundle.range_max[k]) <= near)
+          rays |= std::uint64_t{1} << k;
+    }
   }
 }
 
@@ -81,6 +84,9 @@ void add_sensor(RangerKind& kind, const scene::RangerSensorDesc& sensor, const P
     }
   }
   kind.beams += sensor.samples;
+  kind.range_min.insert(kind.range_min.end(), sensor.samples, std::min(sensor.range_min, sensor.range_max));
+  kind.range_max.insert(kind.range_max.end(), sensor.samples, sensor.range_max);
+  kind.noisy |= sensor.noise_constant > 0 || sensor.noise_proportional > 0;
 }
 
 RangerKind make_kind(const scene::ModelDesc& desc, double body_radius) {
@@ -94,8 +100,9 @@ RangerKind make_kind(const scene::ModelDesc& desc, double body_radius) {
 std::vector<double> signature(const scene::ModelDesc& desc) {
   std::vector<double> all{desc.X_MB.x, desc.X_MB.y, desc.X_MB.z, desc.X_MB.a};
   for (const scene::RangerSensorDesc& s : desc.sensors)
-    all.insert(all.end(), {s.X_BS.x, s.X_BS.y, s.X_BS.z, s.X_BS.a, s.size.z, s.range_max, s.fov,
-                           static_cast<double>(s.samples), s.noise_angular});
+    all.insert(all.end(),
+               {s.X_BS.x, s.X_BS.y, s.X_BS.z, s.X_BS.a, s.size.z, s.range_min, s.range_max, s.fov,
+                static_cast<double>(s.samples), s.noise_constant, s.noise_proportional, s.noise_angular});
   return all;
 }
 

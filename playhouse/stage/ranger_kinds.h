@@ -22,19 +22,31 @@ struct Scan {
   std::size_t beams() const { return x.size(); }
 };
 
+/// Numbers of equal rows, for loops that the compiler turns into vector instructions.
+struct Points {
+  std::vector<double> x, y;
+  std::size_t size() const { return x.size(); }
+  void push_back(Vec2 p) {
+    x.push_back(p.x);
+    y.push_back(p.y);
+  }
+  Vec2 operator[](std::size_t i) const { return {x[i], y[i]}; }
+};
+
 /// Up to 64 single rays of one ranger, looked at together.
 struct Bundle {
   static constexpr std::size_t kRays = 64;
-  static constexpr std::size_t kCells = 48;  // each way, of `meets`
+  static constexpr std::size_t kCells = 48;         // each way, of the square that matters
+  static constexpr std::size_t kSide = kCells + 2;  // with a rim of empty cells about it
 
-  std::vector<Vec2> p, d;            // origins [m] and unit vectors in M
+  Points p, d;                       // origins [m] and unit vectors in M
   std::vector<double> z;             // m above M
   std::vector<double> range_max;     // m
   std::vector<std::uint32_t> beam;   // of the ranger
   double z_min = 0, z_max = 0;       // m above M
   double reach = 0;                  // m from M that any ray gets
-  double cell = 0, half = 0;         // m: `meets` covers the square +-half about M
-  std::vector<std::uint64_t> meets;  // bit k of a cell: ray k may meet a body whose centre is there
+  double cell = 0, half = 0;         // m: the square is +-half about M
+  std::vector<std::uint64_t> meets;  // bit k of a cell: ray k may meet a body whose centre is there (kSide^2)
   std::size_t rays() const { return d.size(); }
 };
 
@@ -50,6 +62,8 @@ struct RangerKind {
   std::vector<Scan> scans;
   std::vector<Bundle> bundles;
   std::vector<Jitter> jitters;
+  std::vector<double> range_min, range_max;  // m (beams)
+  bool noisy = false;                        // any sensor has noise along its beams
   std::uint32_t beams = 0;
 };
 

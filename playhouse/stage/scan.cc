@@ -1,41 +1,48 @@
-/// Scans: instead of following each beam, every edge near a scanner is projected onto the beams it covers,
-/// and the nearest stays (a depth buffer of one row). Which beams an edge may cover comes from a rough
-/// bearing, widened; whether a beam meets it, and where, is exact.
+/// Scans: instead of following each beam, what is near a scanner is projected onto the beams it covers, and
+/// the nearest stays (a depth buffer of one row). Which beams a body may cover comes from a rough bearing,
+/// widened; whether a beam meets it, and where, is exact. Bodies come from near to far, so that most hidden
+/// ones are dropped at a glance.
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
+#include "playhouse/stage/bearing.h"
 #include "playhouse/stage/sense_ranger.h"
+#include "playhouse/stage/vectors.h"
 
 namespace playhouse::stage {
 namespace {
 
-constexpr double kBearingError = 1e-4;  // rad; rough_bearing() is better than this, see scan_test.cc
+/// The beams of a scan and what they have met so far.
+struct Row {
+  const Scan& scan;
+  double half;      // of the fov  [rad]
+  double per_step;  // beams per radian
+  double* range;
+  double* intensity;
 
-/// atan2 to 1e-4, in (-pi, pi].
-double rough_bearing(Vec2 v) {
-  const double ax = std::fabs(v.x), ay = std::fabs(v.y);
-  const double large = ax > ay ? ax : ay, small = ax > ay ? ay : ax;
-  const double t = large > 0 ? small / large : 0, s = t * t;
-  double angle =
-      t * (0.99997726 +
-           s * (-0.33262347 + s * (0.19354346 + s * (-0.11643287 + s * (0.05265332 - s * 0.01172120)))));
-  angle = ay > ax ? 0.5 * geom::kPi - angle : angle;
-  angle = v.x < 0 ? geom::kPi - angle : angle;
-  return v.y < 0 ? -angle : angle;
-}
+  std::size_t beams() const { return scan.beams(); }
+  /// The beam at or to the right of a bearing; 0 or the last one for those outside the fov.
+  std::size_t beam_right_of(double bearing) const {
+    const double beam = (bearing + half) * per_step;
+    return beam <= 0 ? 0 : std::min(static_cast<std::size_t>(beam), beams() - 1);
+  }
+  /// cross(beam k, w): above 0 if w is to the left of the beam.
+  double side(std::size_t k, Vec2 w) const { return scan.x[k] * w.y - scan.y[k] * w.x; }
+};
 
 /// An edge as the scanner sees it, w0 to the right of w1.
 struct Sight {
-  Vec2 w0, w1;      // m, in S
-  double area;      // cross(w0, w1), above 0
-  double from, to;  // rough bearings; to - from in (0, pi) when below and above are honest
+  Vec2 w0, w1;  // m, in S
+  double area;  // cross(w0, w1), above 0
   double intensity;
 };
 
 /// Keeps the nearer of what is known and the edge, beams first .. last.
-void project(const Sight& sight, const double* __restrict x, const double* __restrict y,
-             double* __restrict range, double* __restrict intensity, std::size_t first, std::size_t last) {
+PLAYHOUSE_VECTORS void project(const Sight& sight, const double* __restrict x, const double* __restrict y,
+                               double* __restrict range, double* __restrict intensity, std::size_t first,
+                               std::size_t last) {
   for (std::size_t k = first; k <= last; ++k) {
     const double s0 = x[k] * sight.w0.y - y[k] * sight.w0.x;
     const double s1 = x[k] * sight.w1.y - y[k] * sight.w1.x;
@@ -46,46 +53,202 @@ void project(const Sight& sight, const double* __restrict x, const double* __res
   }
 }
 
-/// The beams that `sight` may cover, once for each turn by which its bearings can meet those of the beams.
-void project_turns(const Sight& sight, const Scan& scan, double* range, double* intensity) {
-  const double half = 0.5 * scan.fov;
-  const double to = sight.to < sight.from - 3.0 ? sight.to + geom::kTwoPi : sight.to;
-  const auto turns = static_cast<int>(half / geom::kTwoPi) + 1;
-  for (int turn = -turns; turn <= turns; ++turn) {
-    const double low = sight.from + turn * geom::kTwoPi - kBearingError;
-    const double high = to + turn * geom::kTwoPi + kBearingError;
-    if (high < -half || low > half) continue;
-    const double beams = static_cast<double>(scan.beams() - 1);
-    const double first = std::clamp(std::floor((low + half) / scan.step), 0.0, beams);
-    const double last = std::clamp(std::ceil((high + half) / scan.step), 0.0, beams);
-    project(sight, scan.x.data(), scan.y.data(), range, intensity, static_cast<std::size_t>(first),
-            static_cast<std::size_t>(last));
+/// Projects an edge, once for each turn by which its bearings can meet those of the beams.
+void project_edge(Vec2 w0, Vec2 w1, double intensity, const Row& row) {
+  double area = geom::cross(w0, w1);
+  if (area == 0) return;
+  if (area < 0) {
+    std::swap(w0, w1);
+    area = -area;
   }
+  const double from = rough_bearing(w0) - kBearingError;
+  double to = rough_bearing(w1) + kBearingError;
+  if (to < from - 3.0) to += geom::kTwoPi;
+  const auto turns = static_cast<int>(row.half / geom::kTwoPi) + 1;
+  for (int turn = -turns; turn <= turns; ++turn) {
+    const double low = from + turn * geom::kTwoPi, high = to + turn * geom::kTwoPi;
+    if (high < -row.half || low > row.half) continue;
+    const std::size_t last = std::min(row.beam_right_of(high) + 1, row.beams() - 1);
+    project({w0, w1, area, intensity}, row.scan.x.data(), row.scan.y.data(), row.range, row.intensity,
+            row.beam_right_of(low), last);
+  }
+}
+
+/// The corners of one polygon as the scanner sees it, the first again at the end.
+struct Corners {
+  const double *x, *y;
+  std::size_t count;
+  Vec2 operator[](std::size_t i) const { return {x[i], y[i]}; }
+};
+
+/// A body of any shape from anywhere, edge by edge.
+void project_edges(const Corners& corners, double intensity, const Row& row) {
+  for (std::size_t i = 0; i < corners.count; ++i) project_edge(corners[i], corners[i + 1], intensity, row);
+}
+
+/// The edges of a convex polygon that face the origin, which is outside: they follow each other.
+struct Facing {
+  std::size_t left = 0, edges = 0;  // corner `left` is the left end; 0 edges: none is sure to face
+};
+
+constexpr std::size_t kFacingCorners = 32;
+
+PLAYHOUSE_VECTORS Facing find_facing(const Corners& corners) {
+  double area[kFacingCorners];
+  const double *x = corners.x, *y = corners.y;
+  for (std::size_t i = 0; i < corners.count; ++i) area[i] = x[i] * y[i + 1] - x[i + 1] * y[i];
+  std::uint64_t faces = 0;
+  for (std::size_t i = 0; i < corners.count; ++i) faces |= std::uint64_t{area[i] < 0} << i;
+  const std::uint64_t before = (faces << 1) | (faces >> (corners.count - 1));  // bit i: edge i - 1 faces
+  const std::uint64_t starts = faces & ~before;
+  if (!std::has_single_bit(starts)) return {};
+  return {static_cast<std::size_t>(std::countr_zero(starts)), static_cast<std::size_t>(std::popcount(faces))};
+}
+
+/// A convex body from outside: its facing edges follow each other from right to left, and so do the beams
+/// that meet them. False, and nothing done, if it lies across the line behind the scanner.
+bool project_facing(const Corners& corners, const Facing& facing, double intensity, const Row& row) {
+  std::size_t right = facing.left + facing.edges;
+  right = right < corners.count ? right : right - corners.count;
+  Vec2 w0 = corners[right];
+  const double from = rough_bearing(w0), to = rough_bearing(corners[facing.left]);
+  constexpr double kBehind = geom::kPi - kBearingError;
+  if (from < -kBehind || to > kBehind || from > to + 1.0) return false;
+
+  const double *const x = row.scan.x.data(), *const y = row.scan.y.data();
+  double *const range = row.range, *const seen = row.intensity;
+  const std::size_t beams = row.beams();
+  std::size_t k = row.beam_right_of(from - kBearingError);
+  while (k < beams && x[k] * w0.y - y[k] * w0.x > 0) ++k;
+  for (std::size_t edge = facing.edges; edge > 0 && k < beams; --edge) {
+    right = right > 0 ? right - 1 : corners.count - 1;
+    const Vec2 w1 = corners[right];
+    const double area = geom::cross(w0, w1);
+    for (; k < beams; ++k) {
+      const double s1 = x[k] * w1.y - y[k] * w1.x;
+      if (s1 < 0) break;
+      const double t = area / (s1 - (x[k] * w0.y - y[k] * w0.x));
+      const bool nearer = t < range[k];
+      range[k] = nearer ? t : range[k];
+      seen[k] = nearer ? intensity : seen[k];
+    }
+    w0 = w1;
+  }
+  return true;
+}
+
+PLAYHOUSE_VECTORS void find_corners(const Vec2* __restrict p, std::size_t count, Vec2 origin, Rotation r,
+                                    double* __restrict x, double* __restrict y) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const double u = p[i].x - origin.x, v = p[i].y - origin.y;
+    x[i] = r.c * u + r.s * v;
+    y[i] = r.c * v - r.s * u;
+  }
+  x[count] = x[0];
+  y[count] = y[0];
+}
+
+/// Turns centres into the scanner's frame and measures their distances.
+PLAYHOUSE_VECTORS void find_distances(Rotation r, std::size_t count, double* __restrict x,
+                                      double* __restrict y, double* __restrict distance) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const double u = r.c * x[i] + r.s * y[i], v = r.c * y[i] - r.s * x[i];
+    x[i] = u;
+    y[i] = v;
+    distance[i] = std::sqrt(u * u + v * v);
+  }
+}
+
+/// True if every beam that the disc may cover has met something nearer.
+bool is_hidden(double bearing, double distance, double radius, const Row& row) {
+  const double x = radius / distance;
+  const double spread = x + 0.5708 * x * x * x + kBearingError;  // not below asin(x)
+  const double from = bearing - spread, to = bearing + spread;
+  if (from < -geom::kPi || to > geom::kPi || row.half > geom::kPi) return false;
+  if (to < -row.half || from > row.half) return row.half < geom::kPi - kBearingError;
+  const std::size_t last = std::min(row.beam_right_of(to) + 1, row.beams() - 1);
+  for (std::size_t k = row.beam_right_of(from); k <= last; ++k)
+    if (row.range[k] > distance - radius) return false;
+  return true;
 }
 
 }  // namespace
 
-void RangerSense::scan_walls(const Space& space, const View& view, const Scan& scan, Bench& bench) {
-  const Pose X_WS = geom::compose(view.X_WM, scan.X_MS);
-  const double z = view.X_WM.z + scan.z;
+/// Puts the places of what may be seen into `order`, from near to far by rings; returns how many.
+std::size_t RangerSense::Bench::sort_by_distance(std::size_t count, double reach, double behind) {
+  constexpr std::size_t kRings = 32;
+  std::uint32_t first[kRings + 2] = {};
+  const double per_ring = static_cast<double>(kRings) / reach;
+  const double *const from_x = x.data(), *const far = distance.data();
+  std::int32_t* const ring = cell.data();
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool matters = (far[i] < reach) & (from_x[i] >= behind);
+    const double scaled = matters ? far[i] * per_ring : static_cast<double>(kRings);
+    ring[i] = static_cast<std::int32_t>(scaled);
+  }
+  for (std::size_t i = 0; i < count; ++i) ++first[ring[i] + 1];
+  for (std::size_t r = 1; r <= kRings; ++r) first[r] += first[r - 1];
+  const std::size_t seen = first[kRings];
+  std::uint32_t* const sorted = order.data();
+  for (std::size_t i = 0; i < count; ++i)
+    if (ring[i] < static_cast<std::int32_t>(kRings)) sorted[first[ring[i]]++] = static_cast<std::uint32_t>(i);
+  return seen;
+}
+
+void RangerSense::scan_bodies(const Space& space, const Pose& X_WS, double z, const View& view,
+                              const Scan& scan, Bench& bench) {
+  const Solids& solids = space.solids;
+  const Rotation rotation = Rotation::of(X_WS.a);
+  const Row row{scan, 0.5 * scan.fov, 1.0 / scan.step, bench.range.data() + scan.first_beam,
+                bench.intensity.data() + scan.first_beam};
+  const double radius_max = space.index.radius_max() + kMargin;
+  // Beams that all point forward meet nothing that is all behind.
+  const double behind = scan.fov <= geom::kPi ? -radius_max : -kMiss;
+  const std::size_t near = bench.gather(space.index, X_WS.xy(), scan.range_max);
+  find_distances(rotation, near, bench.x.data(), bench.y.data(), bench.distance.data());
+  const std::size_t count = bench.sort_by_distance(near, scan.range_max + radius_max, behind);
+
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint32_t at = bench.order[i];
+    const DiscIndex::Disc& disc = space.index.discs()[bench.place[at]];
+    if (z < disc.z_min || disc.z_max < z || !view.sees(solids, disc.row)) continue;
+    const double distance = bench.distance[at], radius = disc.radius + kMargin;
+    const bool outside = distance > radius;
+    if (outside && is_hidden(rough_bearing({bench.x[at], bench.y[at]}), distance, radius, row)) continue;
+
+    const std::span<const Vec2> polygon = solids.polygon(disc.row);
+    find_corners(polygon.data(), polygon.size(), X_WS.xy(), rotation, bench.corner_x.data(),
+                 bench.corner_y.data());
+    const Corners corners{bench.corner_x.data(), bench.corner_y.data(), polygon.size()};
+    const double intensity = solids.ranger_return[disc.row];
+    if (outside && solids.convex[disc.row] && polygon.size() <= kFacingCorners && row.half <= geom::kPi) {
+      const Facing facing = find_facing(corners);
+      if (facing.edges > 0 && project_facing(corners, facing, intensity, row)) continue;
+    }
+    project_edges(corners, intensity, row);
+  }
+}
+
+void RangerSense::scan_walls(const Space& space, const Pose& X_WS, double z, const View& view,
+                             const Scan& scan, Bench& bench) {
   const geom::Box box = box_about(X_WS.xy(), scan.range_max);
   const std::size_t listings = space.walls.count_near(box);
   if (listings == 0) return;
-  double* const range = bench.range.data() + scan.first_beam;
-  double* const intensity = bench.intensity.data() + scan.first_beam;
-  const auto hides = [&](std::uint32_t row) {
-    return view.sees(space.solids, row) && at_height(space.solids, row, z);
+  const Row row{scan, 0.5 * scan.fov, 1.0 / scan.step, bench.range.data() + scan.first_beam,
+                bench.intensity.data() + scan.first_beam};
+  const auto hides = [&](std::uint32_t solid) {
+    return view.sees(space.solids, solid) && at_height(space.solids, solid, z);
   };
   const Rotation rotation = Rotation::of(X_WS.a);
 
-  if (listings > 4 * scan.beams()) {  // so many edges: following the beams is cheaper
+  if (listings > 2 * scan.beams()) {  // so many edges: following the beams is cheaper
     for (std::size_t k = 0; k < scan.beams(); ++k) {
       const Vec2 d = rotation * Vec2{scan.x[k], scan.y[k]};
-      space.walls.along(X_WS.xy(), d, &range[k], [&](const Walls::Edge& edge) {
+      space.walls.along(X_WS.xy(), d, &row.range[k], [&](const Walls::Edge& edge) {
         const double t = edge_hit(edge.a - X_WS.xy(), edge.b - X_WS.xy(), d);
-        if (t >= range[k] || !hides(edge.solid)) return;
-        range[k] = t;
-        intensity[k] = space.solids.ranger_return[edge.solid];
+        if (t >= row.range[k] || !hides(edge.solid)) return;
+        row.range[k] = t;
+        row.intensity[k] = space.solids.ranger_return[edge.solid];
       });
     }
     return;
@@ -96,54 +259,17 @@ void RangerSense::scan_walls(const Space& space, const View& view, const Scan& s
     if (bench.stamp[edge.number] == bench.scans) return;
     bench.stamp[edge.number] = bench.scans;
     if (!hides(edge.solid)) return;
-    Vec2 w0 = rotation.inverse(edge.a - X_WS.xy()), w1 = rotation.inverse(edge.b - X_WS.xy());
-    if (geom::cross(w0, w1) < 0) std::swap(w0, w1);
-    const double area = geom::cross(w0, w1);
-    if (area <= 0) return;
-    project_turns(
-        {w0, w1, area, rough_bearing(w0), rough_bearing(w1), space.solids.ranger_return[edge.solid]}, scan,
-        range, intensity);
+    project_edge(rotation.inverse(edge.a - X_WS.xy()), rotation.inverse(edge.b - X_WS.xy()),
+                 space.solids.ranger_return[edge.solid], row);
   });
 }
 
 void RangerSense::run_scan(const Space& space, const View& view, const Scan& scan, Bench& bench) {
-  const Solids& solids = space.solids;
-  double* const range = bench.range.data() + scan.first_beam;
-  double* const intensity = bench.intensity.data() + scan.first_beam;
-  std::fill_n(range, scan.beams(), scan.range_max);
-  scan_walls(space, view, scan, bench);
-
+  std::fill_n(bench.range.begin() + scan.first_beam, scan.beams(), scan.range_max);
   const Pose X_WS = geom::compose(view.X_WM, scan.X_MS);
-  const Rotation rotation = Rotation::of(X_WS.a);
   const double z = view.X_WM.z + scan.z;
-  space.index.near(X_WS.xy(), scan.range_max, [&](const DiscIndex::Disc& disc) {
-    const Vec2 to_disc = disc.center - X_WS.xy();
-    const double reach = scan.range_max + disc.radius, squared = geom::dot(to_disc, to_disc);
-    if (squared > reach * reach || z < disc.z_min || disc.z_max < z || !view.sees(solids, disc.row)) return;
-
-    const std::span<const Vec2> polygon = solids.polygon(disc.row);
-    const std::size_t corners = polygon.size();
-    for (std::size_t i = 0; i < corners; ++i) {
-      bench.corner[i] = rotation.inverse(polygon[i] - X_WS.xy());
-      bench.bearing[i] = rough_bearing(bench.corner[i]);
-    }
-    bench.corner[corners] = bench.corner[0];
-    bench.bearing[corners] = bench.bearing[0];
-    // From outside, the nearest edge along any beam faces the scanner: it goes clockwise about it.
-    const double outside = disc.radius + kMargin;
-    const bool inside_possible = squared < outside * outside;
-    for (std::size_t i = 0; i < corners; ++i) {
-      const double area = geom::cross(bench.corner[i], bench.corner[i + 1]);
-      if (area < 0)
-        project_turns({bench.corner[i + 1], bench.corner[i], -area, bench.bearing[i + 1], bench.bearing[i],
-                       solids.ranger_return[disc.row]},
-                      scan, range, intensity);
-      else if (inside_possible && area > 0)
-        project_turns({bench.corner[i], bench.corner[i + 1], area, bench.bearing[i], bench.bearing[i + 1],
-                       solids.ranger_return[disc.row]},
-                      scan, range, intensity);
-    }
-  });
+  scan_walls(space, X_WS, z, view, scan, bench);
+  scan_bodies(space, X_WS, z, view, scan, bench);
 }
 
 }  // namespace playhouse::stage

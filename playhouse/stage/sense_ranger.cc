@@ -1,7 +1,6 @@
 #include "playhouse/stage/sense_ranger.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "playhouse/base/rng.h"
@@ -38,11 +37,14 @@ RangerSense::RangerSense(const world::World& world, const Solids& solids, unsign
   for (const RangerKind& kind : kinds_.kinds) beams = std::max<std::size_t>(beams, kind.beams);
   bench.range.resize(beams);
   bench.intensity.resize(beams);
-  bench.discs.resize(solids.moving);
-  bench.corner.resize(corners + 1);
-  bench.bearing.resize(corners + 1);
-  bench.p.resize(Bundle::kRays);
-  bench.d.resize(Bundle::kRays);
+  bench.x.resize(solids.moving);
+  bench.y.resize(solids.moving);
+  bench.distance.resize(solids.moving);
+  bench.place.resize(solids.moving);
+  bench.order.resize(solids.moving);
+  bench.cell.resize(solids.moving);
+  bench.corner_x.resize(corners + 1);
+  bench.corner_y.resize(corners + 1);
   benches_.assign(workers, bench);
   due_.reserve(world.rangers.size());
 }
@@ -86,32 +88,46 @@ void RangerSense::measure(world::World& world, const Space& space, std::uint32_t
 }
 
 /// Noise, limits, and the columns that everyone reads.
-void RangerSense::finish(world::World& world, std::uint32_t ranger, std::uint64_t tick,
-                         const Bench& bench) const {
-  const scene::ModelDesc& desc = world.desc(world.rangers.model[ranger]);
+void RangerSense::finish(world::World& world, std::uint32_t ranger, std::uint64_t tick, Bench& bench) const {
+  const RangerKind& kind = kinds_.kinds[kinds_.of_ranger[ranger]];
   const std::uint32_t first_sensor = world.rangers.first_sensor[ranger];
-  std::size_t from = 0;
-  for (std::uint32_t i = 0; i < desc.sensors.size(); ++i) {
-    const scene::RangerSensorDesc& sensor = desc.sensors[i];
-    const std::uint32_t row = first_sensor + i, beams = world.sensors.beam_count[row];
-    float* const ranges = world.sensors.ranges.data() + world.sensors.first_beam[row];
-    float* const intensities = world.sensors.intensities.data() + world.sensors.first_beam[row];
-    const double low = std::min(sensor.range_min, sensor.range_max), high = sensor.range_max;
-    if (sensor.noise_constant > 0 || sensor.noise_proportional > 0) {
-      Rng rng(world.seed(), tick, row, static_cast<std::uint64_t>(world::Stream::kRangeNoise));
-      for (std::uint32_t k = 0; k < beams; ++k) {
-        const double range = bench.range[from + k];
-        ranges[k] =
-            static_cast<float>(std::clamp(range < high ? noisy(range, sensor, rng) : range, low, high));
-      }
-    } else {
-      for (std::uint32_t k = 0; k < beams; ++k)
-        ranges[k] = static_cast<float>(std::clamp(bench.range[from + k], low, high));
-    }
-    for (std::uint32_t k = 0; k < beams; ++k) intensities[k] = static_cast<float>(bench.intensity[from + k]);
-    from += beams;
-  }
   world.rangers.measured_tick[ranger] = tick;
+  if (kind.beams == 0) return;
+  if (kind.noisy) {
+    double* range = bench.range.data();
+    for (std::uint32_t i = 0; i < world.rangers.sensor_count[ranger]; ++i) {
+      const scene::RangerSensorDesc& sensor = world.desc(world.rangers.model[ranger]).sensors[i];
+      Rng rng(world.seed(), tick, first_sensor + i, static_cast<std::uint64_t>(world::Stream::kRangeNoise));
+      for (std::uint32_t k = 0; k < sensor.samples; ++k, ++range)
+        if (*range < sensor.range_max) *range = noisy(*range, sensor, rng);
+    }
+  }
+  // The beams of a ranger's sensors are consecutive.
+  float* const ranges = world.sensors.ranges.data() + world.sensors.first_beam[first_sensor];
+  float* const intensities = world.sensors.intensities.data() + world.sensors.first_beam[first_sensor];
+  const double *range = bench.range.data(), *low = kind.range_min.data(), *high = kind.range_max.data();
+  for (std::uint32_t k = 0; k < kind.beams; ++k) {
+    const double above = range[k] < low[k] ? low[k] : range[k];
+    ranges[k] = static_cast<float>(above > high[k] ? high[k] : above);
+  }
+  for (std::uint32_t k = 0; k < kind.beams; ++k) intensities[k] = static_cast<float>(bench.intensity[k]);
+}
+
+std::size_t RangerSense::Bench::gather(const DiscIndex& index, Vec2 p, double reach) {
+  std::size_t count = 0;
+  const Vec2* const centers = index.centers();
+  double *const to_x = x.data(), *const to_y = y.data();
+  std::uint32_t* const to_place = place.data();
+  index.runs(p, reach, [&](std::uint32_t begin, std::uint32_t end) {
+    std::size_t at = count;
+    for (std::uint32_t i = begin; i < end; ++i, ++at) {
+      to_x[at] = centers[i].x - p.x;
+      to_y[at] = centers[i].y - p.y;
+      to_place[at] = i;
+    }
+    count = at;
+  });
+  return count;
 }
 
 void RangerSense::run_jitter(const Space& space, const View& view, const Jitter& jitter, double bearing,
@@ -123,58 +139,6 @@ void RangerSense::run_jitter(const Space& space, const View& view, const Jitter&
   bench.range[jitter.beam] = hit.range;
   if (hit.solid != world::ModelRow::kNone)
     bench.intensity[jitter.beam] = space.solids.ranger_return[hit.solid];
-}
-
-/// Walls first: what they hide need not be looked at.
-void RangerSense::run_bundle(const Space& space, const View& view, const Bundle& bundle, Bench& bench) {
-  const Solids& solids = space.solids;
-  const Vec2 p_WM = view.X_WM.xy();
-  const Rotation rotation = Rotation::of(view.X_WM.a);
-  double range[Bundle::kRays], intensity[Bundle::kRays];
-  for (std::size_t k = 0; k < bundle.rays(); ++k) {
-    bench.p[k] = p_WM + rotation * bundle.p[k];
-    bench.d[k] = rotation * bundle.d[k];
-    range[k] = bundle.range_max[k];
-    intensity[k] = 0;
-  }
-  const auto keep = [&](std::size_t k, double t, std::uint32_t row) {
-    if (t >= range[k] || !view.sees(solids, row) || !at_height(solids, row, view.X_WM.z + bundle.z[k]))
-      return;
-    range[k] = t;
-    intensity[k] = solids.ranger_return[row];
-  };
-
-  if (space.walls.count_near(box_about(p_WM, bundle.reach)) > 0)
-    for (std::size_t k = 0; k < bundle.rays(); ++k)
-      space.walls.along(bench.p[k], bench.d[k], &range[k], [&](const Walls::Edge& edge) {
-        keep(k, edge_hit(edge.a - bench.p[k], edge.b - bench.p[k], bench.d[k]), edge.solid);
-      });
-
-  const double z_low = view.X_WM.z + bundle.z_min, z_high = view.X_WM.z + bundle.z_max;
-  const double per_cell = 1.0 / bundle.cell;
-  space.index.near(p_WM, bundle.reach, [&](const DiscIndex::Disc& disc) {
-    if (disc.root == view.root || disc.z_max < z_low || disc.z_min > z_high) return;
-    const Vec2 c = rotation.inverse(disc.center - p_WM);
-    if (std::fabs(c.x) >= bundle.half || std::fabs(c.y) >= bundle.half) return;
-    const auto column = static_cast<std::size_t>((c.x + bundle.half) * per_cell);
-    const auto row = static_cast<std::size_t>((c.y + bundle.half) * per_cell);
-    const std::size_t cell =
-        std::min(row, Bundle::kCells - 1) * Bundle::kCells + std::min(column, Bundle::kCells - 1);
-    const double radius = disc.radius + kMargin;
-    for (std::uint64_t rays = bundle.meets[cell]; rays != 0; rays &= rays - 1) {
-      const auto k = static_cast<std::size_t>(std::countr_zero(rays));
-      const Vec2 to_disc = c - bundle.p[k];
-      const double ahead = geom::dot(bundle.d[k], to_disc);
-      if (ahead < -radius || ahead - radius > range[k]) continue;
-      if (std::fabs(geom::cross(bundle.d[k], to_disc)) > radius) continue;
-      keep(k, polygon_hit(solids.polygon(disc.row), bench.p[k], bench.d[k]), disc.row);
-    }
-  });
-
-  for (std::size_t k = 0; k < bundle.rays(); ++k) {
-    bench.range[bundle.beam[k]] = range[k];
-    bench.intensity[bundle.beam[k]] = intensity[k];
-  }
 }
 
 }  // namespace playhouse::stage

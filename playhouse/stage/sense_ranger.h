@@ -23,21 +23,28 @@ class RangerSense {
   /// Scratch memory of one worker.
   struct Bench {
     std::vector<double> range, intensity;  // of the ranger's beams
-    std::vector<const DiscIndex::Disc*> discs;
-    std::vector<Vec2> corner;          // of one polygon, in S
-    std::vector<double> bearing;       // of the corners                             [rad]
-    std::vector<Vec2> p, d;            // of a bundle's rays, in W
-    std::vector<std::uint64_t> stamp;  // last scan that saw a wall edge (edges)
+    // Moving solids near the ranger: centres from it along W's axes, then along its own; places in the index.
+    std::vector<double> x, y, distance;  // m
+    std::vector<std::uint32_t> place, order;
+    std::vector<std::int32_t> cell;
+    std::vector<double> corner_x, corner_y;  // of one polygon, in S; the first again at the end  [m]
+    std::vector<std::uint64_t> stamp;        // last scan that saw a wall edge (edges)
     std::uint64_t scans = 0;
+
+    std::size_t gather(const DiscIndex& index, Vec2 p, double reach);
+    std::size_t sort_by_distance(std::size_t count, double reach, double behind);
   };
   struct View;
 
   void measure(world::World& world, const Space& space, std::uint32_t ranger, std::uint64_t tick,
                Bench& bench) const;
-  void finish(world::World& world, std::uint32_t ranger, std::uint64_t tick, const Bench& bench) const;
+  void finish(world::World& world, std::uint32_t ranger, std::uint64_t tick, Bench& bench) const;
 
   static void run_scan(const Space& space, const View& view, const Scan& scan, Bench& bench);
-  static void scan_walls(const Space& space, const View& view, const Scan& scan, Bench& bench);
+  static void scan_bodies(const Space& space, const Pose& X_WS, double z, const View& view, const Scan& scan,
+                          Bench& bench);
+  static void scan_walls(const Space& space, const Pose& X_WS, double z, const View& view, const Scan& scan,
+                         Bench& bench);
   static void run_bundle(const Space& space, const View& view, const Bundle& bundle, Bench& bench);
   static void run_jitter(const Space& space, const View& view, const Jitter& jitter, double bearing,
                          Bench& bench);

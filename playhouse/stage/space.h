@@ -27,23 +27,8 @@ inline double edge_hit(Vec2 w0, Vec2 w1, Vec2 d) {
   return t >= 0 ? t : kMiss;
 }
 
-/// Distance from p along d to the outline of a polygon, from outside or inside.
-inline double polygon_hit(std::span<const Vec2> polygon, Vec2 p, Vec2 d) {
-  double best = kMiss;
-  Vec2 before = polygon.back() - p;
-  double s_before = geom::cross(d, before);
-  for (const Vec2 corner : polygon) {
-    const Vec2 w = corner - p;
-    const double s = geom::cross(d, w);
-    if (!(s < 0 && s_before < 0) && !(s > 0 && s_before > 0) && s != s_before) {
-      const double t = geom::cross(before, w) / (s - s_before);
-      if (t >= 0 && t < best) best = t;
-    }
-    before = w;
-    s_before = s;
-  }
-  return best;
-}
+/// Distance from p along d to the outline of a polygon, from outside or inside; kMiss if it is not met.
+double polygon_hit(std::span<const Vec2> polygon, Vec2 p, Vec2 d);
 
 struct Ray {
   Vec2 p, d;               // from p towards the unit vector d, in W

@@ -26,8 +26,10 @@ class Torus {
   /// The cell coordinate that holds x, not wrapped.
   std::int64_t along(double x) const {
     constexpr double kFar = 1e15;  // beyond this a cell is as good as any other
-    const double scaled = x * per_metre_;
-    return static_cast<std::int64_t>(std::floor(scaled > kFar ? kFar : scaled < -kFar ? -kFar : scaled));
+    double scaled = x * per_metre_;
+    scaled = scaled > kFar ? kFar : scaled < -kFar ? -kFar : scaled;
+    const auto towards_zero = static_cast<std::int64_t>(scaled);
+    return towards_zero - (static_cast<double>(towards_zero) > scaled ? 1 : 0);
   }
   std::size_t wrap(std::int64_t c) const { return static_cast<std::size_t>(c) & (side() - 1); }
   std::size_t index(std::int64_t cx, std::int64_t cy) const { return (wrap(cy) << bits_) + wrap(cx); }

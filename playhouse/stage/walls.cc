@@ -20,6 +20,18 @@ double cell_for(double total_length, std::size_t edges) {
   return std::clamp(typical, std::max(0.5, affordable), std::max(2.0, affordable));
 }
 
+/// Enough that far apart places seldom share a cell: the whole extent where that is affordable.
+std::size_t cells_for(const std::vector<Walls::Edge>& edges, double total_length, double cell) {
+  geom::Box box;
+  for (const Walls::Edge& edge : edges) {
+    box.add(edge.a);
+    box.add(edge.b);
+  }
+  const double across = std::max(box.x_max - box.x_min, box.y_max - box.y_min) / cell + 2;
+  const double listings = static_cast<double>(edges.size()) + total_length / cell;
+  return static_cast<std::size_t>(std::min(std::max(across * across, 2 * listings), 1048576.0));
+}
+
 }  // namespace
 
 /// The cells an edge touches, row by row.
@@ -57,7 +69,7 @@ Walls::Walls(const Solids& solids) {
   if (all.empty()) return;
 
   const double cell = cell_for(total_length, all.size());
-  torus_ = Torus(cell, all.size() + static_cast<std::size_t>(std::min(total_length / cell, 1e7)));
+  torus_ = Torus(cell, cells_for(all, total_length, cell));
   first_.assign(torus_.cells() + 1, 0);
   for (const Edge& edge : all) rasterise(edge, [&](std::size_t index) { ++first_[index + 1]; });
   for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
