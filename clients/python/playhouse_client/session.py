@@ -71,15 +71,17 @@ class Session:
                 raise
             if not self._answers(message.header, key):
                 self._sort(message)
-            elif message.header.sequence == self._sequence and (self._sequence or key not in self._abandoned):
+            elif self._is_ours(message.header.sequence, key):
                 return message
-            elif message.header.sequence == 0 and key not in self._abandoned:
-                return message  # a server that does not return numbers
             else:
                 self.skipped_count += 1
                 if key in self._abandoned:
                     self._abandoned.remove(key)
                     settled = True
+
+    def _is_ours(self, sequence: int, key: _Key) -> bool:
+        """Number 0 is what an old request had, and what servers send that do not return numbers."""
+        return sequence == self._sequence if sequence else key not in self._abandoned
 
     @staticmethod
     def _answers(header: Header, key: _Key) -> bool:

@@ -3,6 +3,7 @@
 import math
 import os
 import re
+import signal
 import subprocess
 import sys
 import time
@@ -116,6 +117,18 @@ class Examples(unittest.TestCase):
                 path, _ = track([*command, world.address, "0", "6"], look)
                 self.assertGreater(length(path), 3.0)
                 self.assertFalse(any(stalls))
+                self.assert_stands(client, simulator, 0, "r0")
+
+    def test_ctrl_c_stops_the_robot(self) -> None:
+        for language, command in examples("wander").items():
+            with self.subTest(language), World("simple.world") as world, connect(world.address) as client:
+                simulator = client.simulation(0)
+                start = simulator.pose("r0")
+                process = subprocess.Popen([*command, world.address])
+                while process.poll() is None and distance(start, simulator.pose("r0")) < 0.2:
+                    time.sleep(0.01)
+                process.send_signal(signal.SIGINT)
+                self.assertEqual(process.wait(HANG), 130)
                 self.assert_stands(client, simulator, 0, "r0")
 
     def test_follow_stays_with_its_leader(self) -> None:
