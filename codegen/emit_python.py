@@ -1,7 +1,7 @@
 """Writes clients/python/playhouse_client/generated/: one module per interface, standard library only.
 
-A module holds the interface's constants, one dataclass per struct, and one MessageType per message under the name
-Player's users know without its prefix (PLAYER_POSITION2D_CMD_VEL is position2d.CMD_VEL).
+A module holds the interface's constants, one dataclass per struct, and one MessageType per message under the
+name Player's users know without its prefix (PLAYER_POSITION2D_CMD_VEL is position2d.CMD_VEL).
 """
 
 from __future__ import annotations
@@ -32,14 +32,17 @@ def emit(schema: Schema) -> dict[str, str]:
 
 def _module(schema: Schema, interface: Interface) -> str:
     _check_names(interface)
-    title = "What every interface shares" if interface.code is None else f"Interface {interface.name}, code {interface.code}"
-    parts = [f'"""{_wrapped(f"{title}. {interface.doc}", 0)}\n\nGenerated from {interface.source} by codegen; do not edit.\n"""\n']
+    shared = interface.code is None
+    title = "What every interface shares" if shared else f"Interface {interface.name}, code {interface.code}"
+    about = f"Generated from {interface.source} by codegen; do not edit."
+    parts = [f'"""{_wrapped(f"{title}. {interface.doc}", 0)}\n\n{about}\n"""\n']
     parts.append(_imports(interface))
-    if interface.code is not None:
+    if not shared:
         parts.append(f"CODE = {interface.code}\n")
     parts += [_constants_text(interface, c) for c in interface.constants]
     parts += [_struct(schema, interface, s) for s in _in_order(interface)]
-    parts += ["\n" + "\n".join(_message(interface, m) for m in interface.messages) + "\n"] if interface.messages else []
+    if interface.messages:
+        parts.append("\n" + "\n".join(_message(interface, m) for m in interface.messages) + "\n")
     return "\n".join(parts)
 
 
@@ -65,7 +68,8 @@ def _imports(interface: Interface) -> str:
         lines.append("from typing import List")
     if lines:
         lines.append("")
-    names = (["Kind", "MessageType"] if interface.messages else []) + (["Reader", "Struct", "Writer"] if fields else [])
+    names = ["Kind", "MessageType"] if interface.messages else []
+    names += ["Reader", "Struct", "Writer"] if fields else []
     owners = {f.owner for f in fields} | {m.owner for m in interface.messages}
     lines += [f"from . import {owner}" for owner in sorted(owners - {"", interface.name})]
     lines.append(f"from ..wire import {', '.join(names)}")
@@ -101,16 +105,19 @@ def _in_order(interface: Interface) -> list[Struct]:
 
 
 def _struct(schema: Schema, interface: Interface, s: Struct) -> str:
-    lines = ["", "@dataclass", f"class {s.name}(Struct):", f'    """{_wrapped(f"{s.doc} ({s.c_name})", 4)}"""', ""]
+    about = _wrapped(f"{s.doc} ({s.c_name})", 4)
+    lines = ["", "@dataclass", f"class {s.name}(Struct):", f'    """{about}"""', ""]
     for f in s.fields:
         lines += _field_comment(f)
         lines.append(f"    {f.name}: {_type(interface, f)} = {_default(interface, f)}")
     lines += ["", "    def write(self, writer: Writer) -> None:"]
     for step, f in s.steps():
         lines += ["        " + line for line in (_write_count(f) if step == "count" else _write(f))]
-    lines += ["", "    @classmethod", f'    def read(cls, reader: Reader) -> "{s.name}":', "        self = cls()"]
+    lines += ["", "    @classmethod", f'    def read(cls, reader: Reader) -> "{s.name}":']
+    lines.append("        self = cls()")
     for step, f in s.steps():
-        lines += ["        " + line for line in (_read_count(f) if step == "count" else _read(schema, interface, f))]
+        step_lines = _read_count(f) if step == "count" else _read(schema, interface, f)
+        lines += ["        " + line for line in step_lines]
     lines += ["        return self", ""]
     return "\n".join(lines)
 
@@ -191,7 +198,8 @@ def _count(f: Field) -> str:
 def _read(schema: Schema, interface: Interface, f: Field) -> list[str]:
     me = f"self.{f.name}"
     if not f.is_array:
-        return [f'{me} = reader.number("{CODES[f.type]}")' if f.is_scalar else f"{me} = {_class(interface, f)}.read(reader)"]
+        one = f'reader.number("{CODES[f.type]}")' if f.is_scalar else f"{_class(interface, f)}.read(reader)"
+        return [f"{me} = {one}"]
     length = str(f.length)
     if f.length is None:
         least = 1 if f.type in OPAQUE else SCALARS[f.type] if f.is_scalar else schema.struct_of(f).min_bytes
@@ -200,6 +208,9 @@ def _read(schema: Schema, interface: Interface, f: Field) -> list[str]:
         return [f"{me} = reader.opaque({length})"]
     if f.is_scalar:
         return [f'{me} = reader.numbers("{CODES[f.type]}", {length})']
+    if f.length is None:
+        return [f"{f.name}_length = {length}",
+                f"{me} = [{_class(interface, f)}.read(reader) for _ in range({f.name}_length)]"]
     return [f"{me} = [{_class(interface, f)}.read(reader) for _ in range({length})]"]
 
 
@@ -208,10 +219,14 @@ def _message_name(m: Message) -> str:
 
 
 def _message(interface: Interface, m: Message) -> str:
-    payload = "" if not m.payload else ", " + (m.payload if m.owner == interface.name else f"{m.owner}.{m.payload}")
+    payload = m.payload if m.owner == interface.name else f"{m.owner}.{m.payload}"
     name = f"{interface.name if interface.code is not None else 'universal'}.{m.label}"
     doc = "\n".join(f"# {line}" for line in textwrap.wrap(m.doc, WIDTH - 2))
-    made = f'{_message_name(m)} = MessageType({interface.code or 0}, Kind.{m.kind}, {m.subtype}, "{name}"{payload})'
+    row = [str(interface.code or 0), f"Kind.{m.kind}", str(m.subtype), f'"{name}"']
+    row += [payload] if m.payload else []
+    made = f"{_message_name(m)} = MessageType({', '.join(row)})"
+    if len(made) > WIDTH:
+        made = f"{_message_name(m)} = MessageType(\n    {', '.join(row)}\n)"
     return f"{doc}\n{made}" if doc else made
 
 
@@ -255,7 +270,7 @@ _CATALOGUE = _catalogue()
 
 
 def find_message(interface: int, kind: int, subtype: int) -> Optional[MessageType]:
-    """The row of a message, or None. An answer has the row of its request; shared requests belong to every interface."""
+    """The row of a message, or None. Answers share the row of their request, all interfaces the rows of common."""
     if kind in (Kind.ACK, Kind.NACK):
         kind = Kind.REQ
     return _CATALOGUE.get((0, kind, subtype)) or _CATALOGUE.get((interface, kind, subtype))
@@ -263,5 +278,5 @@ def find_message(interface: int, kind: int, subtype: int) -> Optional[MessageTyp
 
 
 def _wrapped(text: str, indent: int) -> str:
-    lines = textwrap.wrap(text.strip(), WIDTH - indent - 4)
+    lines = textwrap.wrap(text.strip(), WIDTH - indent - 6)
     return ("\n" + " " * indent).join(lines)

@@ -1,5 +1,7 @@
-"""Builds the package for `pip install clients/python`, without a network and with nothing but Python: robots are often
-offline, and what setuptools would do for these few files fits here. The functions are those of PEP 517 and PEP 660.
+"""Builds the package for `pip install clients/python`, without a network and with nothing but Python.
+
+Robots are often offline, and what setuptools would do for these few files fits here. The functions are those of
+PEP 517 and PEP 660.
 """
 
 import base64
@@ -34,7 +36,9 @@ def _write(folder: str, files: Dict[str, bytes]) -> str:
         "Summary: Drive robots behind a Player 3 server: standard library only\n"
         "License: Apache-2.0\nRequires-Python: >=3.8\n"
     ).encode()
-    files[f"{about}/WHEEL"] = b"Wheel-Version: 1.0\nGenerator: make_wheel\nRoot-Is-Purelib: true\nTag: py3-none-any\n"
+    files[f"{about}/WHEEL"] = (
+        b"Wheel-Version: 1.0\nGenerator: make_wheel\nRoot-Is-Purelib: true\nTag: py3-none-any\n"
+    )
     record = "".join(f"{path},sha256={_digest(content)},{len(content)}\n" for path, content in files.items())
     files[f"{about}/RECORD"] = (record + f"{about}/RECORD,,\n").encode()
     name = f"{PACKAGE}-{version()}-py3-none-any.whl"

@@ -3,8 +3,8 @@
 
     follow.py [HOST:PORT [INDEX [SECONDS [MARKER [FINDER]]]]]
 
-Robot INDEX (0), for SECONDS (0: until Ctrl-C), after the marker of number MARKER (the nearest of any number), seen by
-the fiducial finder FINDER (INDEX).
+Robot INDEX (0), for SECONDS (0: until Ctrl-C), after the marker of number MARKER (the nearest of any number),
+seen by the fiducial finder FINDER (INDEX).
 """
 
 from typing import List, Optional
@@ -27,11 +27,13 @@ def follow(client: Client, index: int, clock: Clock, more: List[int]) -> None:
                 break
             marker = choose(markers, wanted)
             if marker is None:
-                robot.drive(0.0, TURN / 2 if lost_to_the_left else -TURN / 2)  # looks around where it was last
+                # It looks around, beginning where the marker was last.
+                robot.drive(0.0, TURN / 2 if lost_to_the_left else -TURN / 2)
                 continue
             lost_to_the_left = marker.bearing > 0
             speed = max(-SPEED, min(SPEED, marker.distance - DISTANCE))
-            robot.drive(speed if abs(marker.bearing) < 1.0 else 0.0, max(-TURN, min(TURN, 2.0 * marker.bearing)))
+            turn = max(-TURN, min(TURN, 2.0 * marker.bearing))
+            robot.drive(speed if abs(marker.bearing) < 1.0 else 0.0, turn)
 
 
 def choose(markers: List[Marker], wanted: Optional[int]) -> Optional[Marker]:

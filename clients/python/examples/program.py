@@ -5,7 +5,7 @@ import sys
 import time
 from typing import Callable, List
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))  # the package of this checkout, if none is installed
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))  # runs in place, without an installation
 
 from playhouse_client import Client, PlayerError, connect  # noqa: E402
 

@@ -32,7 +32,8 @@ from .proxies import (
 __version__ = "0.1.0"
 
 __all__ = [
-    "Access", "Client", "ConnectionLost", "Device", "DeviceEntry", "Fiducial", "Geometry", "Laser", "Marker", "Mode",
-    "PlayerError", "Pose", "Pose3d", "Position2d", "Ranger", "RequestRefused", "RequestTimeout", "Rule", "Scan",
-    "Simulation", "Size", "Sonar", "State", "Velocity", "WireError", "connect",
+    "Access", "Client", "ConnectionLost", "Device", "DeviceEntry", "Fiducial", "Geometry", "Laser",
+    "Marker", "Mode", "PlayerError", "Pose", "Pose3d", "Position2d", "Ranger", "RequestRefused",
+    "RequestTimeout", "Rule", "Scan", "Simulation", "Size", "Sonar", "State", "Velocity", "WireError",
+    "connect",
 ]

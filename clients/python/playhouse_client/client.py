@@ -52,7 +52,12 @@ class Client:
     """
 
     def __init__(
-        self, host: str = "localhost", port: int = DEFAULT_PORT, *, mode: Mode = Mode.PULL, timeout: float = 5.0
+        self,
+        host: str = "localhost",
+        port: int = DEFAULT_PORT,
+        *,
+        mode: Mode = Mode.PULL,
+        timeout: float = 5.0,
     ) -> None:
         self._session = Session(Connection(host, port, timeout), timeout)
         self._devices: Dict[Tuple[int, int], List[Device]] = {}
@@ -100,8 +105,9 @@ class Client:
     def read(self, timeout: Optional[float] = None) -> int:
         """Waits for the next data and hands them to the devices; returns how many messages there were.
 
-        In pull mode this is one round: everything the server holds for this client. In push mode it is what has
-        arrived, at least one message. Raises RequestTimeout when no data come; the next read() goes on waiting.
+        In pull mode this is one round: everything the server holds for this client. In push mode it is what
+        has arrived, at least one message. Raises RequestTimeout when no data come; the next read() goes on
+        waiting.
         """
         if self._reading:
             raise PlayerError("read() was called from a callback that read() itself is running")
@@ -183,7 +189,8 @@ class Client:
         delivered = self._deliver()
         if not self._session.round_open:
             self._session.round_open = True
-            self._session.request(player.CODE, 0, player.REQ_DATA, timeout=max(deadline - time.monotonic(), 0.0))
+            patience = max(deadline - time.monotonic(), 0.0)
+            self._session.request(player.CODE, 0, player.REQ_DATA, timeout=patience)
         delivered += self._deliver()
         while self._session.round_open:
             self._session.sort_next(deadline)

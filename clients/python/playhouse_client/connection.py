@@ -59,7 +59,7 @@ class Connection:
         header = Header.decode(self._bytes[:HEADER_BYTES])
         if header.size > MAX_BODY_BYTES:
             self._drop()
-            raise ConnectionLost(f"{self.peer}: a header announces {header.size} bytes, over the wire's limit")
+            raise ConnectionLost(f"{self.peer}: a header announces {header.size} bytes, over the limit")
         end = HEADER_BYTES + header.size
         self._need(end, deadline)
         body = bytes(self._bytes[HEADER_BYTES:end])
@@ -76,7 +76,7 @@ class Connection:
     def close(self, patience: float) -> None:
         """Says goodbye and waits up to `patience` seconds for the server to have read everything.
 
-        Closing with unread data makes TCP throw away what is still on its way, a last stop command for instance.
+        Closing with unread data makes TCP throw away what is still on its way: a last stop command, perhaps.
         """
         if self._socket is None:
             return

@@ -24,7 +24,7 @@ class Access(enum.IntEnum):
 
 
 class _PropertyKind(NamedTuple):
-    """The messages that get and set properties of one Python type, and how a value goes into them and comes out."""
+    """The messages that get and set properties of one Python type, and how a value goes in and comes out."""
 
     get: MessageType
     set: MessageType
@@ -46,11 +46,13 @@ _CODES = {name: code for code, name in INTERFACES.items()}
 class Device:
     """Opened by Client.device() or one of its sisters; closed by close() or by leaving a `with` block.
 
-    `driver` is the name of the driver behind the device, `timestamp` the server's time in seconds at the last data
-    (0 before the first), `fresh` says whether data have come that next_data() has not seen.
+    `driver` is the name of the driver behind the device, `timestamp` the server's time in seconds at the last
+    data (0 before the first), `fresh` says whether data have come that next_data() has not seen.
     """
 
-    def __init__(self, client: "Client", session: Session, interface: str, index: int, access: Access) -> None:
+    def __init__(
+        self, client: "Client", session: Session, interface: str, index: int, access: Access
+    ) -> None:
         if interface not in _CODES:
             raise PlayerError(f'there is no interface "{interface}"')
         self.interface = interface
@@ -74,7 +76,7 @@ class Device:
     def request(
         self, message: MessageType, payload: Optional[Struct] = None, timeout: Optional[float] = None
     ) -> Optional[Struct]:
-        """Asks and waits for the answer, None where it has no body. Raises RequestRefused or RequestTimeout."""
+        """Asks and waits for the answer, None if it has no body. Raises RequestRefused or RequestTimeout."""
         answer = self._session.request(self.code, self.index, message, payload, timeout)
         return message.payload.decode(answer.body) if message.payload and answer.body else None
 
@@ -91,13 +93,13 @@ class Device:
         self._callback = callback
 
     def next_data(self, timeout: Optional[float] = None) -> None:
-        """Reads until this device has data newer than at the last call; `timeout` in seconds holds for each read."""
+        """Reads until this device has data newer than at the last call; `timeout` (s) is each read's."""
         while not self.fresh:
             self._client.read(timeout)
         self.fresh = False
 
     def get_property(self, key: str, kind: Type[T]) -> T:
-        """A property by its key and its type: bool, int, float or str. Raises RequestRefused if there is none."""
+        """A property by its key and type: bool, int, float or str. Raises RequestRefused if there is none."""
         row = _PROPERTIES[kind]
         answer = self.request(row.get, row.get.payload(key=c_string(key)))
         if answer is None:
@@ -148,7 +150,8 @@ class Device:
         try:
             answer = self._session.request(player.CODE, 0, player.REQ_DEV, body)
         except RequestRefused:
-            raise RequestRefused(f"{self._session.connection.peer}: there is no {self.name} to {verb}") from None
+            peer = self._session.connection.peer
+            raise RequestRefused(f"{peer}: there is no {self.name} to {verb}") from None
         granted = player.DeviceReq.decode(answer.body)
         if granted.access == player.ERROR_MODE:
             raise RequestRefused(f"{self._session.connection.peer}: cannot {verb} {self.name}")

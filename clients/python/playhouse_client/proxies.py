@@ -1,4 +1,5 @@
-"""What programs do with the common kinds of device. SI units and radians; x forward, y left, angles counter-clockwise.
+"""What programs do with the common kinds of device. SI units and radians; x forward, y left, angles
+counter-clockwise.
 
 Reading a property never waits: it shows what the last Client.read() brought.
 """
@@ -55,7 +56,7 @@ class Geometry(NamedTuple):
 
 
 class State(NamedTuple):
-    """Odometry of a base: `pose` where it believes to be, `velocity` how it moves, `stalled` if it is blocked."""
+    """Odometry of a base: where it believes to be, how it moves, and whether it is blocked."""
 
     pose: Pose = Pose()
     velocity: Velocity = Velocity()
@@ -101,7 +102,9 @@ class Position2d(Device):
     @property
     def state(self) -> State:
         data = cast(Optional[position2d.Data], self.latest(position2d.DATA_STATE))
-        return State() if data is None else State(_pose(data.pos), Velocity(*_pose(data.vel)), bool(data.stall))
+        if data is None:
+            return State()
+        return State(_pose(data.pos), Velocity(*_pose(data.vel)), bool(data.stall))
 
     def updates(self, timeout: Optional[float] = None) -> Iterator[State]:
         """Reads for ever: one State for each time new data have come. Raises RequestTimeout."""
@@ -137,7 +140,8 @@ class Position2d(Device):
     def go_to(self, x: float, y: float, a: float, speed: float = 0.0) -> None:
         """To a pose in odometry's frame, with the driver's own planning; speed 0 is the driver's choice."""
         self._moving = True
-        self.command(position2d.CMD_POS, position2d.CmdPos(common.Pose2d(x, y, a), common.Pose2d(speed, 0.0, 0.0), 1))
+        goal, velocity = common.Pose2d(x, y, a), common.Pose2d(speed, 0.0, 0.0)
+        self.command(position2d.CMD_POS, position2d.CmdPos(goal, velocity, 1))
 
     def set_motor_power(self, on: bool) -> None:
         self.request(position2d.REQ_MOTOR_POWER, position2d.PowerConfig(int(on)))
@@ -159,7 +163,7 @@ class Position2d(Device):
 
 
 class Ranger(Device):
-    """A device that measures distances: a laser scanner, or a ring of sonars. Asks its set-up when it is opened."""
+    """A device that measures distances: a laser scanner, or a ring of sonars. Opening asks its set-up."""
 
     config = ranger.Config()
     geom = ranger.Geom()
@@ -180,7 +184,7 @@ class Ranger(Device):
         return data.intensities if data else []
 
     def scan(self) -> Scan:
-        """Ranges with directions: each element's own if there is one per range, else spread over the field of view."""
+        """Ranges with directions: each element's own if there is one per range, else spread over the view."""
         ranges, poses = self.ranges, self.geom.element_poses
         if len(poses) == len(ranges) and len(ranges) > 1:
             angles = [pose.pyaw for pose in poses]
@@ -294,7 +298,8 @@ class Simulation(Device):
     def pose(self, name: str) -> Pose:
         """Raises RequestRefused if there is no model of that name."""
         request = simulation.Pose2dReq(name=c_string(name))
-        return _pose(cast(simulation.Pose2dReq, _answer(self.request(simulation.REQ_GET_POSE2D, request))).pose)
+        answer = cast(simulation.Pose2dReq, _answer(self.request(simulation.REQ_GET_POSE2D, request)))
+        return _pose(answer.pose)
 
     def set_pose(self, name: str, x: float, y: float, a: float) -> None:
         request = simulation.Pose2dReq(c_string(name), common.Pose2d(x, y, a))
@@ -302,7 +307,8 @@ class Simulation(Device):
 
     def pose3d(self, name: str) -> Pose3d:
         request = simulation.Pose3dReq(name=c_string(name))
-        return _pose3d(cast(simulation.Pose3dReq, _answer(self.request(simulation.REQ_GET_POSE3D, request))).pose)
+        answer = cast(simulation.Pose3dReq, _answer(self.request(simulation.REQ_GET_POSE3D, request)))
+        return _pose3d(answer.pose)
 
     def set_pose3d(self, name: str, pose: Pose3d) -> None:
         request = simulation.Pose3dReq(c_string(name), common.Pose3d(*pose))

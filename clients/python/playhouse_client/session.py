@@ -1,4 +1,4 @@
-"""One conversation with a server: who an answer belongs to, which data wait, and when a round of data is over."""
+"""One conversation with a server: whose an answer is, which data wait, and when a round of data is over."""
 
 import time
 from collections import deque
@@ -31,11 +31,15 @@ class Session:
     def deadline(self, timeout: Optional[float]) -> float:
         return time.monotonic() + (self.timeout if timeout is None else timeout)
 
-    def send(self, interface: int, index: int, message: MessageType, payload: Optional[Struct], sequence: int = 0) -> None:
+    def send(
+        self, interface: int, index: int, message: MessageType, payload: Optional[Struct], sequence: int = 0
+    ) -> None:
         body = payload.encode() if payload is not None else b""
-        # As libplayerc does it: the port in what is meant for a device, nothing in what is meant for the server.
+        # As libplayerc does it: the port in what is meant for a device, nothing in what is for the server.
         robot = 0 if interface == player.CODE else self.connection.port
-        header = Header(interface, index, message.kind, message.subtype, time.time(), sequence, len(body), 0, robot)
+        header = Header(
+            interface, index, message.kind, message.subtype, time.time(), sequence, len(body), 0, robot
+        )
         self.connection.send(header, body)
 
     def request(
@@ -63,8 +67,8 @@ class Session:
             try:
                 message = self.connection.receive(deadline)
             except RequestTimeout:
-                # From now on requests are numbered, so that the answer to this one, should it still come, is not
-                # taken for another's. If an abandoned request got its answer meanwhile, the books are even.
+                # From now on requests are numbered, so that the answer to this one, should it still come, is
+                # not taken for another's. If an abandoned one got its answer meanwhile, the books are even.
                 self._sequence += 1
                 if not settled:
                     self._abandoned.append(key)
@@ -85,7 +89,8 @@ class Session:
 
     @staticmethod
     def _answers(header: Header, key: _Key) -> bool:
-        return header.kind in (Kind.ACK, Kind.NACK) and (header.interface, header.index, header.subtype) == key
+        answers = header.kind in (Kind.ACK, Kind.NACK)
+        return answers and (header.interface, header.index, header.subtype) == key
 
     def _sort(self, message: Message) -> None:
         if message.header.kind == Kind.DATA:

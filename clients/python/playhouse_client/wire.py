@@ -1,7 +1,7 @@
 """Bytes and values: Player's flavour of XDR and its message header. The generated classes are built on this.
 
-Everything is big endian and a multiple of four bytes. A list travels as its count at the place of the count field and
-again as a length in front of its elements; docs/wire.md has the rules.
+Everything is big endian and a multiple of four bytes. A list travels as its count at the place of the count
+field and again as a length in front of its elements; docs/wire.md has the rules.
 """
 
 import enum
@@ -52,7 +52,8 @@ class Header(NamedTuple):
         """Reads 40 bytes; the narrow fields keep their low bits only, as every Player receiver does."""
         host, robot, interface, index, kind, subtype, timestamp, sequence, size = _HEADER.unpack(data)
         return Header(
-            interface & 0xFFFF, index & 0xFFFF, kind & 0xFF, subtype & 0xFF, timestamp, sequence, size, host, robot
+            interface & 0xFFFF, index & 0xFFFF, kind & 0xFF, subtype & 0xFF,
+            timestamp, sequence, size, host, robot,
         )
 
 
@@ -86,7 +87,7 @@ class Reader:
         if count > limit:
             raise WireError(f"byte {self._at}: {name} has a length of {count}, over its limit of {limit}")
         if count * least > left:
-            raise WireError(f"byte {self._at}: {name} claims {count} elements, but only {left} bytes are left")
+            raise WireError(f"byte {self._at}: {name} claims {count} elements, but {left} bytes are left")
         return count
 
     def _take(self, size: int) -> int:
@@ -199,7 +200,7 @@ class Struct:
 
 @dataclass(frozen=True)
 class MessageType:
-    """One kind of message of one interface, as in PLAYER_POSITION2D_CMD_VEL. `payload` is None when it has no body."""
+    """One kind of message of one interface, as in PLAYER_POSITION2D_CMD_VEL; no `payload`, no body."""
 
     interface: int
     kind: Kind

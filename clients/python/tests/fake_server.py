@@ -34,7 +34,9 @@ class Peer:
     def send(self, data: bytes) -> None:
         self.socket.sendall(data)
 
-    def answer(self, request: Message, kind: Kind = Kind.ACK, body: bytes = b"", sequence: Optional[int] = None) -> None:
+    def answer(
+        self, request: Message, kind: Kind = Kind.ACK, body: bytes = b"", sequence: Optional[int] = None
+    ) -> None:
         h = request.header
         self.say(h.interface, h.index, kind, h.subtype, body, h.sequence if sequence is None else sequence)
 
@@ -46,7 +48,14 @@ class Peer:
         self.say(1, 0, Kind.SYNCH, 1 if lost is None else 2, body)
 
     def say(
-        self, interface: int, index: int, kind: int, subtype: int, body: bytes, sequence: int = 0, timestamp: float = 1.0
+        self,
+        interface: int,
+        index: int,
+        kind: int,
+        subtype: int,
+        body: bytes,
+        sequence: int = 0,
+        timestamp: float = 1.0,
     ) -> None:
         self.send(Header(interface, index, kind, subtype, timestamp, sequence, len(body)).encode() + body)
 

@@ -1,6 +1,6 @@
 """What the programs behind the recorded sessions did, done with this package.
 
-Run as a program it plays one of them: scenarios.py NAME HOST:PORT. clients/cpp/tests/scenarios.cc is its twin.
+Run as a program it plays one: scenarios.py NAME HOST:PORT. Its twin is clients/cpp/tests/scenarios.cc.
 """
 
 import sys

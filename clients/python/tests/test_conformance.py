@@ -40,7 +40,8 @@ def same_bytes(python: bytes, cpp: Any) -> bool:
 
 def same_float32(python: float, cpp: float) -> bool:
     """C++ prints the fewest digits that mean this float32."""
-    return struct.pack(">f", python) == struct.pack(">f", cpp) and struct.unpack(">f", struct.pack(">f", python)) == (python,)
+    packed = struct.pack(">f", python)
+    return packed == struct.pack(">f", cpp) and struct.unpack(">f", packed) == (python,)
 
 
 @recordings.needed

@@ -24,7 +24,7 @@ DIFFERENCES = {
 
 
 def replay(name: str, peer: Peer) -> None:
-    """Feeds the recorded answers: after each request up to its answer, after a request for data up to the SYNCH."""
+    """Feeds what was recorded: after a request up to its answer, after a request for data up to the SYNCH."""
     waiting = list(recordings.stream(name + ".s2c").messages())
     while True:
         message = peer.receive()
@@ -72,7 +72,8 @@ class Replay(unittest.TestCase):
 
     def check(self, command: Sequence[str], name: str) -> None:
         with FakeServer(lambda peer: replay(name, peer)) as server:
-            done = subprocess.run([*command, name, server.address], capture_output=True, text=True, timeout=60)
+            program = [*command, name, server.address]
+            done = subprocess.run(program, capture_output=True, text=True, timeout=60)
         self.assertEqual(done.returncode, 0, done.stderr)
         assert server.peer is not None
         sent = [masked(m) for m in server.peer.received]
@@ -90,7 +91,7 @@ class Replay(unittest.TestCase):
             with self.subTest(name):
                 self.check([sys.executable, script], name)
 
-    @unittest.skipUnless("PLAYHOUSE_CLIENT_SCENARIOS" in os.environ, "run by ctest, which names the C++ program")
+    @unittest.skipUnless("PLAYHOUSE_CLIENT_SCENARIOS" in os.environ, "run by ctest, with the C++ program")
     def test_cpp_sends_what_was_recorded(self) -> None:
         for name in SCENARIOS:
             with self.subTest(name):

@@ -1,4 +1,4 @@
-"""The examples, in Python and C++, drive robots of the real server; a second client watches through the simulation."""
+"""The examples, in Python and C++, drive robots of the real server; a second client watches."""
 
 import math
 import os
@@ -33,7 +33,8 @@ class World:
     """The server, running a world on a free port, as a `with` block."""
 
     def __init__(self, world: str) -> None:
-        command = [PROGRAM, "run", str(ROOT / "worlds" / world), "--port", "0", "--headless", "--speed", SPEED]
+        command = [PROGRAM, "run", str(ROOT / "worlds" / world)]
+        command += ["--port", "0", "--headless", "--speed", SPEED]
         self._process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         self.address = self._read_address()
 
@@ -56,7 +57,9 @@ class World:
         self._process.communicate(timeout=HANG)
 
 
-def track(command: Sequence[str], look: Callable[[], Tuple[float, ...]]) -> Tuple[List[Tuple[float, ...]], str]:
+def track(
+    command: Sequence[str], look: Callable[[], Tuple[float, ...]]
+) -> Tuple[List[Tuple[float, ...]], str]:
     """Runs an example to its end and looks all the while: what was seen, and what the example printed."""
     process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     seen, start = [look()], time.monotonic()
@@ -162,7 +165,8 @@ class Server(unittest.TestCase):
     def test_lists_its_devices_with_their_drivers(self) -> None:
         with connect(self.world.address) as client:
             listed = {entry.name: entry.driver for entry in client.devices()}
-            self.assertLessEqual({"simulation:0", "position2d:0", "ranger:0", "laser:0", "sonar:0"}, set(listed))
+            wanted = {"simulation:0", "position2d:0", "ranger:0", "laser:0", "sonar:0"}
+            self.assertLessEqual(wanted, set(listed))
             self.assertTrue(all(listed.values()), listed)
             self.assertTrue(client.banner.startswith("Player v."))
 

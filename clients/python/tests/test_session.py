@@ -152,7 +152,7 @@ class Reading(unittest.TestCase):
 
         with FakeServer(script(rounds)) as server, connect(server.address) as client:
             client.position2d(0)
-            with self.assertRaisesRegex(ConnectionLost, "over the wire's limit"):
+            with self.assertRaisesRegex(ConnectionLost, "over the limit"):
                 client.read()
             self.assertFalse(client.connected)
 

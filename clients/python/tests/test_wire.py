@@ -56,12 +56,13 @@ class Wire(unittest.TestCase):
         body = struct.pack(">II", 0xFFFFFFFF, 0xFFFFFFFF)
         with self.assertRaisesRegex(WireError, "devices has a length of 4294967295, over its limit of 4096"):
             player.DeviceDevlist.decode(body)
-        with self.assertRaisesRegex(WireError, "key claims 4294967295 elements, but only 0 bytes are left"):
+        with self.assertRaisesRegex(WireError, "key claims 4294967295 elements, but 0 bytes are left"):
             common.IntpropReq.decode(body)
 
     def test_the_second_length_counts_and_may_not_exceed_the_first(self) -> None:
         self.assertEqual(common.IntpropReq.decode(struct.pack(">II4si", 8, 4, b"abcd", 5)).key, b"abcd")
-        with self.assertRaisesRegex(WireError, "common.IntpropReq: byte 8: key has a length of 4, over its limit of 3"):
+        fault = "common.IntpropReq: byte 8: key has a length of 4, over its limit of 3"
+        with self.assertRaisesRegex(WireError, fault):
             common.IntpropReq.decode(struct.pack(">II4si", 3, 4, b"abcd", 5))
 
     def test_a_count_may_travel_apart_from_its_list(self) -> None:

@@ -160,7 +160,7 @@ _CATALOGUE = _catalogue()
 
 
 def find_message(interface: int, kind: int, subtype: int) -> Optional[MessageType]:
-    """The row of a message, or None. An answer has the row of its request; shared requests belong to every interface."""
+    """The row of a message, or None. Answers share the row of their request, all interfaces the rows of common."""
     if kind in (Kind.ACK, Kind.NACK):
         kind = Kind.REQ
     return _CATALOGUE.get((0, kind, subtype)) or _CATALOGUE.get((interface, kind, subtype))

@@ -74,7 +74,8 @@ class Data(Struct):
     def read(cls, reader: Reader) -> "Data":
         self = cls()
         actuators_count = reader.number("I")
-        self.actuators = [Actuator.read(reader) for _ in range(reader.length("actuators", actuators_count, 20))]
+        actuators_length = reader.length("actuators", actuators_count, 20)
+        self.actuators = [Actuator.read(reader) for _ in range(actuators_length)]
         self.motor_state = reader.number("B")
         return self
 
@@ -154,7 +155,8 @@ class Geom(Struct):
     def read(cls, reader: Reader) -> "Geom":
         self = cls()
         actuators_count = reader.number("I")
-        self.actuators = [Actuatorgeom.read(reader) for _ in range(reader.length("actuators", actuators_count, 80))]
+        actuators_length = reader.length("actuators", actuators_count, 80)
+        self.actuators = [Actuatorgeom.read(reader) for _ in range(actuators_length)]
         self.base_pos = common.Point3d.read(reader)
         self.base_orientation = common.Orientation3d.read(reader)
         return self

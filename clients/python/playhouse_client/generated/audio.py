@@ -120,7 +120,8 @@ class Seq(Struct):
     def read(cls, reader: Reader) -> "Seq":
         self = cls()
         tones_count = reader.number("I")
-        self.tones = [SeqItem.read(reader) for _ in range(reader.length("tones", tones_count, 16))]
+        tones_length = reader.length("tones", tones_count, 16)
+        self.tones = [SeqItem.read(reader) for _ in range(tones_length)]
         return self
 
 
@@ -165,7 +166,8 @@ class MixerChannelList(Struct):
     def read(cls, reader: Reader) -> "MixerChannelList":
         self = cls()
         channels_count = reader.number("I")
-        self.channels = [MixerChannel.read(reader) for _ in range(reader.length("channels", channels_count, 12))]
+        channels_length = reader.length("channels", channels_count, 12)
+        self.channels = [MixerChannel.read(reader) for _ in range(channels_length)]
         return self
 
 
@@ -214,7 +216,8 @@ class MixerChannelListDetail(Struct):
     def read(cls, reader: Reader) -> "MixerChannelListDetail":
         self = cls()
         details_count = reader.number("I")
-        self.details = [MixerChannelDetail.read(reader) for _ in range(reader.length("details", details_count, 12))]
+        details_length = reader.length("details", details_count, 12)
+        self.details = [MixerChannelDetail.read(reader) for _ in range(details_length)]
         self.default_output = reader.number("i")
         self.default_input = reader.number("i")
         return self

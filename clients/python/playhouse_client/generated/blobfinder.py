@@ -88,7 +88,8 @@ class Data(Struct):
         self.width = reader.number("I")
         self.height = reader.number("I")
         blobs_count = reader.number("I")
-        self.blobs = [Blob.read(reader) for _ in range(reader.length("blobs", blobs_count, 40))]
+        blobs_length = reader.length("blobs", blobs_count, 40)
+        self.blobs = [Blob.read(reader) for _ in range(blobs_length)]
         return self
 
 

@@ -73,7 +73,8 @@ class Geom(Struct):
     def read(cls, reader: Reader) -> "Geom":
         self = cls()
         bumper_def_count = reader.number("I")
-        self.bumper_def = [Define.read(reader) for _ in range(reader.length("bumper_def", bumper_def_count, 56))]
+        bumper_def_length = reader.length("bumper_def", bumper_def_count, 56)
+        self.bumper_def = [Define.read(reader) for _ in range(bumper_def_length)]
         return self
 
 

@@ -1,4 +1,5 @@
-"""What every interface shares. Values that several interfaces use, and the requests that any device may get.
+"""What every interface shares. Values that several interfaces use, and the requests that any device may
+get.
 
 Generated from interfaces/000_common.toml by codegen; do not edit.
 """
@@ -93,7 +94,8 @@ class Point3d(Struct):
 
 @dataclass
 class Orientation3d(Struct):
-    """An orientation in space: turns about z (yaw), then y (pitch), then x (roll). (player_orientation_3d_t)"""
+    """An orientation in space: turns about z (yaw), then y (pitch), then x (roll).
+    (player_orientation_3d_t)"""
 
     # About x (in rad).
     proll: float = 0.0

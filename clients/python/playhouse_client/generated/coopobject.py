@@ -191,7 +191,8 @@ class DataSensor(Struct):
         self = cls()
         self.header = Header.read(reader)
         data_count = reader.number("I")
-        self.data = [Sensor.read(reader) for _ in range(reader.length("data", data_count, 8))]
+        data_length = reader.length("data", data_count, 8)
+        self.data = [Sensor.read(reader) for _ in range(data_length)]
         return self
 
 

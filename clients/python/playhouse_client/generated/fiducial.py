@@ -53,7 +53,8 @@ class Data(Struct):
     def read(cls, reader: Reader) -> "Data":
         self = cls()
         fiducials_count = reader.number("I")
-        self.fiducials = [Item.read(reader) for _ in range(reader.length("fiducials", fiducials_count, 100))]
+        fiducials_length = reader.length("fiducials", fiducials_count, 100)
+        self.fiducials = [Item.read(reader) for _ in range(fiducials_length)]
         return self
 
 

@@ -31,7 +31,8 @@ class CmdPoints(Struct):
     def read(cls, reader: Reader) -> "CmdPoints":
         self = cls()
         points_count = reader.number("I")
-        self.points = [common.Point2d.read(reader) for _ in range(reader.length("points", points_count, 16))]
+        points_length = reader.length("points", points_count, 16)
+        self.points = [common.Point2d.read(reader) for _ in range(points_length)]
         self.color = common.Color.read(reader)
         return self
 
@@ -55,7 +56,8 @@ class CmdPolyline(Struct):
     def read(cls, reader: Reader) -> "CmdPolyline":
         self = cls()
         points_count = reader.number("I")
-        self.points = [common.Point2d.read(reader) for _ in range(reader.length("points", points_count, 16))]
+        points_length = reader.length("points", points_count, 16)
+        self.points = [common.Point2d.read(reader) for _ in range(points_length)]
         self.color = common.Color.read(reader)
         return self
 
@@ -86,7 +88,8 @@ class CmdPolygon(Struct):
     def read(cls, reader: Reader) -> "CmdPolygon":
         self = cls()
         points_count = reader.number("I")
-        self.points = [common.Point2d.read(reader) for _ in range(reader.length("points", points_count, 16))]
+        points_length = reader.length("points", points_count, 16)
+        self.points = [common.Point2d.read(reader) for _ in range(points_length)]
         self.color = common.Color.read(reader)
         self.fill_color = common.Color.read(reader)
         self.filled = reader.number("B")
@@ -112,7 +115,8 @@ class CmdMultiline(Struct):
     def read(cls, reader: Reader) -> "CmdMultiline":
         self = cls()
         points_count = reader.number("I")
-        self.points = [common.Point2d.read(reader) for _ in range(reader.length("points", points_count, 16))]
+        points_length = reader.length("points", points_count, 16)
+        self.points = [common.Point2d.read(reader) for _ in range(points_length)]
         self.color = common.Color.read(reader)
         return self
 

@@ -46,7 +46,8 @@ class CmdDraw(Struct):
         self = cls()
         self.draw_mode = reader.number("I")
         points_count = reader.number("I")
-        self.points = [common.Point3d.read(reader) for _ in range(reader.length("points", points_count, 24))]
+        points_length = reader.length("points", points_count, 24)
+        self.points = [common.Point3d.read(reader) for _ in range(points_length)]
         self.color = common.Color.read(reader)
         return self
 

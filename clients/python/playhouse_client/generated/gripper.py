@@ -1,5 +1,5 @@
-"""Interface gripper, code 3. A two-finger gripper, with light beams between the fingers and perhaps a place
-to store things.
+"""Interface gripper, code 3. A two-finger gripper, with light beams between the fingers and perhaps a
+place to store things.
 
 Generated from interfaces/003_gripper.toml by codegen; do not edit.
 """

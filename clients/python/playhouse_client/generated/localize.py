@@ -62,7 +62,8 @@ class Data(Struct):
         self.pending_count = reader.number("I")
         self.pending_time = reader.number("d")
         hypoths_count = reader.number("I")
-        self.hypoths = [Hypoth.read(reader) for _ in range(reader.length("hypoths", hypoths_count, 80))]
+        hypoths_length = reader.length("hypoths", hypoths_count, 80)
+        self.hypoths = [Hypoth.read(reader) for _ in range(hypoths_length)]
         return self
 
 
@@ -133,7 +134,8 @@ class GetParticles(Struct):
         self.mean = common.Pose2d.read(reader)
         self.variance = reader.number("d")
         particles_count = reader.number("I")
-        self.particles = [Particle.read(reader) for _ in range(reader.length("particles", particles_count, 32))]
+        particles_length = reader.length("particles", particles_count, 32)
+        self.particles = [Particle.read(reader) for _ in range(particles_length)]
         return self
 
 

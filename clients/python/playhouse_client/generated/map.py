@@ -114,7 +114,8 @@ class DataVector(Struct):
         self.miny = reader.number("f")
         self.maxy = reader.number("f")
         segments_count = reader.number("I")
-        self.segments = [common.Segment.read(reader) for _ in range(reader.length("segments", segments_count, 32))]
+        segments_length = reader.length("segments", segments_count, 32)
+        self.segments = [common.Segment.read(reader) for _ in range(segments_length)]
         return self
 
 

@@ -91,7 +91,8 @@ class WaypointsReq(Struct):
         self = cls()
         self.waypoints_distance = reader.number("d")
         waypoints_count = reader.number("I")
-        self.waypoints = [common.Pose2d.read(reader) for _ in range(reader.length("waypoints", waypoints_count, 24))]
+        waypoints_length = reader.length("waypoints", waypoints_count, 24)
+        self.waypoints = [common.Pose2d.read(reader) for _ in range(waypoints_length)]
         return self
 
 

@@ -44,7 +44,8 @@ class DeviceDevlist(Struct):
     def read(cls, reader: Reader) -> "DeviceDevlist":
         self = cls()
         reader.number("I")
-        self.devices = [common.Devaddr.read(reader) for _ in range(reader.length("devices", 4096, 16))]
+        devices_length = reader.length("devices", 4096, 16)
+        self.devices = [common.Devaddr.read(reader) for _ in range(devices_length)]
         return self
 
 

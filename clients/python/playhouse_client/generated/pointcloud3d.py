@@ -48,7 +48,8 @@ class Data(Struct):
     def read(cls, reader: Reader) -> "Data":
         self = cls()
         points_count = reader.number("I")
-        self.points = [Element.read(reader) for _ in range(reader.length("points", points_count, 40))]
+        points_length = reader.length("points", points_count, 40)
+        self.points = [Element.read(reader) for _ in range(points_length)]
         return self
 
 

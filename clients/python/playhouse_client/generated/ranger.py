@@ -85,9 +85,11 @@ class Geom(Struct):
         self.pose = common.Pose3d.read(reader)
         self.size = common.Bbox3d.read(reader)
         element_poses_count = reader.number("I")
-        self.element_poses = [common.Pose3d.read(reader) for _ in range(reader.length("element_poses", element_poses_count, 48))]
+        element_poses_length = reader.length("element_poses", element_poses_count, 48)
+        self.element_poses = [common.Pose3d.read(reader) for _ in range(element_poses_length)]
         element_sizes_count = reader.number("I")
-        self.element_sizes = [common.Bbox3d.read(reader) for _ in range(reader.length("element_sizes", element_sizes_count, 24))]
+        element_sizes_length = reader.length("element_sizes", element_sizes_count, 24)
+        self.element_sizes = [common.Bbox3d.read(reader) for _ in range(element_sizes_length)]
         return self
 
 

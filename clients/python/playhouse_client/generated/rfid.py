@@ -51,7 +51,8 @@ class Data(Struct):
     def read(cls, reader: Reader) -> "Data":
         self = cls()
         tags_count = reader.number("I")
-        self.tags = [Tag.read(reader) for _ in range(reader.length("tags", tags_count, 12))]
+        tags_length = reader.length("tags", tags_count, 12)
+        self.tags = [Tag.read(reader) for _ in range(tags_length)]
         return self
 
 

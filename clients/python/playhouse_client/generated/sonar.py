@@ -49,7 +49,8 @@ class Geom(Struct):
     def read(cls, reader: Reader) -> "Geom":
         self = cls()
         poses_count = reader.number("I")
-        self.poses = [common.Pose3d.read(reader) for _ in range(reader.length("poses", poses_count, 48))]
+        poses_length = reader.length("poses", poses_count, 48)
+        self.poses = [common.Pose3d.read(reader) for _ in range(poses_length)]
         return self
 
 

@@ -78,7 +78,8 @@ class Data(Struct):
         self.right_channel = camera.Data.read(reader)
         self.disparity = camera.Data.read(reader)
         points_count = reader.number("I")
-        self.points = [Pointcloud3dStereoElement.read(reader) for _ in range(reader.length("points", points_count, 24))]
+        points_length = reader.length("points", points_count, 24)
+        self.points = [Pointcloud3dStereoElement.read(reader) for _ in range(points_length)]
         self.mode = reader.number("I")
         return self
 

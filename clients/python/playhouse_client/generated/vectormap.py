@@ -90,7 +90,8 @@ class LayerData(Struct):
         name_count = reader.number("I")
         self.name = reader.opaque(reader.length("name", name_count, 1))
         features_count = reader.number("I")
-        self.features = [FeatureData.read(reader) for _ in range(reader.length("features", features_count, 24))]
+        features_length = reader.length("features", features_count, 24)
+        self.features = [FeatureData.read(reader) for _ in range(features_length)]
         return self
 
 
@@ -117,7 +118,8 @@ class Info(Struct):
         self = cls()
         self.srid = reader.number("I")
         layers_count = reader.number("I")
-        self.layers = [LayerInfo.read(reader) for _ in range(reader.length("layers", layers_count, 40))]
+        layers_length = reader.length("layers", layers_count, 40)
+        self.layers = [LayerInfo.read(reader) for _ in range(layers_length)]
         self.extent = common.Extent2d.read(reader)
         return self
 

@@ -123,7 +123,8 @@ class Data(Struct):
     def read(cls, reader: Reader) -> "Data":
         self = cls()
         links_count = reader.number("I")
-        self.links = [Link.read(reader) for _ in range(reader.length("links", links_count, 48))]
+        links_length = reader.length("links", links_count, 48)
+        self.links = [Link.read(reader) for _ in range(links_length)]
         self.throughput = reader.number("I")
         self.bitrate = reader.number("I")
         self.mode = reader.number("I")
