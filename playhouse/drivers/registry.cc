@@ -1,0 +1,63 @@
+#include "playhouse/drivers/registry.h"
+
+#include <fmt/format.h>
+
+#include "playhouse/base/nearest_word.h"
+#include "playhouse/drivers/rangertolaser/ranger_to_laser.h"
+#include "playhouse/drivers/stage_driver/stage_driver.h"
+
+namespace playhouse::drivers {
+namespace {
+
+/// Opens every device of the section for as long as the program runs.
+Result<void> keep_open(const scene::CfgSection& section, Site& site) {
+  for (const scene::DeviceAddress& provided : section.addresses("provides")) {
+    const Result<device::Address> address = site.resolve(provided);
+    if (!address) return Error{section.at("provides"), address.error().text};
+    const auto device = site.find(*address);
+    if (!device) continue;
+    if (const Result<void> held = site.surroundings().hold(device->id); !held) {
+      return Error{section.at("alwayson"), held.error().text};
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+void register_drivers(Registry& registry) {
+  registry.add("stage", make_stage_driver);
+  registry.add("rangertolaser", make_ranger_to_laser);
+}
+
+Result<std::unique_ptr<device::Driver>> Registry::make(const scene::CfgSection& section, Site& site) const {
+  const auto found = factories_.find(section.name());
+  if (found != factories_.end()) return found->second(section, site);
+  std::vector<std::string_view> names;
+  for (const auto& [name, factory] : factories_) names.push_back(name);
+  return Error{section.at("name"),
+               fmt::format("there is no driver \"{}\"{}; this program has {}", section.name(),
+                           did_you_mean(section.name(), names), fmt::join(names, ", "))};
+}
+
+Result<std::vector<std::unique_ptr<device::Driver>>> make_drivers(const Registry& registry,
+                                                                  const scene::CfgFile& file, Site& site) {
+  std::vector<std::unique_ptr<device::Driver>> drivers;
+  for (const scene::CfgSection& section : file.drivers) {
+    Result<std::unique_ptr<device::Driver>> driver = registry.make(section, site);
+    if (!driver) return driver.error();
+    drivers.push_back(std::move(*driver));
+    if (const Result<void> fault = section.fault(); !fault) return fault.error();
+  }
+  if (const Result<void> finished = site.finish(); !finished) return finished.error();
+  for (const scene::CfgSection& section : file.drivers) {
+    if (section.flag("alwayson", false)) {
+      if (const Result<void> open = keep_open(section, site); !open) return open.error();
+    }
+    for (const std::string& line : section.unread()) site.warn(line);
+  }
+  if (site.device_count() == 0) return Error{file.path, "no driver of this file provides a device"};
+  return drivers;
+}
+
+}  // namespace playhouse::drivers

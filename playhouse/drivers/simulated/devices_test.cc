@@ -1,0 +1,373 @@
+// What simulated devices answer and publish, checked against the world's columns.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <numbers>
+
+#include "playhouse/drivers/simulated/device_factory.h"
+#include "playhouse/drivers/simulated/simulated_driver.h"
+#include "playhouse/drivers/testing/still_engine.h"
+#include "playhouse/wire/generated/fiducial.h"
+#include "playhouse/wire/generated/laser.h"
+#include "playhouse/wire/generated/position2d.h"
+#include "playhouse/wire/generated/ranger.h"
+#include "playhouse/wire/generated/simulation.h"
+#include "playhouse/wire/generated/sonar.h"
+
+namespace playhouse::drivers {
+namespace {
+
+using std::numbers::pi;
+using wire::MessageType;
+
+constexpr const char* kWorld = R"(
+interval_sim 100
+resolution 0.02
+position( name "r0" pose [1 2 0 90] size [0.44 0.38 0.22] origin [-0.04 0 0 0] fiducial_return 7
+  localization "odom" update_interval 200
+  ranger( name "scanner" pose [0.1 0 -0.2 0] size [0.156 0.155 0.19]
+    sensor( pose [0.05 0 0.1 0] size [0.01 0.02 0.03] range [0.1 8] fov 180 samples 3 ) )
+  ranger( name "sonars"
+    sensor( pose [0.2 0.1 0 90] range [0 5] fov 15 samples 2 )
+    sensor( pose [0.2 -0.1 0 -90] range [0 5] fov 15 ) )
+  fiducial( name "finder" range_max 6 fov 90 )
+)
+)";
+
+/// One device of kWorld, open, with a driver in front of it.
+class Device : public ::testing::Test {
+ protected:
+  Device() : still_(kWorld), driver_(still_.simulation, "stage") {}
+
+  void open(std::uint16_t interf, const char* model) {
+    const world::ModelRow row =
+        interf == wire::simulation::kCode ? world::ModelRow{} : still_.world().find(model);
+    driver_.add(kId, make_device(still_.simulation, interf, row));
+    ASSERT_TRUE(driver_.start(kId));
+    still_.run(0);
+  }
+  template <typename Payload>
+  void command(std::uint8_t subtype, const Payload& payload) {
+    const std::vector<std::byte> body = wire::encode(payload);
+    EXPECT_TRUE(driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), subtype, body}));
+    still_.run(0);
+  }
+  /// The answer to a request, which must have come by the next moment between ticks.
+  testing::Notebook::Answer ask(std::uint8_t subtype, std::span<const std::byte> body = {}) {
+    driver_.request({kId, static_cast<std::uint8_t>(MessageType::kReq), subtype, body},
+                    device::Replier(still_.notebook, ++ticket_));
+    still_.run(0);
+    EXPECT_TRUE(still_.notebook.answers.contains(ticket_));
+    return still_.notebook.answers[ticket_];
+  }
+  template <typename Payload>
+  testing::Notebook::Answer ask_with(std::uint8_t subtype, const Payload& payload) {
+    return ask(subtype, wire::encode(payload));
+  }
+  template <typename Reply>
+  Reply reply(const testing::Notebook::Answer& answer) {
+    EXPECT_TRUE(answer.ack);
+    const Result<Reply> value = wire::decode<Reply>(answer.body);
+    EXPECT_TRUE(value);
+    return value ? *value : Reply{};
+  }
+  template <typename T>
+  T last(std::uint8_t subtype) {
+    for (auto it = still_.notebook.published.rbegin(); it != still_.notebook.published.rend(); ++it) {
+      if (it->subtype != subtype) continue;
+      EXPECT_EQ(it->device, kId);
+      return *wire::decode<T>(it->body);
+    }
+    ADD_FAILURE() << "nothing was published";
+    return {};
+  }
+  /// Puts ranges and intensities into a ranger's sensor.
+  void measure(const char* ranger, std::uint32_t sensor, std::vector<float> ranges,
+               std::vector<float> intensities) {
+    world::World& world = still_.world();
+    const world::ModelRow model = world.find(ranger);
+    const std::uint32_t row = world.rangers.first_sensor[world.models.part[model.index]] + sensor;
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+      world.sensors.ranges[world.sensors.first_beam[row] + i] = ranges[i];
+      world.sensors.intensities[world.sensors.first_beam[row] + i] = intensities[i];
+    }
+  }
+
+  static constexpr device::DeviceId kId{3};
+  testing::Stillness still_;
+  SimulatedDriver driver_;
+  std::uint64_t ticket_ = 0;
+};
+
+using Position2dDevice = Device;
+using RangerDevice = Device;
+using LaserDevice = Device;
+using SonarDevice = Device;
+using FiducialDevice = Device;
+using SimulationInterface = Device;
+
+namespace p2d = wire::position2d;
+
+TEST_F(Position2dDevice, opening_subscribes_the_model_and_closing_ends_that) {
+  open(p2d::kCode, "r0");
+  const world::ModelRow robot = still_.world().find("r0");
+  EXPECT_EQ(still_.world().models.subscribers[robot.index], 1u);
+  driver_.stop(kId);
+  still_.run(5);
+  EXPECT_EQ(still_.world().models.subscribers[robot.index], 0u);
+  EXPECT_TRUE(still_.notebook.published.empty());
+}
+
+TEST_F(Position2dDevice, publishes_what_the_robot_believes_at_its_own_interval) {
+  open(p2d::kCode, "r0");
+  world::Positions& positions = still_.world().positions;
+  positions.X_OM[0] = {0.5, -0.25, 0, 1};
+  positions.velocity[0] = {0.3, 0, 0, 0.2};
+  positions.stall[0] = 1;
+  still_.run(5);
+  ASSERT_EQ(still_.notebook.published.size(), 2u) << "every 200 ms of 100 ms ticks";
+  EXPECT_DOUBLE_EQ(still_.notebook.published[0].timestamp, 0.2);
+  EXPECT_EQ(last<p2d::Data>(p2d::kDataState), (p2d::Data{{0.5, -0.25, 1}, {0.3, 0, 0.2}, 1}));
+}
+
+TEST_F(Position2dDevice, velocities_goals_and_car_commands_reach_the_robot) {
+  open(p2d::kCode, "r0");
+  world::Positions& positions = still_.world().positions;
+  command(p2d::kCmdVel, p2d::CmdVel{{0.3, 0.1, 0.2}, 1});
+  EXPECT_EQ(positions.mode[0], world::ControlMode::kVelocity);
+  EXPECT_EQ(positions.command[0], (geom::Twist{0.3, 0.1, 0, 0.2}));
+  command(p2d::kCmdPos, p2d::CmdPos{{4, 5, 1}, {}, 1});
+  EXPECT_EQ(positions.mode[0], world::ControlMode::kPosition);
+  EXPECT_EQ(positions.goal[0].xy(), (geom::Vec2{4, 5}));
+  command(p2d::kCmdCar, p2d::CmdCar{0.7, 0.1});
+  EXPECT_EQ(positions.command[0], (geom::Twist{0.7, 0, 0, 0.1}));
+}
+
+TEST_F(Position2dDevice,
+       a_command_before_the_last_close_stops_with_the_robot_and_one_after_reopening_counts) {
+  open(p2d::kCode, "r0");
+  const std::vector<std::byte> ahead = wire::encode(p2d::CmdVel{{0.3, 0, 0}, 1});
+  const auto cmd = static_cast<std::uint8_t>(MessageType::kCmd);
+  driver_.command({kId, cmd, p2d::kCmdVel, ahead});
+  driver_.stop(kId);
+  still_.run(0);
+  EXPECT_EQ(still_.world().positions.command[0], geom::Twist{});
+  ASSERT_TRUE(driver_.start(kId));
+  driver_.command({kId, cmd, p2d::kCmdVel, ahead});
+  still_.run(0);
+  EXPECT_EQ(still_.world().positions.command[0].x, 0.3);
+}
+
+TEST_F(Position2dDevice, geometry_is_the_models_origin_and_size_with_width_across) {
+  open(p2d::kCode, "r0");
+  const auto geom = reply<p2d::Geom>(ask(p2d::kReqGetGeom));
+  EXPECT_EQ(geom.pose, (wire::Pose3d{-0.04, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(geom.size, (wire::Bbox3d{0.38, 0.44, 0.22}));
+}
+
+TEST_F(Position2dDevice, odometry_can_be_set_and_reset) {
+  open(p2d::kCode, "r0");
+  EXPECT_TRUE(ask_with(p2d::kReqSetOdom, p2d::SetOdomReq{{3, 4, 0.5}}).ack);
+  EXPECT_NEAR(still_.world().positions.X_OM[0].x, 3, 1e-12);
+  EXPECT_NEAR(still_.world().positions.X_OM[0].a, 0.5, 1e-12);
+  EXPECT_TRUE(ask(p2d::kReqResetOdom).ack);
+  EXPECT_NEAR(still_.world().positions.X_OM[0].x, 0, 1e-12);
+  EXPECT_FALSE(ask_with(p2d::kReqSetOdom, p2d::SetOdomReq{{std::nan(""), 0, 0}}).ack);
+  EXPECT_FALSE(ask(p2d::kReqSetOdom).ack) << "no payload, no odometry";
+}
+
+TEST_F(Position2dDevice, motors_go_off_and_on_and_are_on_again_for_the_next_user) {
+  open(p2d::kCode, "r0");
+  EXPECT_TRUE(ask_with(p2d::kReqMotorPower, p2d::PowerConfig{0}).ack);
+  EXPECT_EQ(still_.world().positions.motor_on[0], 0);
+  driver_.stop(kId);
+  still_.run(0);
+  EXPECT_EQ(still_.world().positions.motor_on[0], 1);
+}
+
+TEST_F(Position2dDevice, refuses_what_it_cannot_do_and_says_what_it_can) {
+  open(p2d::kCode, "r0");
+  EXPECT_FALSE(ask_with(p2d::kReqSpeedPid, p2d::SpeedPidReq{}).ack);
+  EXPECT_FALSE(driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), p2d::kCmdVelHead, {}}));
+  EXPECT_TRUE(driver_.capable(kId, static_cast<std::uint8_t>(MessageType::kReq), p2d::kReqGetGeom));
+  EXPECT_FALSE(driver_.capable(kId, static_cast<std::uint8_t>(MessageType::kReq), p2d::kReqSpeedPid));
+}
+
+TEST_F(RangerDevice, a_scanner_publishes_all_its_samples) {
+  open(wire::ranger::kCode, "r0.scanner");
+  measure("r0.scanner", 0, {1, 2, 8}, {1, 0.5f, 0});
+  still_.run(1);
+  EXPECT_EQ(last<wire::ranger::DataRange>(wire::ranger::kDataRange).ranges, (std::vector<double>{1, 2, 8}));
+  EXPECT_EQ(last<wire::ranger::DataIntns>(wire::ranger::kDataIntns).intensities,
+            (std::vector<double>{1, 0.5, 0}));
+  EXPECT_EQ(still_.notebook.batches, 1);
+}
+
+TEST_F(RangerDevice, an_array_publishes_the_nearest_echo_of_each_sensor) {
+  open(wire::ranger::kCode, "r0.sonars");
+  measure("r0.sonars", 0, {3, 2}, {1, 0.5f});
+  measure("r0.sonars", 1, {4}, {1});
+  still_.run(1);
+  EXPECT_EQ(last<wire::ranger::DataRange>(wire::ranger::kDataRange).ranges, (std::vector<double>{2, 4}));
+  EXPECT_EQ(last<wire::ranger::DataIntns>(wire::ranger::kDataIntns).intensities,
+            (std::vector<double>{0.5, 1}));
+}
+
+TEST_F(RangerDevice, configuration_spaces_the_beams_over_the_whole_field_of_view) {
+  open(wire::ranger::kCode, "r0.scanner");
+  const auto config = reply<wire::ranger::Config>(ask(wire::ranger::kReqGetConfig));
+  EXPECT_NEAR(config.min_angle, -pi / 2, 1e-9);
+  EXPECT_NEAR(config.max_angle, pi / 2, 1e-9);
+  EXPECT_NEAR(config.angular_res, pi / 2, 1e-9) << "three beams have two gaps";
+  EXPECT_DOUBLE_EQ(config.min_range, 0.1);
+  EXPECT_DOUBLE_EQ(config.max_range, 8);
+  EXPECT_DOUBLE_EQ(config.range_res, 0.02);
+  EXPECT_DOUBLE_EQ(config.frequency, 10);
+}
+
+TEST_F(RangerDevice, geometry_places_the_device_on_the_robot_and_the_sensors_on_the_device) {
+  open(wire::ranger::kCode, "r0.scanner");
+  const auto geom = reply<wire::ranger::Geom>(ask(wire::ranger::kReqGetGeom));
+  EXPECT_NEAR(geom.pose.px, 0.1, 1e-12);
+  EXPECT_NEAR(geom.pose.pz, 0.02, 1e-12) << "on top of a robot 0.22 m high, lowered by 0.2 m";
+  EXPECT_EQ(geom.size, (wire::Bbox3d{0.155, 0.156, 0.19}));
+  ASSERT_EQ(geom.element_poses.size(), 1u);
+  EXPECT_NEAR(geom.element_poses[0].px, 0.05, 1e-12);
+  ASSERT_EQ(geom.element_sizes.size(), 1u);
+  EXPECT_EQ(geom.element_sizes[0], (wire::Bbox3d{0.02, 0.01, 0.03}));
+}
+
+TEST_F(RangerDevice, power_and_intensities_can_be_on_but_not_off) {
+  open(wire::ranger::kCode, "r0.scanner");
+  EXPECT_TRUE(ask_with(wire::ranger::kReqPower, wire::ranger::PowerConfig{1}).ack);
+  EXPECT_FALSE(ask_with(wire::ranger::kReqPower, wire::ranger::PowerConfig{0}).ack);
+  EXPECT_TRUE(ask_with(wire::ranger::kReqIntns, wire::ranger::IntnsConfig{1}).ack);
+  EXPECT_FALSE(ask(wire::ranger::kReqSetConfig).ack);
+}
+
+TEST_F(LaserDevice, a_scan_has_its_angles_ranges_and_whole_intensities) {
+  open(wire::laser::kCode, "r0.scanner");
+  measure("r0.scanner", 0, {1, 2, 8}, {1, 0.5f, 0});
+  still_.run(1);
+  const auto scan = last<wire::laser::Data>(wire::laser::kDataScan);
+  EXPECT_NEAR(scan.min_angle, -pi / 2, 1e-6);
+  EXPECT_NEAR(scan.resolution, pi / 2, 1e-6);
+  EXPECT_EQ(scan.max_range, 8.0f);
+  EXPECT_EQ(scan.ranges, (std::vector<float>{1, 2, 8}));
+  EXPECT_EQ(scan.intensity, (std::vector<std::uint8_t>{1, 0, 0}));
+}
+
+TEST_F(LaserDevice, geometry_is_that_of_the_scanner_on_the_robot) {
+  open(wire::laser::kCode, "r0.scanner");
+  const auto geom = reply<wire::laser::Geom>(ask(wire::laser::kReqGetGeom));
+  EXPECT_NEAR(geom.pose.px, 0.15, 1e-12);
+  EXPECT_NEAR(geom.pose.pz, 0.12, 1e-12);
+  EXPECT_NEAR(reply<wire::laser::Config>(ask(wire::laser::kReqGetConfig)).scanning_frequency, 10, 1e-6);
+}
+
+TEST_F(SonarDevice, publishes_one_range_per_transducer_and_where_they_are) {
+  open(wire::sonar::kCode, "r0.sonars");
+  measure("r0.sonars", 0, {3, 2}, {1, 1});
+  measure("r0.sonars", 1, {4}, {1});
+  still_.run(1);
+  EXPECT_EQ(last<wire::sonar::Data>(wire::sonar::kDataRanges).ranges, (std::vector<float>{2, 4}));
+  const auto geom = reply<wire::sonar::Geom>(ask(wire::sonar::kReqGetGeom));
+  ASSERT_EQ(geom.poses.size(), 2u);
+  EXPECT_NEAR(geom.poses[1].py, -0.1, 1e-12);
+  EXPECT_NEAR(geom.poses[1].pyaw, -pi / 2, 1e-9);
+}
+
+TEST_F(FiducialDevice, a_hit_becomes_a_pose_in_the_finders_frame) {
+  open(wire::fiducial::kCode, "r0.finder");
+  world::FiducialHit hit;
+  hit.id = 5;
+  hit.range = 2;
+  hit.bearing = pi / 2;
+  hit.heading = 0.25;
+  still_.world().fiducials.hits[0] = {hit};
+  still_.run(1);
+  const auto data = last<wire::fiducial::Data>(wire::fiducial::kDataScan);
+  ASSERT_EQ(data.fiducials.size(), 1u);
+  EXPECT_EQ(data.fiducials[0].id, 5);
+  EXPECT_NEAR(data.fiducials[0].pose.px, 0, 1e-9);
+  EXPECT_NEAR(data.fiducials[0].pose.py, 2, 1e-9);
+  EXPECT_NEAR(data.fiducials[0].pose.pyaw, 0.25, 1e-12);
+}
+
+TEST_F(FiducialDevice, reads_and_sets_the_id_its_robot_shows_and_tells_its_field_of_view) {
+  open(wire::fiducial::kCode, "r0.finder");
+  EXPECT_EQ(reply<wire::fiducial::Id>(ask(wire::fiducial::kReqGetId)).id, 7u);
+  EXPECT_EQ(reply<wire::fiducial::Id>(ask_with(wire::fiducial::kReqSetId, wire::fiducial::Id{9})).id, 9u);
+  EXPECT_EQ(still_.world().models.fiducial_return[still_.world().find("r0").index], 9);
+  const auto fov = reply<wire::fiducial::Fov>(ask(wire::fiducial::kReqGetFov));
+  EXPECT_EQ(fov.max_range, 6.0f);
+  EXPECT_NEAR(fov.view_angle, pi / 2, 1e-6);
+}
+
+namespace sim = wire::simulation;
+
+TEST_F(SimulationInterface, tells_and_sets_poses_by_name_in_the_parents_frame) {
+  open(sim::kCode, "");
+  const std::string name = wire::c_string("r0");
+  const auto pose = reply<sim::Pose2dReq>(ask_with(sim::kReqGetPose2d, sim::Pose2dReq{name, {}}));
+  EXPECT_EQ(pose.name, name);
+  EXPECT_NEAR(pose.pose.px, 1, 1e-12);
+  EXPECT_NEAR(pose.pose.pa, pi / 2, 1e-9);
+  EXPECT_TRUE(ask_with(sim::kReqSetPose2d, sim::Pose2dReq{name, {-6, -5, 0.5}}).ack);
+  EXPECT_EQ(still_.world().models.X_PM[still_.world().find("r0").index].xy(), (geom::Vec2{-6, -5}));
+  still_.run(3);
+  const auto pose3 = reply<sim::Pose3dReq>(ask_with(sim::kReqGetPose3d, sim::Pose3dReq{name, {}, 0}));
+  EXPECT_NEAR(pose3.pose.pyaw, 0.5, 1e-12);
+  EXPECT_NEAR(pose3.simtime, 300000, 1e-3) << "microseconds";
+}
+
+TEST_F(SimulationInterface, refuses_unknown_models_and_poses_that_are_no_numbers) {
+  open(sim::kCode, "");
+  EXPECT_FALSE(ask_with(sim::kReqGetPose2d, sim::Pose2dReq{wire::c_string("nosuch"), {}}).ack);
+  EXPECT_FALSE(ask_with(sim::kReqSetPose2d, sim::Pose2dReq{wire::c_string("r0"), {std::nan(""), 0, 0}}).ack);
+  EXPECT_FALSE(ask(sim::kReqGetPose2d).ack);
+}
+
+TEST_F(SimulationInterface, properties_are_colour_time_name_and_model) {
+  open(sim::kCode, "");
+  const auto get = [&](const char* property) {
+    return reply<sim::PropertyReq>(
+               ask_with(sim::kReqGetProperty,
+                        sim::PropertyReq{wire::c_string("r0"), wire::c_string(property), 0, ""}))
+        .value;
+  };
+  std::string green(16, '\0');
+  const float rgba[] = {0, 1, 0, 1};
+  std::memcpy(green.data(), rgba, sizeof(rgba));
+  EXPECT_TRUE(ask_with(sim::kReqSetProperty,
+                       sim::PropertyReq{wire::c_string("r0"), wire::c_string("color"), 0, green})
+                  .ack);
+  EXPECT_EQ(get("color"), green);
+  still_.run(2);
+  std::uint64_t microseconds = 0;
+  const std::string time = get("time");
+  ASSERT_EQ(time.size(), sizeof(microseconds));
+  std::memcpy(&microseconds, time.data(), sizeof(microseconds));
+  EXPECT_EQ(microseconds, 200000u);
+  EXPECT_EQ(get("name"), wire::c_string("r0"));
+  EXPECT_EQ(get("model"), wire::c_string("position"));
+  EXPECT_FALSE(ask_with(sim::kReqSetProperty,
+                        sim::PropertyReq{wire::c_string("r0"), wire::c_string("color"), 0, "short"})
+                   .ack);
+  EXPECT_FALSE(
+      ask_with(sim::kReqGetProperty, sim::PropertyReq{wire::c_string("r0"), wire::c_string("weight"), 0, ""})
+          .ack);
+}
+
+TEST_F(SimulationInterface, pause_pauses_and_resumes) {
+  open(sim::kCode, "");
+  driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), sim::kCmdPause, {}});
+  EXPECT_TRUE(still_.simulation.pace().paused);
+  driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), sim::kCmdPause, {}});
+  EXPECT_FALSE(still_.simulation.pace().paused);
+}
+
+}  // namespace
+}  // namespace playhouse::drivers

@@ -1,0 +1,80 @@
+#include "playhouse/drivers/simulated/fiducial.h"
+
+#include "playhouse/drivers/simulated/shapes.h"
+#include "playhouse/wire/generated/fiducial.h"
+
+namespace playhouse::drivers {
+
+namespace fid = wire::fiducial;
+using wire::MessageType;
+
+Fiducial::Fiducial(Simulation& simulation, world::ModelRow model)
+    : SimulatedDevice(simulation, model),
+      finder_{simulation.world().models.part[model.index]},
+      robot_model_{simulation.world().models.root[model.index]} {
+  const world::World& world = simulation.world();
+  const scene::ModelDesc& desc = world.desc(model);
+  geometry_ = wire::encode(fid::Geom{pose3d(pose_on_robot(world, model)), bbox3d(desc.size), {}});
+  const scene::FiducialDesc finder = desc.fiducial.value_or(scene::FiducialDesc{});
+  field_of_view_ =
+      wire::encode(fid::Fov{static_cast<float>(finder.range_min), static_cast<float>(finder.range_max),
+                            static_cast<float>(finder.fov)});
+}
+
+std::span<const Served> Fiducial::served() const {
+  static constexpr Served kServed[] = {
+      {MessageType::kReq, fid::kReqGetGeom},
+      {MessageType::kReq, fid::kReqGetFov},
+      {MessageType::kReq, fid::kReqGetId},
+      {MessageType::kReq, fid::kReqSetId},
+  };
+  return kServed;
+}
+
+void Fiducial::request(const device::Message& message, device::Replier replier) {
+  switch (message.subtype) {
+    case fid::kReqGetGeom:
+      replier.ack(geometry_);
+      return;
+    case fid::kReqGetFov:
+      replier.ack(field_of_view_);
+      return;
+    case fid::kReqGetId:
+    case fid::kReqSetId:
+      exchange_id(message, std::move(replier));
+      return;
+    default:
+      return;
+  }
+}
+
+/// Sets the id if the message is SET_ID; answers with the id either way.
+void Fiducial::exchange_id(const device::Message& message, device::Replier replier) {
+  std::optional<std::int32_t> wanted;
+  if (message.subtype == fid::kReqSetId) {
+    const auto value = wire::decode<fid::Id>(message.body);
+    if (!value) return;
+    wanted = static_cast<std::int32_t>(value->id);
+  }
+  ask_world(std::move(replier), [model = robot_model_, wanted](world::World& world) {
+    if (wanted) world::set_fiducial_return(world, model, *wanted);
+    return wire::encode(fid::Id{static_cast<std::uint32_t>(world.models.fiducial_return[model.index])});
+  });
+}
+
+void Fiducial::emit(const world::World& world, std::vector<device::Publication>& out) {
+  if (world.fiducials.measured_tick[finder_.index] != world.tick()) return;
+  fid::Data data;
+  for (const world::FiducialHit& hit : world.fiducials.hits[finder_.index]) {
+    const geom::SinCos bearing = geom::sincos(hit.bearing);
+    fid::Item item;
+    item.id = hit.id;
+    item.pose.px = hit.range * bearing.cos;
+    item.pose.py = hit.range * bearing.sin;
+    item.pose.pyaw = hit.heading;
+    data.fiducials.push_back(item);
+  }
+  publish(world, fid::kDataScan, data, out);
+}
+
+}  // namespace playhouse::drivers

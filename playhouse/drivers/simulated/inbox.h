@@ -1,0 +1,62 @@
+#pragma once
+
+/// Inbox: hand-over 1, from the io thread to the tick thread. Commands are latest-value slots, one per robot;
+/// everything else is a bounded queue of changes. What one robot is told arrives in the order it was said: a
+/// change of a robot closes its slot, so a command before it is carried out before it, and a later one after
+/// it.
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <mutex>
+#include <variant>
+#include <vector>
+
+#include "playhouse/world/world.h"
+
+namespace playhouse::drivers {
+
+/// What a robot's wheels are told. A newer one replaces an older one that the tick has not taken yet.
+struct PositionCommand {
+  enum class Kind : std::uint8_t { kVelocity, kGoal };
+  world::PositionRow robot;
+  Kind kind = Kind::kVelocity;
+  std::array<double, 3>
+      value{};  // kVelocity: x, y [m/s], heading [rad/s]; kGoal: x, y [m], heading [rad] in X_OM's frame
+};
+
+using Change = std::function<void(world::World&)>;
+
+class Inbox {
+ public:
+  using Entry = std::variant<PositionCommand, Change>;
+
+  explicit Inbox(std::size_t robots) : slots_(robots, kNoEntry) {}
+
+  /// Replaces the robot's waiting command, or waits as a new one.
+  void command(const PositionCommand& command);
+
+  /// False when limits::kRequestQueue changes are waiting; nothing is taken then. `robot`, if any, is whom
+  /// the change concerns.
+  bool post(Change change, world::PositionRow robot = {});
+
+  /// As post(), and never refused: for what must not be lost and is bounded by its sender (the close of a
+  /// device).
+  void post_always(Change change, world::PositionRow robot = {});
+
+  /// Moves everything that waits to `out` (cleared first), in order.
+  void take(std::vector<Entry>& out);
+
+  bool empty() const;
+
+ private:
+  static constexpr std::size_t kNoEntry = static_cast<std::size_t>(-1);
+  void append(Change change, world::PositionRow robot);
+
+  mutable std::mutex mutex_;
+  std::vector<Entry> entries_;
+  std::vector<std::size_t> slots_;  // per robot: its open command in entries_, or kNoEntry
+  std::size_t changes_ = 0;
+};
+
+}  // namespace playhouse::drivers

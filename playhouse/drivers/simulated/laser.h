@@ -1,0 +1,27 @@
+#pragma once
+
+/// A ranger's scanner as interface laser (docs/drivers.md).
+
+#include "playhouse/drivers/simulated/scan.h"
+#include "playhouse/drivers/simulated/simulated_device.h"
+
+namespace playhouse::drivers {
+
+class Laser final : public SimulatedDevice {
+ public:
+  /// `model` is a ranger that has a scanner (scanner_of() finds one).
+  Laser(Simulation& simulation, world::ModelRow model);
+
+  std::span<const Served> served() const override;
+  void request(const device::Message& message, device::Replier replier) override;
+  void emit(const world::World& world, std::vector<device::Publication>& out) override;
+
+ private:
+  world::RangerRow ranger_;
+  world::SensorRow scanner_;
+  const scene::RangerSensorDesc& sensor_;
+  Bytes geometry_, configuration_;
+  std::vector<Reading> readings_;  // kept for its memory
+};
+
+}  // namespace playhouse::drivers

@@ -1,0 +1,97 @@
+#include "playhouse/drivers/simulated/position2d.h"
+
+#include "playhouse/base/log.h"
+#include "playhouse/drivers/simulated/shapes.h"
+#include "playhouse/wire/generated/position2d.h"
+
+namespace playhouse::drivers {
+
+namespace p2d = wire::position2d;
+using wire::MessageType;
+
+Position2d::Position2d(Simulation& simulation, world::ModelRow model)
+    : SimulatedDevice(simulation, model),
+      robot_{simulation.world().models.part[model.index]},
+      update_ticks_(update_ticks(simulation.world(), model)) {
+  const scene::ModelDesc& desc = simulation.world().desc(model);
+  geometry_ = wire::encode(p2d::Geom{pose3d(desc.X_MB), bbox3d(desc.size)});
+}
+
+std::span<const Served> Position2d::served() const {
+  static constexpr Served kServed[] = {
+      {MessageType::kCmd, p2d::kCmdVel},        {MessageType::kCmd, p2d::kCmdPos},
+      {MessageType::kCmd, p2d::kCmdCar},        {MessageType::kReq, p2d::kReqGetGeom},
+      {MessageType::kReq, p2d::kReqMotorPower}, {MessageType::kReq, p2d::kReqPositionMode},
+      {MessageType::kReq, p2d::kReqSetOdom},    {MessageType::kReq, p2d::kReqResetOdom},
+  };
+  return kServed;
+}
+
+void Position2d::command(const device::Message& message) {
+  PositionCommand command{.robot = robot_};
+  if (message.subtype == p2d::kCmdVel) {
+    const auto value = wire::decode<p2d::CmdVel>(message.body);
+    if (!value) return;
+    command.value = {value->vel.px, value->vel.py, value->vel.pa};
+  } else if (message.subtype == p2d::kCmdPos) {
+    const auto value = wire::decode<p2d::CmdPos>(message.body);
+    if (!value) return;
+    command.kind = PositionCommand::Kind::kGoal;
+    command.value = {value->pos.px, value->pos.py, value->pos.pa};
+  } else {
+    const auto value = wire::decode<p2d::CmdCar>(message.body);
+    if (!value) return;
+    command.value = {value->velocity, 0, value->angle};
+  }
+  simulation().command(command);
+}
+
+void Position2d::request(const device::Message& message, device::Replier replier) {
+  switch (message.subtype) {
+    case p2d::kReqGetGeom:
+      replier.ack(geometry_);
+      return;
+    case p2d::kReqPositionMode:
+      replier.ack();
+      return;  // the command itself says how it is meant
+    case p2d::kReqResetOdom:
+      set_odometry({}, std::move(replier));
+      return;
+    case p2d::kReqSetOdom:
+      if (const auto value = wire::decode<p2d::SetOdomReq>(message.body)) {
+        set_odometry({value->pose.px, value->pose.py, 0, value->pose.pa}, std::move(replier));
+      }
+      return;
+    case p2d::kReqMotorPower:
+      if (const auto value = wire::decode<p2d::PowerConfig>(message.body)) {
+        ask_world(std::move(replier), [robot = robot_, on = value->state != 0](world::World& world) {
+          world.positions.motor_on[robot.index] = on;
+          return Bytes();
+        });
+      }
+      return;
+    default:
+      return;  // the replier answers NACK
+  }
+}
+
+void Position2d::set_odometry(const geom::Pose& X_OM, device::Replier replier) {
+  ask_world(std::move(replier), [robot = robot_, X_OM](world::World& world) -> std::optional<Bytes> {
+    if (!world::set_odometry(world, robot, X_OM)) return std::nullopt;
+    return Bytes();
+  });
+}
+
+void Position2d::emit(const world::World& world, std::vector<device::Publication>& out) {
+  if (world.tick() % update_ticks_ != 0) return;
+  const world::Positions& positions = world.positions;
+  const std::uint32_t row = robot_.index;
+  publish(world, p2d::kDataState,
+          p2d::Data{pose2d(positions.X_OM[row]), pose2d(positions.velocity[row]), positions.stall[row]}, out);
+}
+
+void Position2d::closed(world::World& world) {
+  world.positions.motor_on[robot_.index] = 1;
+}
+
+}  // namespace playhouse::drivers

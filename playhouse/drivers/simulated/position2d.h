@@ -1,0 +1,29 @@
+#pragma once
+
+/// A robot's wheels as interface position2d: velocities, goals and odometry (docs/drivers.md).
+
+#include "playhouse/drivers/simulated/simulated_device.h"
+
+namespace playhouse::drivers {
+
+class Position2d final : public SimulatedDevice {
+ public:
+  /// `model` is of kind kPosition.
+  Position2d(Simulation& simulation, world::ModelRow model);
+
+  world::PositionRow robot() const override { return robot_; }
+  std::span<const Served> served() const override;
+  void command(const device::Message& message) override;
+  void request(const device::Message& message, device::Replier replier) override;
+  void emit(const world::World& world, std::vector<device::Publication>& out) override;
+  void closed(world::World& world) override;
+
+ private:
+  void set_odometry(const geom::Pose& X_OM, device::Replier replier);
+
+  world::PositionRow robot_;
+  std::uint64_t update_ticks_;
+  Bytes geometry_;
+};
+
+}  // namespace playhouse::drivers

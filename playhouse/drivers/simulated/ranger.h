@@ -1,0 +1,25 @@
+#pragma once
+
+/// A ranger as interface ranger: one scanner, or an array of transducers (docs/drivers.md).
+
+#include "playhouse/drivers/simulated/scan.h"
+#include "playhouse/drivers/simulated/simulated_device.h"
+
+namespace playhouse::drivers {
+
+class Ranger final : public SimulatedDevice {
+ public:
+  /// `model` is of kind kRanger.
+  Ranger(Simulation& simulation, world::ModelRow model);
+
+  std::span<const Served> served() const override;
+  void request(const device::Message& message, device::Replier replier) override;
+  void emit(const world::World& world, std::vector<device::Publication>& out) override;
+
+ private:
+  RangerRows rows_;
+  Bytes geometry_, configuration_;
+  std::vector<Reading> readings_;  // kept for its memory
+};
+
+}  // namespace playhouse::drivers

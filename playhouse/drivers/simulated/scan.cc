@@ -1,0 +1,62 @@
+#include "playhouse/drivers/simulated/scan.h"
+
+namespace playhouse::drivers {
+namespace {
+
+Reading reading(const world::Sensors& sensors, std::uint32_t beam) {
+  return {static_cast<double>(sensors.ranges[beam]), static_cast<double>(sensors.intensities[beam])};
+}
+
+/// A sonar hears the first echo of its cone, whichever of its beams that was.
+Reading nearest(const world::Sensors& sensors, std::uint32_t sensor) {
+  const std::uint32_t first = sensors.first_beam[sensor];
+  Reading best = reading(sensors, first);
+  for (std::uint32_t beam = first + 1; beam < first + sensors.beam_count[sensor]; ++beam) {
+    if (static_cast<double>(sensors.ranges[beam]) < best.range) best = reading(sensors, beam);
+  }
+  return best;
+}
+
+}  // namespace
+
+RangerRows ranger_rows(const world::World& world, world::ModelRow model) {
+  const world::RangerRow ranger{world.models.part[model.index]};
+  return {ranger, world.rangers.first_sensor[ranger.index], world.rangers.sensor_count[ranger.index]};
+}
+
+world::SensorRow scanner_of(const world::World& world, world::ModelRow model) {
+  const RangerRows rows = ranger_rows(world, model);
+  for (std::uint32_t sensor = rows.first_sensor; sensor < rows.first_sensor + rows.sensor_count; ++sensor) {
+    if (world.sensors.beam_count[sensor] > 1) return {sensor};
+  }
+  return {};
+}
+
+const scene::RangerSensorDesc& sensor_desc(const world::World& world, world::ModelRow model,
+                                           world::SensorRow sensor) {
+  return world.desc(model).sensors[sensor.index - ranger_rows(world, model).first_sensor];
+}
+
+double angular_resolution(const scene::RangerSensorDesc& sensor) {
+  return sensor.samples > 1 ? sensor.fov / (sensor.samples - 1) : sensor.fov;
+}
+
+void beams(const world::World& world, world::SensorRow sensor, std::vector<Reading>& out) {
+  const std::uint32_t first = world.sensors.first_beam[sensor.index];
+  const std::uint32_t count = world.sensors.beam_count[sensor.index];
+  out.clear();
+  for (std::uint32_t beam = first; beam < first + count; ++beam) out.push_back(reading(world.sensors, beam));
+}
+
+void readings(const world::World& world, const RangerRows& rows, std::vector<Reading>& out) {
+  if (rows.sensor_count == 1) {
+    beams(world, {rows.first_sensor}, out);
+    return;
+  }
+  out.clear();
+  for (std::uint32_t i = 0; i < rows.sensor_count; ++i) {
+    out.push_back(nearest(world.sensors, rows.first_sensor + i));
+  }
+}
+
+}  // namespace playhouse::drivers

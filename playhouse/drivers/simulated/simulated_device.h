@@ -1,0 +1,85 @@
+#pragma once
+
+/// SimulatedDevice: one model seen as one Player device. A subclass per interface says which messages it
+/// knows and how columns become bytes. What never changes (geometry, configuration) is encoded once, when the
+/// device is made, and answered on the io thread at once; what needs the world is posted to the tick thread.
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "playhouse/device/driver.h"
+#include "playhouse/drivers/simulated/simulation.h"
+#include "playhouse/wire/codec.h"
+#include "playhouse/wire/header.h"
+
+namespace playhouse::drivers {
+
+/// An encoded message body.
+using Bytes = std::vector<std::byte>;
+
+/// A message that a device understands.
+struct Served {
+  wire::MessageType type;
+  std::uint8_t subtype;
+};
+
+class SimulatedDevice : public Source {
+ public:
+  /// `model` is subscribed while the device is open; none for a device of the whole world.
+  SimulatedDevice(Simulation& simulation, world::ModelRow model) : simulation_(simulation), model_(model) {}
+  SimulatedDevice(const SimulatedDevice&) = delete;
+  SimulatedDevice& operator=(const SimulatedDevice&) = delete;
+
+  world::ModelRow model() const { return model_; }
+  /// The robot whose commands must keep their order with opening and closing; none for sensors.
+  virtual world::PositionRow robot() const { return {}; }
+  void set_id(device::DeviceId id) { id_ = id; }
+
+  // Io thread. Only messages of served() arrive.
+  virtual std::span<const Served> served() const = 0;
+  virtual void command(const device::Message& message) { static_cast<void>(message); }
+  virtual void request(const device::Message& message, device::Replier replier) = 0;
+
+  void emit(const world::World& world, std::vector<device::Publication>& out) override {
+    static_cast<void>(world), static_cast<void>(out);
+  }
+  /// Called on the tick thread after the last close.
+  virtual void closed(world::World& world) { static_cast<void>(world); }
+
+ protected:
+  Simulation& simulation() const { return simulation_; }
+
+  /// Runs on the tick thread; the answer is ACK with the bytes, or NACK for none.
+  using Question = std::function<std::optional<Bytes>(world::World&)>;
+  void ask_world(device::Replier replier, Question question) const {
+    auto shared = std::make_shared<device::Replier>(std::move(replier));  // std::function wants to be copied
+    simulation_.post(
+        [shared, question = std::move(question)](world::World& world) {
+          if (std::optional<Bytes> body = question(world)) {
+            shared->ack(std::move(*body));
+          } else {
+            shared->nack();
+          }
+        },
+        robot());
+  }
+
+  /// Appends one DATA message of this device, stamped with the world's time.
+  template <typename T>
+  void publish(const world::World& world, std::uint8_t subtype, const T& value,
+               std::vector<device::Publication>& out) const {
+    out.push_back({id_, subtype, world.time(), wire::encode(value)});
+  }
+
+ private:
+  Simulation& simulation_;
+  world::ModelRow model_;
+  device::DeviceId id_;
+};
+
+}  // namespace playhouse::drivers

@@ -1,0 +1,40 @@
+#pragma once
+
+/// SimulatedDriver: the code behind the devices of a simulated world, as the server sees it. Routes each
+/// message to its device, and lets a model be simulated while its device is open. Io thread.
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "playhouse/device/driver.h"
+#include "playhouse/drivers/simulated/simulated_device.h"
+
+namespace playhouse::drivers {
+
+class SimulatedDriver final : public device::Driver {
+ public:
+  /// `name` is what clients are told.
+  SimulatedDriver(Simulation& simulation, std::string name)
+      : simulation_(simulation), name_(std::move(name)) {}
+
+  /// The device answers at `id` from now on.
+  void add(device::DeviceId id, std::unique_ptr<SimulatedDevice> device);
+
+  std::string_view name() const override { return name_; }
+  Result<void> start(device::DeviceId id) override;
+  void stop(device::DeviceId id) override;
+  bool command(const device::Message& message) override;
+  void request(const device::Message& message, device::Replier replier) override;
+  bool capable(device::DeviceId id, std::uint8_t type, std::uint8_t subtype) const override;
+
+ private:
+  SimulatedDevice& at(device::DeviceId id) const;
+
+  Simulation& simulation_;
+  std::string name_;
+  std::map<device::DeviceId, std::unique_ptr<SimulatedDevice>> devices_;
+};
+
+}  // namespace playhouse::drivers

@@ -1,0 +1,217 @@
+#include "playhouse/drivers/simulated/simulation.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "playhouse/base/assert.h"
+
+namespace playhouse::drivers {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double wall_now() {
+  return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
+}
+
+Clock::time_point wall_time(double seconds) {
+  return Clock::time_point(
+      std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds)));
+}
+
+/// While paused, the world is shown again this often. [s]
+constexpr double kPausedShow = 0.1;
+
+/// Ticks until `duration` has been simulated: the first tick at or after it.
+std::uint64_t ticks_in(double duration, double interval) {
+  if (!std::isfinite(duration) || duration / interval >= 1e18)
+    return std::numeric_limits<std::uint64_t>::max();
+  return static_cast<std::uint64_t>(std::max(0.0, std::ceil(duration / interval - 1e-9)));
+}
+
+void apply(world::World& world, const PositionCommand& command) {
+  const auto& [x, y, a] = command.value;
+  switch (command.kind) {
+    case PositionCommand::Kind::kVelocity:
+      world::command_velocity(world, command.robot, {x, y, 0, a});
+      return;
+    case PositionCommand::Kind::kGoal:
+      world::command_position(world, command.robot, {x, y, 0, a});
+      return;
+  }
+}
+
+}  // namespace
+
+Simulation::Simulation(std::unique_ptr<world::Engine> engine, Options options)
+    : engine_(std::move(engine)),
+      end_tick_(ticks_in(options.duration, engine_->world().scene().interval)),
+      inbox_(engine_->world().positions.size()),
+      time_(engine_->world().time()),
+      pacer_(engine_->world().scene().interval) {
+  wanted_.speed = std::max(0.0, options.speed);
+  wanted_.paused = options.paused;
+}
+
+void Simulation::run() {
+  const world::World& world = engine_->world();
+  pacer_.restart(wall_now(), wanted_.speed);
+  for (;;) {
+    if (rung_.exchange(false)) {
+      take_wishes();
+      take_inbox();
+    }
+    if (now_.stop || world.tick() >= end_tick_) return;
+    if (wait_for_tick()) tick();
+  }
+}
+
+/// True when a tick is due; false when the bell rang first, or a paused world should be shown again.
+bool Simulation::wait_for_tick() {
+  const bool waits_for_resume = now_.paused && now_.steps == 0;
+  const double now = wall_now();
+  const double due = waits_for_resume ? now + kPausedShow : now_.steps > 0 ? now : pacer_.due().value_or(now);
+  if (due <= now) return true;
+  bool rang = false;
+  {
+    std::unique_lock lock(mutex_);
+    rang = bell_.wait_until(lock, wall_time(due), [this] { return rung_.load(); });
+  }
+  if (waits_for_resume && !rang) tell_listeners();
+  return !rang && !waits_for_resume;
+}
+
+void Simulation::tick() {
+  engine_->step();
+  if (now_.steps > 0) --now_.steps;
+  pacer_.ticked(wall_now());
+  factor_.store(pacer_.real_time_factor(), std::memory_order_relaxed);
+
+  const world::World& world = engine_->world();
+  time_.store(world.time(), std::memory_order_relaxed);
+  if (!sources_.empty()) {
+    batch_.clear();
+    for (Source* source : sources_) source->emit(world, batch_);
+    if (!batch_.empty() && publisher_) publisher_->publish(std::exchange(batch_, {}));
+  }
+  tell_listeners();
+}
+
+void Simulation::tell_listeners() {
+  if (listeners_.empty()) return;
+  const world::Pace pace{now_.paused, now_.speed, now_.paused ? 0 : pacer_.real_time_factor()};
+  for (const Listener& listener : listeners_) listener(engine_->world(), pace);
+}
+
+void Simulation::take_wishes() {
+  {
+    const std::lock_guard lock(mutex_);
+    const int steps = now_.steps + std::exchange(wanted_.steps, 0);
+    now_ = wanted_;
+    now_.steps = steps;
+    wanted_.pace_changed = false;
+  }
+  if (!now_.pace_changed) return;
+  pacer_.restart(wall_now(), now_.speed);
+  tell_listeners();
+}
+
+void Simulation::take_inbox() {
+  inbox_.take(taken_);
+  if (taken_.empty()) return;
+  world::World& world = engine_->world();
+  for (Inbox::Entry& entry : taken_) {
+    if (const auto* command = std::get_if<PositionCommand>(&entry)) {
+      apply(world, *command);
+    } else {
+      std::get<Change>(entry)(world);
+    }
+  }
+  taken_.clear();
+  tell_listeners();
+}
+
+void Simulation::ring() {
+  {
+    const std::lock_guard lock(mutex_);
+    rung_.store(true);
+  }
+  bell_.notify_one();
+}
+
+template <typename Edit>
+void Simulation::want(Edit edit) {
+  {
+    const std::lock_guard lock(mutex_);
+    edit(wanted_);
+    wanted_.pace_changed = true;
+    rung_.store(true);
+  }
+  bell_.notify_one();
+}
+
+void Simulation::discard() {
+  inbox_.take(taken_);
+  taken_.clear();
+}
+
+void Simulation::stop() {
+  want([](Wanted& wanted) { wanted.stop = true; });
+}
+
+void Simulation::pause() {
+  want([](Wanted& wanted) { wanted.paused = true; });
+}
+
+void Simulation::resume() {
+  want([](Wanted& wanted) { wanted.paused = false; });
+}
+
+void Simulation::step_once() {
+  want([](Wanted& wanted) {
+    wanted.paused = true;
+    wanted.steps = std::min(wanted.steps + 1, 1000);
+  });
+}
+
+void Simulation::set_speed(double times_real_time) {
+  if (!std::isfinite(times_real_time) || times_real_time < 0) return;
+  want([=](Wanted& wanted) { wanted.speed = times_real_time; });
+}
+
+bool Simulation::post(std::function<void(world::World&)> change) {
+  return post(std::move(change), {});
+}
+
+bool Simulation::post(Change change, world::PositionRow robot) {
+  if (!inbox_.post(std::move(change), robot)) return false;
+  ring();
+  return true;
+}
+
+void Simulation::post_always(Change change, world::PositionRow robot) {
+  inbox_.post_always(std::move(change), robot);
+  ring();
+}
+
+void Simulation::command(const PositionCommand& command) {
+  inbox_.command(command);
+  ring();
+}
+
+world::Pace Simulation::pace() const {
+  const std::lock_guard lock(mutex_);
+  return {wanted_.paused, wanted_.speed, wanted_.paused ? 0 : factor_.load(std::memory_order_relaxed)};
+}
+
+void Simulation::add_source(Source& source) {
+  sources_.push_back(&source);
+}
+
+void Simulation::remove_source(Source& source) {
+  std::erase(sources_, &source);
+}
+
+}  // namespace playhouse::drivers

@@ -1,0 +1,121 @@
+#pragma once
+
+/// Simulation: one engine, run against the wall clock, with everybody who wants something of it: devices post
+/// commands and changes, viewers pause and drag, and each tick's new data go out in one batch. The only place
+/// where wall time meets simulated time. Threads: run() is the tick thread; every other function says who may
+/// call it.
+
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "playhouse/device/driver.h"
+#include "playhouse/drivers/simulated/inbox.h"
+#include "playhouse/drivers/simulated/pacer.h"
+#include "playhouse/world/control.h"
+#include "playhouse/world/engine.h"
+
+namespace playhouse::drivers {
+
+/// Something with data to publish after a tick: a simulated device that is open. Called on the tick thread.
+class Source {
+ public:
+  virtual ~Source() = default;
+  /// Appends what is new in this tick's world, encoded.
+  virtual void emit(const world::World& world, std::vector<device::Publication>& out) = 0;
+};
+
+class Simulation final : public world::Control {
+ public:
+  struct Options {
+    double speed = 1;  // times real time; 0: as fast as possible
+    bool paused = false;
+    double duration = std::numeric_limits<double>::infinity();  // simulated seconds until run() returns
+  };
+  /// Called after every tick, after changes made between ticks, and ten times a second while paused, on the
+  /// tick thread.
+  using Listener = std::function<void(const world::World&, const world::Pace&)>;
+
+  Simulation(std::unique_ptr<world::Engine> engine, Options options);
+
+  // Before run().
+  void publish_to(device::Publisher& publisher) { publisher_ = &publisher; }
+  void add_listener(Listener listener) { listeners_.push_back(std::move(listener)); }
+
+  /// Ticks until the duration is over or stop() is called. The calling thread is the tick thread; with no
+  /// wall clock to keep (speed 0) and nothing posted, no lock is taken and no other thread is involved.
+  void run();
+  /// Makes run() return before the next tick. Any thread.
+  void stop();
+  /// Before run(), or between two: lets it do `ticks` more than it did so far.
+  void extend(std::uint64_t ticks) { end_tick_ = engine_->world().tick() + ticks; }
+  /// After run(): refuses what is still waiting, while those who would hear the answers live.
+  void discard();
+
+  // Control; any thread.
+  void pause() override;
+  void resume() override;
+  void step_once() override;
+  void set_speed(double times_real_time) override;
+  bool post(std::function<void(world::World&)> change) override;
+
+  // For devices; any thread.
+  void command(const PositionCommand& command);
+  bool post(Change change, world::PositionRow robot);
+  void post_always(Change change, world::PositionRow robot);
+  /// Simulated time of the newest tick. [s]
+  double time() const { return time_.load(std::memory_order_relaxed); }
+  world::Pace pace() const;
+
+  // Tick thread only (inside a Change), or while run() is not running.
+  void add_source(Source& source);
+  void remove_source(Source& source);
+  world::Engine& engine() { return *engine_; }
+  const world::World& world() const { return engine_->world(); }
+
+ private:
+  /// What the people at the controls want; read by the tick thread when the bell rings.
+  struct Wanted {
+    double speed = 1;
+    bool paused = false;
+    bool stop = false;
+    bool pace_changed = true;
+    int steps = 0;  // single steps to do although paused
+  };
+
+  void ring();
+  template <typename Edit>
+  void want(Edit edit);
+  void take_wishes();
+  void take_inbox();
+  bool wait_for_tick();
+  void tick();
+  void tell_listeners();
+
+  std::unique_ptr<world::Engine> engine_;
+  device::Publisher* publisher_ = nullptr;
+  std::vector<Listener> listeners_;
+  std::uint64_t end_tick_;
+
+  // Shared between threads.
+  Inbox inbox_;
+  mutable std::mutex mutex_;  // guards wanted_ and, with bell_, the sleep of the tick thread
+  std::condition_variable bell_;
+  std::atomic<bool> rung_ = true;
+  Wanted wanted_;
+  std::atomic<double> time_ = 0;
+  std::atomic<double> factor_ = 0;
+
+  // Tick thread.
+  Wanted now_;
+  Pacer pacer_;
+  std::vector<Inbox::Entry> taken_;
+  std::vector<Source*> sources_;
+  std::vector<device::Publication> batch_;
+};
+
+}  // namespace playhouse::drivers

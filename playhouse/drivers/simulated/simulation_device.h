@@ -1,0 +1,26 @@
+#pragma once
+
+/// The whole world as interface simulation: poses and properties of models by name, and pausing
+/// (docs/drivers.md).
+
+#include <string>
+
+#include "playhouse/drivers/simulated/simulated_device.h"
+
+namespace playhouse::drivers {
+
+class SimulationDevice final : public SimulatedDevice {
+ public:
+  explicit SimulationDevice(Simulation& simulation) : SimulatedDevice(simulation, {}) {}
+
+  std::span<const Served> served() const override;
+  void command(const device::Message& message) override;
+  void request(const device::Message& message, device::Replier replier) override;
+
+ private:
+  void pose_2d(const device::Message& message, device::Replier replier);
+  void pose_3d(const device::Message& message, device::Replier replier);
+  void property(const device::Message& message, device::Replier replier);
+};
+
+}  // namespace playhouse::drivers

@@ -1,0 +1,96 @@
+#include "playhouse/drivers/simulated/simulation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <thread>
+
+#include "playhouse/drivers/testing/still_engine.h"
+
+namespace playhouse::drivers {
+namespace {
+
+using testing::StillEngine;
+using testing::Stillness;
+
+constexpr const char* kRobot = "interval_sim 100\nposition( name \"r0\" )\n";
+
+TEST(Simulation, ends_at_the_first_tick_at_or_after_the_duration) {
+  for (const auto& [duration, ticks] : {std::pair{0.0, 0u}, {0.1, 1u}, {0.25, 3u}, {1.0, 10u}}) {
+    const scene::SceneDesc scene = testing::scene_of(kRobot);
+    Simulation simulation(std::make_unique<StillEngine>(scene), {.speed = 0, .duration = duration});
+    simulation.run();
+    EXPECT_EQ(simulation.world().tick(), ticks) << duration;
+  }
+}
+
+TEST(Simulation, carries_out_what_was_posted_before_the_next_tick) {
+  Stillness still(kRobot);
+  std::uint64_t seen_at = 99;
+  ASSERT_TRUE(still.simulation.post([&](world::World& world) { seen_at = world.tick(); }));
+  still.run(3);
+  EXPECT_EQ(seen_at, 0u);
+}
+
+TEST(Simulation, a_command_reaches_its_robot) {
+  Stillness still(kRobot);
+  still.simulation.command({.robot = {0}, .value = {0.3, 0, 0.2}});
+  still.run(1);
+  EXPECT_EQ(still.world().positions.command[0], (geom::Twist{0.3, 0, 0, 0.2}));
+}
+
+TEST(Simulation, shows_every_tick_to_its_listeners_with_the_time) {
+  Stillness still(kRobot);
+  std::vector<std::uint64_t> seen;
+  still.simulation.add_listener(
+      [&](const world::World& world, const world::Pace&) { seen.push_back(world.tick()); });
+  still.run(2);
+  EXPECT_EQ(seen, (std::vector<std::uint64_t>{0, 1, 2}));
+  EXPECT_DOUBLE_EQ(still.simulation.time(), 0.2);
+}
+
+TEST(Simulation, a_paused_world_does_what_is_posted_and_single_steps_only) {
+  const scene::SceneDesc scene = testing::scene_of(kRobot);
+  Simulation simulation(std::make_unique<StillEngine>(scene), {.speed = 1, .paused = true});
+  std::uint64_t at_first = 99, at_second = 99;
+  std::thread ticks([&] { simulation.run(); });
+  simulation.post([&](world::World& world) {
+    at_first = world.tick();
+    simulation.step_once();
+    simulation.step_once();
+  });
+  // Each listener call after a tick asks again, so the thread ends when both steps are done.
+  while (simulation.time() < 0.15) std::this_thread::yield();
+  simulation.post([&](world::World& world) {
+    at_second = world.tick();
+    simulation.stop();
+  });
+  ticks.join();
+  EXPECT_EQ(at_first, 0u);
+  EXPECT_EQ(at_second, 2u);
+  EXPECT_TRUE(simulation.pace().paused);
+}
+
+TEST(Simulation, refuses_speeds_that_make_no_sense) {
+  Stillness still(kRobot);
+  still.simulation.set_speed(-1);
+  still.simulation.set_speed(std::nan(""));
+  EXPECT_EQ(still.simulation.pace().speed, 0);
+  still.simulation.set_speed(2);
+  EXPECT_EQ(still.simulation.pace().speed, 2);
+}
+
+TEST(Simulation, what_still_waits_at_the_end_is_refused) {
+  Stillness still(kRobot);
+  {
+    auto replier = std::make_shared<device::Replier>(still.notebook, 7);
+    still.simulation.post([replier](world::World&) { replier->ack(); });
+  }
+  EXPECT_TRUE(still.notebook.answers.empty());
+  still.simulation.discard();
+  ASSERT_TRUE(still.notebook.answers.contains(7));
+  EXPECT_FALSE(still.notebook.answers[7].ack);
+}
+
+}  // namespace
+}  // namespace playhouse::drivers

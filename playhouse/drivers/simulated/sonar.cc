@@ -1,0 +1,53 @@
+#include "playhouse/drivers/simulated/sonar.h"
+
+#include "playhouse/drivers/simulated/shapes.h"
+#include "playhouse/wire/generated/sonar.h"
+
+namespace playhouse::drivers {
+
+namespace snr = wire::sonar;
+using wire::MessageType;
+
+Sonar::Sonar(Simulation& simulation, world::ModelRow model)
+    : SimulatedDevice(simulation, model), rows_(ranger_rows(simulation.world(), model)) {
+  const world::World& world = simulation.world();
+  const geom::Pose X_RB = pose_on_robot(world, model);
+  snr::Geom geom;
+  for (const scene::RangerSensorDesc& sensor : world.desc(model).sensors) {
+    geom.poses.push_back(pose3d(geom::compose(X_RB, sensor.X_BS)));
+  }
+  geometry_ = wire::encode(geom);
+}
+
+std::span<const Served> Sonar::served() const {
+  static constexpr Served kServed[] = {
+      {MessageType::kReq, snr::kReqGetGeom},
+      {MessageType::kReq, snr::kReqPower},
+  };
+  return kServed;
+}
+
+void Sonar::request(const device::Message& message, device::Replier replier) {
+  switch (message.subtype) {
+    case snr::kReqGetGeom:
+      replier.ack(geometry_);
+      return;
+    case snr::kReqPower:  // always on while the device is open
+      if (const auto value = wire::decode<snr::PowerConfig>(message.body); value && value->state != 0)
+        replier.ack();
+      return;
+    default:
+      return;
+  }
+}
+
+void Sonar::emit(const world::World& world, std::vector<device::Publication>& out) {
+  if (rows_.sensor_count == 0 || world.rangers.measured_tick[rows_.ranger.index] != world.tick()) return;
+  readings(world, rows_, readings_);
+  snr::Data data;
+  data.ranges.reserve(readings_.size());
+  for (const Reading& reading : readings_) data.ranges.push_back(static_cast<float>(reading.range));
+  publish(world, snr::kDataRanges, data, out);
+}
+
+}  // namespace playhouse::drivers

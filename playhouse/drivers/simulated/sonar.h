@@ -1,0 +1,25 @@
+#pragma once
+
+/// A ranger's array of transducers as interface sonar (docs/drivers.md).
+
+#include "playhouse/drivers/simulated/scan.h"
+#include "playhouse/drivers/simulated/simulated_device.h"
+
+namespace playhouse::drivers {
+
+class Sonar final : public SimulatedDevice {
+ public:
+  /// `model` is of kind kRanger.
+  Sonar(Simulation& simulation, world::ModelRow model);
+
+  std::span<const Served> served() const override;
+  void request(const device::Message& message, device::Replier replier) override;
+  void emit(const world::World& world, std::vector<device::Publication>& out) override;
+
+ private:
+  RangerRows rows_;
+  Bytes geometry_;
+  std::vector<Reading> readings_;  // kept for its memory
+};
+
+}  // namespace playhouse::drivers

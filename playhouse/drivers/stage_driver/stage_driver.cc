@@ -1,0 +1,109 @@
+#include "playhouse/drivers/stage_driver/stage_driver.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "playhouse/base/nearest_word.h"
+#include "playhouse/drivers/simulated/device_factory.h"
+#include "playhouse/drivers/simulated/simulated_driver.h"
+#include "playhouse/wire/generated/simulation.h"
+
+namespace playhouse::drivers {
+namespace {
+
+/// Interfaces that Stage's driver had and this one has not yet: such a device is left out with a warning.
+constexpr std::array<std::string_view, 8> kNotYet = {"blobfinder", "gripper", "bumper",     "actarray",
+                                                     "camera",     "speech",  "graphics2d", "graphics3d"};
+
+Result<void> open_world(const scene::CfgSection& section, Site& site) {
+  section.text("plugin",
+               "");  // Stage's driver came in a library of this name; here it is part of the program
+  section.flag("usegui", true);  // the page in the browser is an option of the command line
+  const bool has_world = section.has("worldfile");
+  const std::string path = section.filename("worldfile", "");
+  if (site.simulation() != nullptr) {
+    if (has_world) return Error{section.at("worldfile"), "the world is open already; only one is possible"};
+    return {};
+  }
+  if (!has_world) return Error{section.at(), "the first driver \"stage\" needs a worldfile"};
+  const Result<void> opened = site.open_world(path);
+  if (!opened && opened.error().where.empty()) return Error{section.at("worldfile"), opened.error().text};
+  return opened;
+}
+
+/// The model that the section's devices belong to; none when it names none.
+Result<world::ModelRow> section_model(const scene::CfgSection& section, const world::World& world) {
+  const std::string name = section.text("model", "");
+  if (name.empty()) return world::ModelRow{};
+  const world::ModelRow model = world.find(name);
+  if (model) return model;
+  std::vector<std::string_view> names;
+  for (const scene::ModelDesc& desc : world.scene().models) names.push_back(desc.name);
+  return Error{section.at("model"),
+               fmt::format("the world has no model \"{}\"{}", name, did_you_mean(name, names))};
+}
+
+Result<world::ModelRow> choose_model(const scene::CfgSection& section, const scene::DeviceAddress& provided,
+                                     std::uint16_t interf, world::ModelRow top, Site& site) {
+  if (interf == wire::simulation::kCode) return world::ModelRow{};
+  if (!top) {
+    return Error{section.at("provides"),
+                 fmt::format("\"{}\" needs a model: add `model \"name\"`", provided.text())};
+  }
+  const world::World& world = site.simulation()->world();
+  const world::ModelRow model = find_model(world, top, interf, site.taken_models());
+  if (!model) {
+    return Error{section.at("provides"), fmt::format("model \"{}\" has nothing left for \"{}\"",
+                                                     world.desc(top).name, provided.text())};
+  }
+  site.taken_models().emplace(interf, model.index);
+  return model;
+}
+
+Result<void> add_device(const scene::CfgSection& section, const scene::DeviceAddress& provided,
+                        world::ModelRow top, SimulatedDriver& driver, Site& site) {
+  const Result<device::Address> address = site.resolve(provided);
+  if (!address) return Error{section.at("provides"), address.error().text};
+  if (!is_simulated(address->interf)) {
+    if (std::ranges::find(kNotYet, provided.interf) == kNotYet.end()) {
+      return Error{section.at("provides"),
+                   fmt::format("driver \"stage\" has no interface \"{}\"", provided.interf)};
+    }
+    site.warn(fmt::format("{}: \"{}\" is left out: this program does not simulate interface \"{}\" yet",
+                          section.at("provides"), provided.text(), provided.interf));
+    return {};
+  }
+  const Result<world::ModelRow> model = choose_model(section, provided, address->interf, top, site);
+  if (!model) return model.error();
+  const Result<device::DeviceId> id = site.add_device(*address, driver);
+  if (!id) return Error{section.at("provides"), id.error().text};
+  driver.add(*id, make_device(*site.simulation(), address->interf, *model));
+  return {};
+}
+
+}  // namespace
+
+world::ModelRow find_model(const world::World& world, world::ModelRow top, std::uint16_t interf,
+                           const std::set<std::pair<std::uint16_t, std::uint32_t>>& taken) {
+  if (fits(world, top, interf) && !taken.contains({interf, top.index})) return top;
+  for (const std::uint32_t child : world.children(top)) {
+    if (const world::ModelRow found = find_model(world, {child}, interf, taken)) return found;
+  }
+  return {};
+}
+
+Result<std::unique_ptr<device::Driver>> make_stage_driver(const scene::CfgSection& section, Site& site) {
+  if (const Result<void> opened = open_world(section, site); !opened) return opened.error();
+  const Result<world::ModelRow> top = section_model(section, site.simulation()->world());
+  if (!top) return top.error();
+  auto driver = std::make_unique<SimulatedDriver>(*site.simulation(), "stage");
+  for (const scene::DeviceAddress& provided : section.addresses("provides")) {
+    if (const Result<void> added = add_device(section, provided, *top, *driver, site); !added)
+      return added.error();
+  }
+  return std::unique_ptr<device::Driver>(std::move(driver));
+}
+
+}  // namespace playhouse::drivers

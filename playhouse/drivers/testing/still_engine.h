@@ -1,0 +1,79 @@
+#pragma once
+
+/// A world for driver tests, written as a world file, with an engine that only counts ticks and fills in what
+/// a test puts into the columns. No threads: the test calls what the tick thread would.
+
+#include <gtest/gtest.h>
+
+#include <deque>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "playhouse/drivers/simulated/simulation.h"
+#include "playhouse/scene/world_loader.h"
+
+namespace playhouse::drivers::testing {
+
+inline scene::SceneDesc scene_of(const std::string& text) {
+  scene::MemoryFiles none({});
+  Result<scene::SceneDesc> scene = scene::load_world_text(text, "test.world", none);
+  EXPECT_TRUE(scene) << (scene ? "" : scene.error().line());
+  return scene ? std::move(*scene) : scene::SceneDesc{};
+}
+
+/// Every open sensor measures in every tick.
+class StillEngine final : public world::Engine {
+ public:
+  explicit StillEngine(const scene::SceneDesc& scene) : world_(scene, 1) {}
+  void step() override {
+    ++world_.tick_;
+    for (std::uint64_t& tick : world_.rangers.measured_tick) tick = world_.tick_;
+    for (std::uint64_t& tick : world_.fiducials.measured_tick) tick = world_.tick_;
+  }
+  world::World& world() override { return world_; }
+  std::uint64_t rays() const override { return 0; }
+
+ private:
+  world::World world_;
+};
+
+/// Remembers what drivers answer and publish.
+class Notebook final : public device::Outlet, public device::Publisher {
+ public:
+  struct Answer {
+    bool ack = false;
+    std::vector<std::byte> body;
+  };
+  void answer(std::uint64_t ticket, bool ack, std::vector<std::byte> body) override {
+    answers[ticket] = {ack, std::move(body)};
+  }
+  void publish(std::vector<device::Publication> batch) override {
+    ++batches;
+    for (device::Publication& publication : batch) published.push_back(std::move(publication));
+  }
+  std::map<std::uint64_t, Answer> answers;
+  std::vector<device::Publication> published;
+  int batches = 0;
+};
+
+/// A world, its simulation, and single steps of it.
+struct Stillness {
+  explicit Stillness(const std::string& text)
+      : scene(scene_of(text)), simulation(std::make_unique<StillEngine>(scene), {.speed = 0, .duration = 0}) {
+    simulation.publish_to(notebook);
+  }
+  /// Does what was posted, then so many ticks.
+  void run(int ticks) {
+    simulation.extend(static_cast<std::uint64_t>(ticks));
+    simulation.run();
+  }
+  world::World& world() { return simulation.engine().world(); }
+
+  scene::SceneDesc scene;
+  Notebook notebook;
+  Simulation simulation;
+};
+
+}  // namespace playhouse::drivers::testing
