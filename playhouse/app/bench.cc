@@ -1,0 +1,79 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <fstream>
+#include <vector>
+
+#include "playhouse/app/bench_server.h"
+#include "playhouse/app/commands.h"
+#include "playhouse/app/world_opener.h"
+#include "playhouse/base/log.h"
+#include "playhouse/base/nearest_word.h"
+#include "playhouse/scenarios/scenario.h"
+
+namespace playhouse::app {
+namespace {
+
+/// Memory of this process that is in use now. [bytes]
+std::uint64_t resident_bytes() {
+  std::ifstream statm("/proc/self/statm");
+  std::uint64_t pages = 0, resident = 0;
+  statm >> pages >> resident;
+  return resident * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+}
+
+int unknown(const std::string& name) {
+  std::vector<std::string_view> names;
+  for (const scenarios::Scenario& scenario : scenarios::kScenarios) names.push_back(scenario.name);
+  names.push_back("server");
+  log::error("there is no scenario \"{}\"{}; there are {}", name, did_you_mean(name, names),
+             fmt::join(names, ", "));
+  return kUsage;
+}
+
+void print_result(const BenchOptions& options, world::Engine& engine, double wall_time,
+                  std::uint64_t memory_before) {
+  const world::World& world = engine.world();
+  const std::uint64_t memory = resident_bytes();
+  fmt::print(
+      R"({{"scenario":"{}","robots":{},"workers":{},"ticks":{},"sim_time":{:.1f},"wall_time":{:.6f},"real_time_factor":{:.2f},)"
+      R"("rays":{},"rays_per_s":{:.0f},"memory_bytes":{},"world_bytes":{},"hash":"{:016x}"}})"
+      "\n",
+      options.scenario, count_robots(world), options.workers, world.tick(), world.time(), wall_time,
+      world.time() / wall_time, engine.rays(), static_cast<double>(engine.rays()) / wall_time, memory,
+      memory > memory_before ? memory - memory_before : 0, world.hash());
+}
+
+int bench_simulation(const BenchOptions& options, const scenarios::Scenario& scenario) {
+  const std::uint64_t memory_before = resident_bytes();
+  const Result<scene::SceneDesc> scene =
+      scenarios::make(scenario.name, options.robots > 0 ? options.robots : scenario.robots);
+  if (!scene) {
+    log::error("{}", scene.error().line());
+    return kUsage;
+  }
+  Result<std::unique_ptr<world::Engine>> engine = make_engine(*scene, options.seed, options.workers);
+  if (!engine) {
+    log::error("{}", engine.error().line());
+    return kFailed;
+  }
+  // The run itself is the one that `playhouse run --fast --headless` does.
+  const double duration = options.duration > 0 ? options.duration : scenario.seconds;
+  drivers::Simulation simulation(std::move(*engine), {.speed = 0, .duration = duration});
+  const auto start = std::chrono::steady_clock::now();
+  simulation.run();
+  const double wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  print_result(options, simulation.engine(), wall_time, memory_before);
+  return kDone;
+}
+
+}  // namespace
+
+int bench(const BenchOptions& options) {
+  if (options.scenario == "server") return bench_server(options);
+  const scenarios::Scenario* scenario = scenarios::find(options.scenario);
+  return scenario == nullptr ? unknown(options.scenario) : bench_simulation(options, *scenario);
+}
+
+}  // namespace playhouse::app

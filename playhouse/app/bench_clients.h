@@ -1,0 +1,39 @@
+#pragma once
+
+/// The clients' side of `bench server`: talks to a server over TCP and measures. Knows nothing of the
+/// server's inside.
+
+#include <sys/types.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "playhouse/base/result.h"
+
+namespace playhouse::app {
+
+/// Times of a request for geometry and its answer.
+struct RoundTrip {
+  double p50_ms = 0, p99_ms = 0;
+};
+Result<RoundTrip> measure_round_trip(std::uint16_t port, int requests);
+
+/// How data reached `clients` connections, each with a position2d and a laser of robot (client modulo robots)
+/// open.
+struct FanOut {
+  std::size_t clients = 0;
+  double messages_per_s = 0;
+  std::uint64_t lost = 0;  // gaps in the timestamps, which come every `interval`
+  double cpu_share = 0;    // of one core, used by process `server`
+};
+struct FanOutPlan {
+  std::uint16_t port = 0;
+  std::size_t clients = 1, robots = 1;
+  double interval = 0.1;  // s, between data
+  double seconds = 3;
+  pid_t server = 0;
+};
+Result<FanOut> measure_fan_out(const FanOutPlan& plan);
+
+}  // namespace playhouse::app

@@ -1,0 +1,35 @@
+#include <fmt/format.h>
+
+#include "playhouse/app/commands.h"
+#include "playhouse/app/house.h"
+#include "playhouse/base/log.h"
+#include "playhouse/scene/check.h"
+
+namespace playhouse::app {
+namespace {
+
+/// What the file itself can't show: engines, controllers and drivers that refuse it.
+Result<void> try_out(const std::string& path) {
+  House house({.port = 0, .web = std::nullopt}, {}, QuitTime::kIgnored);
+  const bool is_cfg = path.ends_with(".cfg");
+  if (const Result<void> read = is_cfg ? house.read_cfg(path) : house.read_world(path); !read)
+    return read.error();
+  return house.furnish();
+}
+
+}  // namespace
+
+int check(const CheckOptions& options) {
+  const scene::CheckReport report = scene::check_file(options.file);
+  for (const std::string& line : report.lines) fmt::print("{}\n", line);
+  if (!report.ok) return kUsage;
+  if (options.file.ends_with(".inc")) return kDone;
+  log::open(0);
+  if (const Result<void> tried = try_out(options.file); !tried) {
+    fmt::print("{}\n", tried.error().line());
+    return kUsage;
+  }
+  return kDone;
+}
+
+}  // namespace playhouse::app

@@ -1,0 +1,211 @@
+#include "playhouse/app/command_line.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <vector>
+
+#include "playhouse/base/nearest_word.h"
+
+namespace playhouse::app {
+namespace {
+
+constexpr const char* kExamples = R"(Examples:
+  playhouse run worlds/cave.world                    robots, Player clients on 6665, a page on 8080
+  playhouse run my.world --port 7000 --web off       Player clients alone
+  playhouse run my.world --fast --headless --duration 60 --json
+                                                     a minute of simulated time, as fast as it goes
+  playhouse serve simple.cfg                         devices as a Player configuration file names them
+  playhouse devices localhost:6665                   what a server offers
+  playhouse watch localhost laser:0                  a device's data as JSON lines
+  playhouse drive localhost position2d:0             a robot by the keyboard
+  playhouse check my.world                           what is wrong with a file
+  playhouse bench laser --robots 1000                one line of figures
+`playhouse COMMAND --help` tells more. Documentation: docs/cli.md)";
+
+/// What CLI11 fills; the parts that need a second look become options afterwards.
+struct Raw {
+  RunOptions run;
+  ServeOptions serve;
+  DevicesOptions devices;
+  WatchOptions watch;
+  DriveOptions drive;
+  CheckOptions check;
+  BenchOptions bench;
+  std::string web;
+  bool headless = false, fast = false;
+};
+
+std::string check_web(const std::string& text) {
+  if (text == "off") return {};
+  std::uint16_t port = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), port);
+  if (error == std::errc() && end == text.data() + text.size()) return {};
+  return "a port or \"off\" is wanted, not \"" + text + "\"";
+}
+
+std::string check_not_negative(const std::string& text) {
+  double value = 0;
+  if (CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value >= 0) return {};
+  return "a number that is not negative is wanted, not \"" + text + "\"";
+}
+
+void add_serving(CLI::App& app, Raw& raw, Serving& serving) {
+  app.add_option("--port", serving.port, "port for Player clients; 0: any free one, printed")
+      ->capture_default_str();
+  app.add_option("--web", raw.web, "port of the web page, or off; 0: any free one, printed (8080)")
+      ->check(check_web);
+  app.add_option("--bind", serving.bind, "address to listen on; 0.0.0.0: everybody's")->capture_default_str();
+  app.add_flag("--headless", raw.headless, "no web page, as --web off");
+}
+
+void add_running(CLI::App& app, Raw& raw, Running& running) {
+  auto* fast = app.add_flag("--fast", raw.fast, "as fast as possible instead of real time");
+  app.add_option("--speed", running.speed, "times real time; 0: as fast as possible (the file's speedup)")
+      ->check(check_not_negative)
+      ->excludes(fast);
+  app.add_option("--duration", running.duration, "simulated seconds, then end (the file's quit_time)")
+      ->check(check_not_negative);
+  app.add_option("--seed", running.seed, "seed of all random numbers")->capture_default_str();
+  app.add_option("--workers", running.workers, "threads that compute; the result does not depend on it")
+      ->check(CLI::Range(1u, 1024u))
+      ->capture_default_str();
+  app.add_flag("--paused", running.paused, "wait to be resumed by a viewer or a client");
+  app.add_flag("--json", running.json, "print the result as the last line of standard output");
+}
+
+void add_commands(CLI::App& app, Raw& raw) {
+  CLI::App* run = app.add_subcommand("run", "simulate a world file and serve every robot of it");
+  run->add_option("WORLD", raw.run.world, "a .world file")->required();
+  add_serving(*run, raw, raw.run.serving);
+  add_running(*run, raw, raw.run.running);
+
+  CLI::App* serve = app.add_subcommand("serve", "serve the devices of a Player configuration file");
+  serve->add_option("FILE", raw.serve.file, "a .cfg file")->required();
+  add_serving(*serve, raw, raw.serve.serving);
+  add_running(*serve, raw, raw.serve.running);
+
+  CLI::App* devices = app.add_subcommand("devices", "list the devices of a server");
+  devices->add_option("HOST[:PORT]", raw.devices.server, "the server (localhost:6665)");
+
+  CLI::App* watch = app.add_subcommand("watch", "print a device's data as JSON lines");
+  watch->add_option("HOST[:PORT]", raw.watch.server, "the server")->required();
+  watch->add_option("INTERFACE:INDEX", raw.watch.device, "the device, e.g. laser:0")->required();
+  watch->add_option("--count", raw.watch.count, "end after so many messages");
+
+  CLI::App* drive = app.add_subcommand("drive", "drive a robot by the keyboard");
+  drive->add_option("HOST[:PORT]", raw.drive.server, "the server")->required();
+  drive->add_option("INTERFACE:INDEX", raw.drive.device, "the device, e.g. position2d:0")->required();
+
+  CLI::App* check = app.add_subcommand("check", "say what is wrong with a .world or .cfg file");
+  check->add_option("FILE", raw.check.file, "a .world or .cfg file")->required();
+
+  CLI::App* bench = app.add_subcommand("bench", "measure: sonar, laser, cave or server");
+  bench->add_option("SCENARIO", raw.bench.scenario, "sonar, laser, cave or server")->required();
+  bench->add_option("--robots", raw.bench.robots, "how many (the scenario's own number)");
+  bench->add_option("--duration", raw.bench.duration, "simulated seconds (the scenario's own)")
+      ->check(check_not_negative);
+  bench->add_option("--seed", raw.bench.seed, "seed of all random numbers")->capture_default_str();
+  bench->add_option("--workers", raw.bench.workers, "threads that compute")
+      ->check(CLI::Range(1u, 1024u))
+      ->capture_default_str();
+}
+
+std::vector<std::string_view> command_names(const CLI::App& app) {
+  std::vector<std::string_view> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  return names;
+}
+
+std::vector<std::string> flag_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+  }
+  return names;
+}
+
+bool looks_like_flag(std::string_view word) {
+  return word.size() > 1 && word[0] == '-' && !(word[1] >= '0' && word[1] <= '9') && word[1] != '.';
+}
+
+/// CLI11 says that a word is unknown, but not what was meant; so words are looked at before it sees them.
+Result<void> check_words(const CLI::App& app, std::span<const char* const> words) {
+  const CLI::App* scope = &app;
+  std::size_t next = 0;
+  if (!words.empty() && !looks_like_flag(words[0])) {
+    const std::vector<std::string_view> commands = command_names(app);
+    const std::string_view command = words[0];
+    if (std::ranges::find(commands, command) == commands.end()) {
+      return Error{"", fmt::format("\"{}\" is no command{}; see playhouse --help", command,
+                                   did_you_mean(command, commands))};
+    }
+    scope = app.get_subcommand(words[0]);
+    next = 1;
+  }
+  const std::vector<std::string> names = flag_names(*scope);
+  const std::vector<std::string_view> candidates(names.begin(), names.end());
+  for (const std::string_view word : words.subspan(next)) {
+    if (!looks_like_flag(word)) continue;
+    const std::string_view flag = word.substr(0, word.find('='));
+    if (std::ranges::find(candidates, flag) == candidates.end()) {
+      return Error{"", fmt::format("unknown option {}{}", flag, did_you_mean(flag, candidates))};
+    }
+  }
+  return {};
+}
+
+void finish(const Raw& raw, Serving& serving, Running& running) {
+  if (raw.headless || raw.web == "off") {
+    serving.web.reset();
+  } else if (!raw.web.empty()) {
+    serving.web = static_cast<std::uint16_t>(std::stoi(raw.web));
+  }
+  if (raw.fast) running.speed = 0;
+}
+
+CommandLine chosen(const CLI::App& app, Raw& raw) {
+  const std::string name = app.get_subcommands().front()->get_name();
+  finish(raw, raw.run.serving, raw.run.running);
+  finish(raw, raw.serve.serving, raw.serve.running);
+  if (name == "run") return raw.run;
+  if (name == "serve") return raw.serve;
+  if (name == "devices") return raw.devices;
+  if (name == "watch") return raw.watch;
+  if (name == "drive") return raw.drive;
+  if (name == "check") return raw.check;
+  return raw.bench;
+}
+
+}  // namespace
+
+Result<CommandLine> parse_command_line(std::span<const char* const> words) {
+  CLI::App app("A robot device server and simulator: Player clients and Stage worlds.", "playhouse");
+  Raw raw;
+  app.set_version_flag("--version", "playhouse " PLAYHOUSE_VERSION);
+  app.footer(kExamples);
+  app.require_subcommand(1);
+  add_commands(app, raw);
+
+  if (words.empty()) return CommandLine(Answer{app.help()});
+  if (const Result<void> known = check_words(app, words); !known) return known.error();
+  try {
+    // CLI11 takes the words last first.
+    std::vector<std::string> reversed(words.rbegin(), words.rend());
+    app.parse(reversed);
+  } catch (const CLI::CallForHelp&) {
+    const std::vector<CLI::App*> commands = app.get_subcommands();
+    return CommandLine(Answer{commands.empty() ? app.help() : commands.front()->help()});
+  } catch (const CLI::CallForVersion& version) {
+    return CommandLine(Answer{std::string(version.what()) + "\n"});
+  } catch (const CLI::ParseError& error) {
+    return Error{"", error.what()};
+  }
+  return chosen(app, raw);
+}
+
+}  // namespace playhouse::app

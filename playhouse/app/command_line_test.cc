@@ -1,0 +1,100 @@
+#include "playhouse/app/command_line.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace playhouse::app {
+namespace {
+
+using testing::HasSubstr;
+
+Result<CommandLine> parse(std::vector<const char*> words) {
+  return parse_command_line(words);
+}
+
+template <typename T>
+T parsed(std::vector<const char*> words) {
+  const Result<CommandLine> line = parse(std::move(words));
+  EXPECT_TRUE(line) << (line ? "" : line.error().text);
+  if (!line) return {};
+  const T* options = std::get_if<T>(&*line);
+  EXPECT_NE(options, nullptr);
+  return options == nullptr ? T{} : *options;
+}
+
+std::string fault(std::vector<const char*> words) {
+  const Result<CommandLine> line = parse(std::move(words));
+  return line ? "accepted" : line.error().text;
+}
+
+TEST(CommandLine, run_has_the_defaults_of_a_players_server) {
+  const auto run = parsed<RunOptions>({"run", "cave.world"});
+  EXPECT_EQ(run.world, "cave.world");
+  EXPECT_EQ(run.serving.port, 6665);
+  EXPECT_EQ(run.serving.web, 8080);
+  EXPECT_EQ(run.serving.bind, "127.0.0.1");
+  EXPECT_FALSE(run.running.speed);
+  EXPECT_FALSE(run.running.duration);
+  EXPECT_EQ(run.running.workers, 1u);
+}
+
+TEST(CommandLine, run_takes_every_option) {
+  const auto run =
+      parsed<RunOptions>({"run", "--port", "0", "--web=9000", "--bind", "0.0.0.0", "--speed", "2.5",
+                          "--duration", "60", "--seed", "7", "--workers", "4", "--paused", "--json", "w"});
+  EXPECT_EQ(run.serving.port, 0);
+  EXPECT_EQ(run.serving.web, 9000);
+  EXPECT_EQ(run.serving.bind, "0.0.0.0");
+  EXPECT_EQ(run.running.speed, 2.5);
+  EXPECT_EQ(run.running.duration, 60);
+  EXPECT_EQ(run.running.seed, 7u);
+  EXPECT_EQ(run.running.workers, 4u);
+  EXPECT_TRUE(run.running.paused);
+  EXPECT_TRUE(run.running.json);
+}
+
+TEST(CommandLine, headless_and_web_off_mean_no_page) {
+  EXPECT_FALSE(parsed<RunOptions>({"run", "w", "--headless"}).serving.web);
+  EXPECT_FALSE(parsed<ServeOptions>({"serve", "f.cfg", "--web", "off"}).serving.web);
+}
+
+TEST(CommandLine, fast_is_speed_zero) {
+  EXPECT_EQ(parsed<RunOptions>({"run", "w", "--fast"}).running.speed, 0);
+}
+
+TEST(CommandLine, a_mistyped_command_gets_the_nearest_one) {
+  EXPECT_THAT(fault({"rnu", "cave.world"}), HasSubstr("did you mean \"run\"?"));
+}
+
+TEST(CommandLine, a_mistyped_flag_gets_the_nearest_one) {
+  EXPECT_THAT(fault({"run", "w", "--hedless"}), HasSubstr("did you mean \"--headless\"?"));
+  EXPECT_THAT(fault({"run", "w", "--prot=1"}), HasSubstr("did you mean \"--port\"?"));
+}
+
+TEST(CommandLine, wrong_values_are_refused_and_named) {
+  EXPECT_THAT(fault({"run", "w", "--web", "maybe"}), HasSubstr("\"maybe\""));
+  EXPECT_THAT(fault({"run", "w", "--port", "70000"}), HasSubstr("--port"));
+  EXPECT_THAT(fault({"run", "w", "--speed", "-1"}), HasSubstr("--speed"));
+  EXPECT_THAT(fault({"run", "w", "--duration", "nan"}), HasSubstr("--duration"));
+  EXPECT_THAT(fault({"run", "w", "--workers", "0"}), HasSubstr("--workers"));
+  EXPECT_THAT(fault({"run"}), HasSubstr("WORLD"));
+}
+
+TEST(CommandLine, help_has_examples_and_version_has_the_number) {
+  EXPECT_THAT(parsed<Answer>({"--help"}).text, HasSubstr("playhouse run worlds/cave.world"));
+  EXPECT_THAT(parsed<Answer>({"run", "--help"}).text, HasSubstr("--duration"));
+  EXPECT_THAT(parsed<Answer>({"--version"}).text, HasSubstr(PLAYHOUSE_VERSION));
+}
+
+TEST(CommandLine, watch_needs_a_server_and_a_device) {
+  const auto watch = parsed<WatchOptions>({"watch", "localhost:7000", "laser:0", "--count", "3"});
+  EXPECT_EQ(watch.server, "localhost:7000");
+  EXPECT_EQ(watch.device, "laser:0");
+  EXPECT_EQ(watch.count, 3u);
+  EXPECT_THAT(fault({"watch", "localhost"}), HasSubstr("INTERFACE:INDEX"));
+}
+
+}  // namespace
+}  // namespace playhouse::app

@@ -1,0 +1,17 @@
+#pragma once
+
+/// The commands of the program. Each does its whole job and returns the exit code.
+
+#include "playhouse/app/options.h"
+
+namespace playhouse::app {
+
+int run(const RunOptions& options);
+int serve(const ServeOptions& options);
+int devices(const DevicesOptions& options);
+int watch(const WatchOptions& options);
+int drive(const DriveOptions& options);
+int check(const CheckOptions& options);
+int bench(const BenchOptions& options);
+
+}  // namespace playhouse::app

@@ -1,0 +1,32 @@
+#include "playhouse/app/device_name.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <vector>
+
+#include "playhouse/base/nearest_word.h"
+#include "playhouse/wire/messages.h"
+
+namespace playhouse::app {
+
+Result<DeviceName> parse_device_name(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  const std::string_view name = text.substr(0, colon);
+  const wire::InterfaceDef* interf = wire::find_interface(name);
+  if (interf == nullptr) {
+    std::vector<std::string_view> names;
+    for (const wire::InterfaceDef& known : wire::interfaces()) names.push_back(known.name);
+    return Error{"", fmt::format("there is no interface \"{}\"{}", name, did_you_mean(name, names))};
+  }
+  DeviceName device{interf->code, 0};
+  if (colon == std::string_view::npos) return device;
+  const std::string_view digits = text.substr(colon + 1);
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), device.index);
+  if (error != std::errc() || end != digits.data() + digits.size()) {
+    return Error{"", fmt::format("\"{}\" is no index; a device is named like {}:0", digits, name)};
+  }
+  return device;
+}
+
+}  // namespace playhouse::app

@@ -1,0 +1,118 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <numbers>
+
+#include "playhouse/app/commands.h"
+#include "playhouse/app/device_name.h"
+#include "playhouse/app/interrupt.h"
+#include "playhouse/app/keyboard.h"
+#include "playhouse/base/log.h"
+#include "playhouse/wire/generated/position2d.h"
+#include "playhouse_client/client.h"
+
+namespace playhouse::app {
+namespace {
+
+namespace p2d = wire::position2d;
+
+constexpr double kStepForward = 0.1;                 // m/s per key
+constexpr double kStepTurn = std::numbers::pi / 12;  // rad/s per key
+constexpr double kScaleStep = 1.25;                  // of both, per + or -
+constexpr int kKeyPatience = 50;                     // ms
+
+/// What the keys have asked for so far.
+struct Wheel {
+  double forward = 0, turn = 0;  // m/s, rad/s
+  double scale = 1;
+
+  void press(Key key) {
+    switch (key) {
+      case Key::kForward:
+        forward += kStepForward * scale;
+        break;
+      case Key::kBackward:
+        forward -= kStepForward * scale;
+        break;
+      case Key::kLeft:
+        turn += kStepTurn * scale;
+        break;
+      case Key::kRight:
+        turn -= kStepTurn * scale;
+        break;
+      case Key::kStop:
+        forward = turn = 0;
+        break;
+      case Key::kFaster:
+        change_scale(kScaleStep);
+        break;
+      case Key::kSlower:
+        change_scale(1 / kScaleStep);
+        break;
+      case Key::kQuit:
+      case Key::kOther:
+        break;
+    }
+  }
+  void change_scale(double factor) {
+    scale *= factor;
+    forward *= factor;
+    turn *= factor;
+  }
+};
+
+Result<void> send(client::Device& robot, const Wheel& wheel) {
+  return robot.command(p2d::kCmdVel, p2d::CmdVel{{wheel.forward, 0, wheel.turn}, 1});
+}
+
+void show(const client::Device& robot, const Wheel& wheel) {
+  const auto state = robot.latest<p2d::Data>(p2d::kDataState);
+  if (!state) return;
+  fmt::print("\r{:+.2f} m/s {:+.2f} rad/s   at {:.2f} {:.2f} {:.2f}{}   ", wheel.forward, wheel.turn,
+             state->pos.px, state->pos.py, state->pos.pa, state->stall != 0 ? "  blocked" : "         ");
+  std::fflush(stdout);
+}
+
+Result<void> drive_by_keys(client::Client& client, client::Device& robot, const Interrupt& interrupt) {
+  Keyboard keyboard;
+  const bool shows = isatty(STDOUT_FILENO) == 1;
+  Wheel wheel;
+  while (interrupt.signal() == 0) {
+    if (const std::optional<Key> key = keyboard.wait(kKeyPatience)) {
+      if (*key == Key::kQuit) break;
+      wheel.press(*key);
+      if (const Result<void> sent = send(robot, wheel); !sent) return sent.error();
+    }
+    if (const Result<std::size_t> read = client.read(client::Seconds(0)); !read && interrupt.signal() == 0) {
+      return read.error();
+    }
+    if (shows) show(robot, wheel);
+  }
+  return send(robot, Wheel{});
+}
+
+int fail(const Error& error, Exit code = kFailed) {
+  log::error("{}", error.line());
+  return code;
+}
+
+}  // namespace
+
+int drive(const DriveOptions& options) {
+  const Result<DeviceName> name = parse_device_name(options.device);
+  if (!name) return fail(name.error(), kUsage);
+  if (name->interf != p2d::kCode) return fail({"", "drive wants a position2d device"}, kUsage);
+  const Interrupt interrupt;
+  Result<client::Client> client = client::Client::connect(options.server, {.mode = client::Mode::kPush});
+  if (!client) return fail(client.error());
+  Result<client::Device> robot = client::Device::open(*client, name->interf, name->index);
+  if (!robot) return fail(robot.error());
+  fmt::print("w a s d or arrows drive, space stops, + and - change the speed, q ends\n");
+  if (const Result<void> done = drive_by_keys(*client, *robot, interrupt); !done) return fail(done.error());
+  fmt::print("\n");
+  return interrupt.exit_code(kDone);
+}
+
+}  // namespace playhouse::app

@@ -1,0 +1,205 @@
+#include "playhouse/app/house.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <set>
+#include <thread>
+#include <utility>
+
+#include "playhouse/base/log.h"
+#include "playhouse/drivers/simulated/auto_map.h"
+#include "playhouse/drivers/simulated/device_factory.h"
+#include "playhouse/drivers/simulated/simulated_driver.h"
+#include "playhouse/scene/world_loader.h"
+#include "playhouse/server/page_files.h"
+
+namespace playhouse::app {
+namespace {
+
+constexpr double kProgressSeconds = 0.5;
+
+/// An address as people type it into a client; a server on every interface is shown at the loopback one.
+std::string shown_host(const std::string& bind) {
+  if (bind == "0.0.0.0" || bind == "localhost") return "127.0.0.1";
+  if (bind == "::") return "[::1]";
+  return bind.find(':') == std::string::npos ? bind : "[" + bind + "]";
+}
+
+/// The ports of a configuration file; 0 stands for the default one where an address names none.
+std::set<std::uint16_t> ports_of(const scene::CfgFile& file) {
+  std::set<std::uint16_t> ports;
+  for (const scene::CfgSection& section : file.drivers) {
+    for (const scene::DeviceAddress& address : section.addresses("provides"))
+      ports.insert(address.port.value_or(0));
+  }
+  return ports;
+}
+
+}  // namespace
+
+std::string Outcome::json() const {
+  return fmt::format(
+      R"({{"sim_time":{},"wall_time":{:.6f},"real_time_factor":{:.3f},"ticks":{},"robots":{},"rays":{},"hash":"{:016x}"}})",
+      sim_time, wall_time, real_time_factor, ticks, robots, rays, hash);
+}
+
+House::House(Serving serving, Running running, QuitTime quit_time)
+    : serving_(std::move(serving)), running_(running), quit_time_(quit_time) {}
+
+House::~House() {
+  // Nobody may be left who answers a request when the server, who sends the answers, goes.
+  if (site_ != nullptr && site_->simulation() != nullptr) site_->simulation()->discard();
+}
+
+Result<void> House::read_world(const std::string& path) {
+  Result<scene::SceneDesc> scene = scene::load_world(path);
+  if (!scene) return scene.error();
+  scene_ = std::move(*scene);
+  for (const std::string& warning : scene_.warnings) log::warn("{}", warning);
+  return {};
+}
+
+Result<void> House::read_cfg(const std::string& path) {
+  Result<scene::CfgFile> file = scene::load_cfg(path, serving_.port);
+  if (!file) return file.error();
+  cfg_ = std::move(*file);
+  for (const std::string& warning : cfg_->warnings) log::warn("{}", warning);
+  return {};
+}
+
+Result<void> House::open_ports() {
+  server_ = std::make_unique<server::Server>(loop_, server::ServerOptions{.bind = serving_.bind});
+  server_->set_clock([this] { return simulation().time(); });
+  const std::set<std::uint16_t> wanted = cfg_ ? ports_of(*cfg_) : std::set<std::uint16_t>{0};
+  for (const std::uint16_t port : wanted) {
+    const Result<std::uint16_t> opened = server_->listen(port == 0 ? serving_.port : port);
+    if (!opened) return opened.error();
+    if (port == 0) serving_.port = *opened;
+    player_ports_.push_back(*opened);
+  }
+  return {};
+}
+
+Result<void> House::furnish() {
+  drivers::Surroundings& surroundings = *this;  // a private base, which make_unique cannot see
+  site_ = std::make_unique<drivers::Site>(surroundings, serving_.port);
+  site_->tap().pass_to(*server_);
+  return cfg_ ? make_drivers() : add_robots();
+}
+
+Result<void> House::make_drivers() {
+  drivers::Registry registry;
+  drivers::register_drivers(registry);
+  Result<std::vector<std::unique_ptr<device::Driver>>> made = drivers::make_drivers(registry, *cfg_, *site_);
+  for (const std::string& warning : site_->warnings()) log::warn("{}", warning);
+  if (!made) return made.error();
+  drivers_ = std::move(*made);
+  return {};
+}
+
+Result<void> House::add_robots() {
+  if (const Result<void> opened = site_->open_world(scene_.path); !opened) return opened.error();
+  drivers::Simulation& world = simulation();
+  const drivers::AutoMap map = drivers::auto_map(world.world());
+  auto driver = std::make_unique<drivers::SimulatedDriver>(world, "stage");
+  drivers::SimulatedDriver& stage = *driver;
+  drivers_.push_back(std::move(driver));
+  for (const drivers::MappedDevice& mapped : map.devices) {
+    const Result<device::DeviceId> id =
+        site_->add_device({serving_.port, mapped.interf, mapped.index}, stage);
+    if (!id) return id.error();
+    stage.add(*id, drivers::make_device(world, mapped.interf, mapped.model));
+  }
+  if (map.left_out > 0) log::warn("{} devices are left out: an interface has 65536 indices", map.left_out);
+  if (map.devices.size() > limits::kDevices) {
+    log::warn("{} devices: a client's list shows the first {}, and all can be opened", map.devices.size(),
+              limits::kDevices);
+  }
+  return {};
+}
+
+Result<std::unique_ptr<drivers::Simulation>> House::open_world(const std::string& path) {
+  if (cfg_) {
+    if (const Result<void> read = read_world(path); !read) return read.error();
+  }
+  Result<std::unique_ptr<world::Engine>> engine = make_engine(scene_, running_.seed, running_.workers);
+  if (!engine) return engine.error();
+  return std::make_unique<drivers::Simulation>(std::move(*engine),
+                                               pace_of(scene_, serving_, running_, quit_time_));
+}
+
+Result<device::DeviceId> House::add_device(device::Address address, device::Driver& driver) {
+  return server_->add_device(address, driver);
+}
+
+Result<void> House::open_page() {
+  if (!serving_.web) return {};
+  const server::WebOptions options{
+      .bind = serving_.bind, .port = *serving_.web, .page = server::page_files()};
+  web_ = std::make_unique<server::WebServer>(loop_, options, simulation(), simulation().world());
+  const Result<std::uint16_t> port = web_->listen();
+  if (!port) return port.error();
+  web_port_ = *port;
+  simulation().add_listener(
+      [this](const world::World& world, const world::Pace& pace) { web_->show(world, pace); });
+  return {};
+}
+
+std::vector<std::string> House::places() const {
+  std::vector<std::string> lines;
+  const std::string host = shown_host(serving_.bind);
+  for (const std::uint16_t port : player_ports_)
+    lines.push_back(fmt::format("Player clients: {}:{}", host, port));
+  if (web_) lines.push_back(fmt::format("web page: http://{}:{}/", host, web_port_));
+  return lines;
+}
+
+void House::catch_signals() {
+  loop_.on_signal({SIGINT, SIGTERM}, [this](int signal) {
+    if (signal_.exchange(signal) != 0) std::_Exit(128 + signal);  // asked twice: at once
+    stop();
+  });
+}
+
+void House::show_progress() {
+  fmt::print(stderr, "\r{:.1f} s simulated, {:.2f}x real time, {} clients ", simulation().time(),
+             simulation().pace().real_time_factor, server_->status().sessions);
+  progress_ = loop_.after(kProgressSeconds, [this] { show_progress(); });
+}
+
+Outcome House::run() {
+  catch_signals();
+  const bool shows_progress = isatty(STDERR_FILENO) == 1;
+  if (shows_progress) progress_ = loop_.after(kProgressSeconds, [this] { show_progress(); });
+  std::thread io([this] { loop_.run(); });
+  const auto start = std::chrono::steady_clock::now();
+  simulation().run();
+  const double wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  loop_.stop();
+  io.join();
+  if (shows_progress) fmt::print(stderr, "\n");
+  return outcome(wall_time);
+}
+
+Outcome House::outcome(double wall_time) {
+  world::Engine& engine = simulation().engine();
+  const world::World& world = engine.world();
+  Outcome outcome;
+  outcome.sim_time = world.time();
+  outcome.wall_time = wall_time;
+  outcome.real_time_factor = wall_time > 0 ? world.time() / wall_time : 0;
+  outcome.ticks = world.tick();
+  outcome.robots = count_robots(world);
+  outcome.rays = engine.rays();
+  outcome.hash = world.hash();
+  outcome.signal = signal_.load();
+  return outcome;
+}
+
+}  // namespace playhouse::app

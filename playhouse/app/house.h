@@ -1,0 +1,105 @@
+#pragma once
+
+/// House: one simulated world with its devices on Player's ports and a page on the web. Builds the object
+/// tree from a world file or a .cfg file, runs it until it ends, and says how it went. Threads: the caller of
+/// run() is the tick thread; the io thread lives inside run().
+
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "playhouse/app/options.h"
+#include "playhouse/app/world_opener.h"
+#include "playhouse/drivers/registry.h"
+#include "playhouse/drivers/site.h"
+#include "playhouse/net/io_loop.h"
+#include "playhouse/scene/cfg.h"
+#include "playhouse/scene/scene_desc.h"
+#include "playhouse/server/server.h"
+#include "playhouse/server/web_server.h"
+
+namespace playhouse::app {
+
+/// How a run went.
+struct Outcome {
+  double sim_time = 0;   // s
+  double wall_time = 0;  // s
+  double real_time_factor = 0;
+  std::uint64_t ticks = 0;
+  std::size_t robots = 0;  // top-level position models
+  std::uint64_t rays = 0;
+  std::uint64_t hash = 0;  // of the whole state
+  int signal = 0;          // that ended the run; 0: none
+
+  /// One JSON object, for --json.
+  std::string json() const;
+};
+
+class House final : private drivers::Surroundings {
+ public:
+  House(Serving serving, Running running, QuitTime quit_time);
+  ~House() override;
+
+  // Steps, in this order; each fails with one line for a person.
+
+  /// A world file: every robot of it becomes a set of devices. Or a configuration file, which names the
+  /// devices.
+  Result<void> read_world(const std::string& path);
+  Result<void> read_cfg(const std::string& path);
+  /// A scene made in memory, in place of a file.
+  void take_scene(scene::SceneDesc scene) { scene_ = std::move(scene); }
+  /// Opens the ports for Player clients; they are served once run() is called.
+  Result<void> open_ports();
+  /// Makes the engine and the devices.
+  Result<void> furnish();
+  /// Opens the web page, if one is wanted.
+  Result<void> open_page();
+
+  /// Ports for Player clients, the default one first.
+  const std::vector<std::uint16_t>& player_ports() const { return player_ports_; }
+  /// "Player clients: ..." and "web page: ...", one line each.
+  std::vector<std::string> places() const;
+
+  /// Until the duration is over, the file says so, or a signal comes.
+  Outcome run();
+  /// Ends run(). Any thread.
+  void stop() { simulation().stop(); }
+
+  drivers::Simulation& simulation() { return *site_->simulation(); }
+  const server::Server& server() const { return *server_; }
+
+ private:
+  Result<device::DeviceId> add_device(device::Address address, device::Driver& driver) override;
+  Result<void> hold(device::DeviceId device) override { return server_->hold(device); }
+  void release(device::DeviceId device) override { server_->release(device); }
+  Result<std::unique_ptr<drivers::Simulation>> open_world(const std::string& path) override;
+
+  Result<void> add_robots();
+  Result<void> make_drivers();
+  void catch_signals();
+  void show_progress();
+  Outcome outcome(double wall_time);
+
+  Serving serving_;
+  Running running_;
+  QuitTime quit_time_;
+
+  // In order of construction; what is below uses what is above.
+  std::optional<scene::CfgFile> cfg_;
+  scene::SceneDesc scene_;
+  net::IoLoop loop_;
+  std::unique_ptr<drivers::Site> site_;  // with the simulation
+  std::vector<std::unique_ptr<device::Driver>> drivers_;
+  std::unique_ptr<server::Server> server_;
+  std::unique_ptr<server::WebServer> web_;
+  std::unique_ptr<net::Timer> progress_;
+
+  std::vector<std::uint16_t> player_ports_;
+  std::uint16_t web_port_ = 0;
+  std::atomic<int> signal_ = 0;
+};
+
+}  // namespace playhouse::app

@@ -1,0 +1,73 @@
+#pragma once
+
+/// What each command of the program was asked to do: plain values, filled by command_line.cc.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace playhouse::app {
+
+/// Exit codes of the program. Ends by a signal are 128 + its number.
+enum Exit : int { kDone = 0, kFailed = 1, kUsage = 2 };
+
+inline constexpr std::uint16_t kPlayerPort = 6665;
+inline constexpr std::uint16_t kWebPort = 8080;
+
+/// Where and how a world is offered to others.
+struct Serving {
+  std::uint16_t port = kPlayerPort;             // 0: any free one
+  std::optional<std::uint16_t> web = kWebPort;  // none: no page; 0: any free port
+  std::string bind = "127.0.0.1";
+};
+
+/// How a world runs. What is not given comes from the world file.
+struct Running {
+  std::optional<double> speed;     // times real time; 0: as fast as possible
+  std::optional<double> duration;  // simulated seconds
+  std::uint64_t seed = 1;
+  unsigned workers = 1;
+  bool paused = false;
+  bool json = false;  // the result as the last line of standard output
+};
+
+struct RunOptions {
+  std::string world;
+  Serving serving;
+  Running running;
+};
+
+struct ServeOptions {
+  std::string file;  // .cfg
+  Serving serving;
+  Running running;
+};
+
+struct DevicesOptions {
+  std::string server;  // "host", "host:port" or ""
+};
+
+struct WatchOptions {
+  std::string server;
+  std::string device;       // "laser:0"
+  std::uint64_t count = 0;  // messages until the end; 0: for ever
+};
+
+struct DriveOptions {
+  std::string server;
+  std::string device;
+};
+
+struct CheckOptions {
+  std::string file;
+};
+
+struct BenchOptions {
+  std::string scenario;
+  std::uint32_t robots = 0;  // 0: the scenario's own number
+  double duration = 0;       // simulated seconds; 0: the scenario's own
+  std::uint64_t seed = 1;
+  unsigned workers = 1;
+};
+
+}  // namespace playhouse::app

@@ -1,0 +1,74 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <string>
+
+#include "playhouse/app/commands.h"
+#include "playhouse/app/device_name.h"
+#include "playhouse/app/interrupt.h"
+#include "playhouse/base/log.h"
+#include "playhouse/wire/messages.h"
+#include "playhouse_client/client.h"
+
+namespace playhouse::app {
+namespace {
+
+constexpr client::Seconds kPatience{0.25};  // between looks at whether to end
+
+/// One message as a line: {"message":"laser.data.scan","index":0,"time":1.5,"data":{...}}
+std::string line_of(const client::Device& device, std::uint8_t subtype, std::span<const std::byte> body,
+                    double timestamp) {
+  const wire::MessageDef* message = wire::find_message(device.interf(), wire::MessageType::kData, subtype);
+  std::string line = fmt::format(R"({{"message":"{}","index":{},"time":{},"data":)",
+                                 message == nullptr ? "unknown" : message->name, device.index(), timestamp);
+  if (message == nullptr) {
+    line += "null";
+  } else {
+    message->to_json(body, line);
+  }
+  return line + "}\n";
+}
+
+/// Ends when enough was printed, a signal came, or nobody reads standard output any more.
+Result<void> print_data(client::Client& client, client::Device& device, std::uint64_t count,
+                        const Interrupt& interrupt) {
+  std::uint64_t printed = 0;
+  bool heard = true;
+  device.on_data([&](std::uint8_t subtype, std::span<const std::byte> body, double timestamp) {
+    if (!heard || (count > 0 && printed == count)) return;
+    const std::string line = line_of(device, subtype, body, timestamp);
+    heard = std::fwrite(line.data(), 1, line.size(), stdout) == line.size() && std::fflush(stdout) == 0;
+    ++printed;
+  });
+  while (heard && interrupt.signal() == 0 && (count == 0 || printed < count)) {
+    if (const Result<std::size_t> read = client.read(kPatience); !read && interrupt.signal() == 0) {
+      device.on_data({});
+      return read.error();
+    }
+  }
+  device.on_data({});
+  return {};
+}
+
+int fail(const Error& error, Exit code = kFailed) {
+  log::error("{}", error.line());
+  return code;
+}
+
+}  // namespace
+
+int watch(const WatchOptions& options) {
+  const Result<DeviceName> name = parse_device_name(options.device);
+  if (!name) return fail(name.error(), kUsage);
+  const Interrupt interrupt;
+  Result<client::Client> client = client::Client::connect(options.server, {.mode = client::Mode::kPush});
+  if (!client) return fail(client.error());
+  Result<client::Device> device = client::Device::open(*client, name->interf, name->index);
+  if (!device) return fail(device.error());
+  if (const Result<void> printed = print_data(*client, *device, options.count, interrupt); !printed) {
+    return fail(printed.error());
+  }
+  return interrupt.exit_code(kDone);
+}
+
+}  // namespace playhouse::app

@@ -1,0 +1,54 @@
+#include "playhouse/app/world_opener.h"
+
+#include <filesystem>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "playhouse/base/log.h"
+#include "playhouse/controllers/attach.h"
+#include "playhouse/stage/engine.h"
+
+namespace playhouse::app {
+namespace {
+
+std::filesystem::path program_folder() {
+  std::error_code ignored;
+  return std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path();
+}
+
+}  // namespace
+
+Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene, std::uint64_t seed,
+                                                   unsigned workers) {
+  Result<std::unique_ptr<world::Engine>> engine =
+      stage::make_engine(scene, {.seed = seed, .workers = workers});
+  if (!engine) return engine;
+  const std::vector<std::filesystem::path> folders = controllers::library_folders(scene, program_folder());
+  const Result<std::vector<std::string>> attached = controllers::attach((*engine)->world(), folders);
+  if (!attached) return attached.error();
+  for (const std::string& warning : *attached) log::warn("{}", warning);
+  return engine;
+}
+
+drivers::Simulation::Options pace_of(const scene::SceneDesc& scene, const Serving& serving,
+                                     const Running& running, QuitTime quit_time) {
+  constexpr double kForever = std::numeric_limits<double>::infinity();
+  const double file_end =
+      quit_time == QuitTime::kHonoured && scene.quit_time > 0 ? scene.quit_time : kForever;
+  drivers::Simulation::Options options;
+  options.speed = running.speed.value_or(scene.speedup > 0 ? scene.speedup : 1.0);
+  options.paused = running.paused || (scene.paused && serving.web.has_value());
+  options.duration = running.duration.value_or(file_end);
+  return options;
+}
+
+std::size_t count_robots(const world::World& world) {
+  std::size_t robots = 0;
+  for (const world::ModelRow model : world.positions.model)
+    robots += world.models.root[model.index] == model.index;
+  return robots;
+}
+
+}  // namespace playhouse::app

@@ -1,0 +1,34 @@
+#pragma once
+
+/// From a scene to a simulation that is ready to run: engine, controllers, pace.
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+#include "playhouse/app/options.h"
+#include "playhouse/base/result.h"
+#include "playhouse/drivers/simulated/simulation.h"
+#include "playhouse/scene/scene_desc.h"
+#include "playhouse/world/engine.h"
+
+namespace playhouse::app {
+
+/// An engine for the scene, with the controllers that its models name. The scene must outlive it.
+Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene, std::uint64_t seed,
+                                                   unsigned workers);
+
+/// Whether the world file's quit_time ends the run.
+enum class QuitTime : std::uint8_t { kHonoured, kIgnored };
+
+/// How the run relates to the wall clock: what the command line says, else what the file says. A file that
+/// wants speedup 0 (as fast as possible) runs in real time: clients could not keep up with it, and --fast
+/// asks for it. A file that wants to start paused does so where somebody can resume it: where a page is
+/// served.
+drivers::Simulation::Options pace_of(const scene::SceneDesc& scene, const Serving& serving,
+                                     const Running& running, QuitTime quit_time);
+
+/// Robots: position models at the top of the scene.
+std::size_t count_robots(const world::World& world);
+
+}  // namespace playhouse::app
