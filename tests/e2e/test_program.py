@@ -1,0 +1,230 @@
+"""The command line as people and scripts meet it: exit codes, single clear lines, signals, ports."""
+
+import json
+import os
+import pty
+import shutil
+import signal
+import socket
+import struct
+import subprocess
+import time
+import unittest
+from pathlib import Path
+
+from house import (PATIENCE, POSITION2D, PROGRAM, Client, House, HouseTest, finish)
+
+
+class Faults(HouseTest):
+    def check_fault(self, code: int, expected: str, *arguments):
+        """Ends with the code and one line that says what is wrong, and where."""
+        done = finish(*arguments)
+        lines = done.stderr.strip().splitlines()
+        self.assertEqual(done.returncode, code, done.stderr)
+        self.assertEqual(len(lines), 1, done.stderr)
+        self.assertIn(expected, lines[0])
+        self.assertEqual(done.stdout, "")
+
+    def test_a_mistyped_command_gets_the_nearest_one(self):
+        self.check_fault(2, 'did you mean "serve"?', "sreve", "x.cfg")
+
+    def test_a_mistyped_flag_gets_the_nearest_one(self):
+        self.check_fault(2, 'did you mean "--duration"?', "run", self.world(), "--durration", "3")
+
+    def test_a_wrong_value_is_named(self):
+        self.check_fault(2, "--workers", "run", self.world(), "--workers", "many")
+
+    def test_a_missing_world_is_named(self):
+        self.check_fault(2, "nosuch.world", "run", self.folder / "nosuch.world", "--headless", "--port", "0")
+
+    def test_a_malformed_world_is_refused_with_its_line(self):
+        world = self.world('position( name "r0"\n  pose [0 0 0\n')
+        self.check_fault(2, "test.world:", "run", world, "--headless", "--port", "0")
+
+    def test_a_malformed_configuration_is_refused_with_its_line(self):
+        cfg = self.write("test.cfg", 'driver( name "stage" provides ["simulation:0"\n')
+        self.check_fault(2, "test.cfg:", "serve", cfg, "--headless", "--port", "0")
+
+    def test_an_unknown_driver_gets_the_nearest_one(self):
+        cfg = self.write("test.cfg", 'driver( name "stag" provides ["simulation:0"] )\n')
+        self.check_fault(2, 'did you mean "stage"?', "serve", cfg, "--headless", "--port", "0")
+
+    def test_an_unknown_model_gets_the_nearest_one(self):
+        self.world()
+        cfg = self.write("test.cfg", 'driver( name "stage" provides ["simulation:0"] worldfile "test.world" )\n'
+                                     'driver( name "stage" provides ["position2d:0"] model "r00" )\n')
+        self.check_fault(2, "test.cfg:2", "serve", cfg, "--headless", "--port", "0")
+
+    def test_a_port_in_use_is_one_clear_line(self):
+        with socket.socket() as taken:
+            taken.bind(("127.0.0.1", 0))
+            taken.listen()
+            port = str(taken.getsockname()[1])
+            self.check_fault(1, port, "run", self.world(), "--headless", "--port", port)
+            self.check_fault(1, port, "run", self.world(), "--port", "0", "--web", port)
+
+    def test_a_server_that_is_not_there_is_one_clear_line(self):
+        with socket.socket() as taken:
+            taken.bind(("127.0.0.1", 0))
+            port = taken.getsockname()[1]
+        self.check_fault(1, str(port), "devices", f"127.0.0.1:{port}")
+
+    def test_an_unknown_interface_gets_the_nearest_one(self):
+        self.check_fault(2, 'did you mean "laser"?', "watch", "localhost", "lazer:0")
+
+
+class Texts(unittest.TestCase):
+    def test_help_and_version_go_to_standard_output(self):
+        done = finish("--help")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("playhouse run", done.stdout)
+        done = finish("--version")
+        self.assertEqual(done.returncode, 0)
+        self.assertRegex(done.stdout, r"^playhouse \d+\.\d+\.\d+\n$")
+
+
+class Ending(HouseTest):
+    def test_signals_end_a_run_cleanly_with_their_codes(self):
+        for by, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):
+            with self.run_house("--json") as house:
+                port = house.port()
+                with Client(port) as client:
+                    client.open(POSITION2D, 0)
+                    client.next_data(POSITION2D, 0)
+                    self.assertEqual(house.end(by), code, house.log())
+                self.assertEqual(json.loads(house.output().splitlines()[-1])["robots"], 2)
+
+    def test_a_signal_ends_a_paused_run_too(self):
+        with self.run_house("--paused") as house:
+            house.port()
+            self.assertEqual(house.end(signal.SIGINT), 130)
+
+    def test_the_duration_ends_a_run_with_its_result_on_the_last_line(self):
+        done = finish("run", self.world(), "--port", 0, "--headless", "--fast", "--duration", "2.5", "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        result = json.loads(done.stdout.splitlines()[-1])
+        self.assertEqual(set(result), {"sim_time", "wall_time", "real_time_factor", "ticks", "robots", "rays", "hash"})
+        self.assertEqual((result["ticks"], result["robots"]), (25, 2))
+        self.assertAlmostEqual(result["sim_time"], 2.5)
+        self.assertRegex(result["hash"], r"^[0-9a-f]{16}$")
+
+    def test_the_files_quit_time_ends_a_run(self):
+        world = self.world("quit_time 1\nposition( name \"r0\" )\n")
+        done = finish("run", world, "--port", 0, "--headless", "--fast", "--json")
+        self.assertEqual((done.returncode, json.loads(done.stdout)["ticks"]), (0, 10))
+
+    def test_standard_output_is_silent_without_json(self):
+        done = finish("run", self.world(), "--port", 0, "--headless", "--fast", "--duration", "1")
+        self.assertEqual((done.returncode, done.stdout), (0, ""))
+
+    def test_real_time_is_kept(self):
+        world = self.world("speedup 0\nposition( name \"r0\" )\n")
+        done = finish("run", world, "--port", 0, "--headless", "--duration", "1", "--json")
+        self.assertGreater(json.loads(done.stdout)["wall_time"], 0.85)
+
+
+class Tools(HouseTest):
+    def setUp(self):
+        super().setUp()
+        self.house = self.enterContext(self.run_house())
+        self.server = f"127.0.0.1:{self.house.port()}"
+
+    def test_devices_lists_names_and_drivers(self):
+        done = finish("devices", self.server)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn(["position2d:0", "stage"], [line.split() for line in done.stdout.splitlines()])
+
+    def test_watch_prints_json_lines(self):
+        done = finish("watch", self.server, "laser:0", "--count", 2)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        lines = [json.loads(line) for line in done.stdout.splitlines()]
+        self.assertEqual(len(lines), 2)
+        self.assertEqual(lines[0]["message"], "laser.data.scan")
+        self.assertEqual(len(lines[0]["data"]["ranges"]), 181)
+        self.assertGreater(lines[1]["time"], lines[0]["time"])
+
+    def test_watch_ends_cleanly_on_a_signal(self):
+        with House("watch", self.server, "position2d:0") as watch:
+            watch.process.stdout.readline()
+            self.assertEqual(watch.end(signal.SIGINT), 130)
+
+    def test_a_device_that_is_not_there_fails(self):
+        done = finish("watch", self.server, "gripper:0")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("gripper:0", done.stderr)
+
+    def test_keys_drive_a_robot_and_quitting_stops_it_and_restores_the_terminal(self):
+        ours, its = pty.openpty()
+        self.addCleanup(os.close, ours)
+        import termios
+        before = termios.tcgetattr(its)
+        with House("drive", self.server, "position2d:0", stdin=its) as drive, Client(self.house.port()) as watcher:
+            watcher.open(POSITION2D, 0)
+            drive.process.stdout.readline()     # the keys are explained, the robot is open
+            os.write(ours, b"\x1b[A")
+            self.wait_for_speed(watcher, 0.1)
+            os.write(ours, b"ww")
+            self.wait_for_speed(watcher, 0.3)
+            os.write(ours, b"q")
+            self.assertEqual(drive.wait(), 0, drive.log())
+            self.wait_for_speed(watcher, 0)
+        self.assertEqual(termios.tcgetattr(its)[3], before[3])
+        os.close(its)
+
+    def wait_for_speed(self, client, speed):
+        deadline = time.monotonic() + PATIENCE
+        seen = None
+        while time.monotonic() < deadline:
+            seen = struct.unpack(">d", client.next_data(POSITION2D, 0).body[24:32])[0]
+            if abs(seen - speed) < 1e-9:
+                return
+        self.fail(f"never drove at {speed}, last at {seen}")
+
+
+class Check(HouseTest):
+    def test_a_good_file_is_zero_and_its_warnings_are_printed(self):
+        done = finish("check", self.world("gui_speed 3\nposition( name \"r0\" colour \"red\" )\n"))
+        self.assertEqual(done.returncode, 0, done.stdout)
+        self.assertIn("test.world:2", done.stdout)
+
+    def test_a_bad_file_is_two(self):
+        self.assertEqual(finish("check", self.world("position(")).returncode, 2)
+        self.assertEqual(finish("check", self.folder / "nothing.cfg").returncode, 2)
+
+    def test_a_controller_that_does_not_exist_is_an_error(self):
+        done = finish("check", self.world("position( ctrl \"wandr\" )\n"))
+        self.assertEqual(done.returncode, 2, done.stdout)
+
+
+class PlayerLink(HouseTest):
+    def setUp(self):
+        super().setUp()
+        self.player = self.folder / "player"
+        self.player.symlink_to(PROGRAM)
+        self.world()
+        self.cfg = self.write("test.cfg", """
+            driver( name "stage" provides ["simulation:0"] plugin "stageplugin" worldfile "test.world" )
+            driver( name "stage" provides ["position2d:0"] model "r0" )
+            """)
+
+    def test_says_that_it_listens_as_scripts_wait_for(self):
+        with House("-p", 0, "-d", 1, "-q", self.cfg, program=str(self.player)) as house:
+            line = house.process.stdout.readline()
+            self.assertRegex(line, r"^Listening on ports: \d+ $")
+            with Client(int(line.split()[3])) as client:
+                self.assertIn((POSITION2D, 0), client.devices())
+            self.assertEqual(house.end(), 143)
+            self.assertIn("Quitting.", house.output())
+
+    def test_help_and_faults_end_with_players_code(self):
+        for arguments in (["-h"], [], ["-x", self.cfg], ["-p"], [self.folder / "nosuch.cfg"]):
+            self.assertEqual(finish(*arguments, program=str(self.player)).returncode, 255, arguments)
+
+    def test_the_program_has_a_player_link_beside_it(self):
+        link = Path(PROGRAM).parent / "player"
+        self.assertTrue(link.is_symlink())
+        self.assertEqual(link.resolve(), Path(PROGRAM).resolve())
+
+
+if __name__ == "__main__":
+    unittest.main()
