@@ -9,6 +9,7 @@ import { listenForKeys } from './ui/keyboard';
 import { RobotList } from './ui/robot_list';
 import { Toolbar } from './ui/toolbar';
 import { Pointer } from './view/pointer';
+import type { Margins } from './view/camera_rig';
 import { StageView } from './view/stage_view';
 import { kDarkPage } from './view/theme';
 
@@ -30,7 +31,7 @@ class Page {
   private lookTime = 0;
   private noticeTimer = 0;
 
-  private readonly view = new StageView(byId<HTMLCanvasElement>('picture'), byId<HTMLCanvasElement>('overlay'));
+  private readonly view = new StageView(byId<HTMLCanvasElement>('picture'), byId<HTMLCanvasElement>('overlay'), margins);
   private readonly link = new Link(new URL('live', location.href).href.replace(/^http/, 'ws'), {
     scene: (scene, replica) => this.showScene(scene, replica),
     packet: () => this.showPacket(),
@@ -219,6 +220,19 @@ class Page {
     this.looked = text;
     this.link.send(look);
   }
+}
+
+/** What lies over the picture at its sides. */
+function margins(): Margins {
+  const wide = window.innerWidth > 720;
+  const panel = byId('panel');
+  const gap = 24;
+  return {
+    left: gap + (wide ? byId('robots').getBoundingClientRect().right : 0),
+    right: gap + (wide && !panel.hidden ? window.innerWidth - panel.getBoundingClientRect().left : 0),
+    top: gap + (wide ? 62 : 104),
+    bottom: gap + (wide ? 56 : panel.hidden ? 0 : panel.getBoundingClientRect().height),
+  };
 }
 
 const page = new Page();

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { Motion, turn } from './motion';
 import { Replica } from './protocol/replica';
 import type { Model, Scene } from './protocol/scene';
-import { outlinesOf } from './view/shapes';
+import { outlinesOf, smoothed } from './view/shapes';
 
 function model(name: string, parent: number, x_mm: number): Model {
   return { name, type: 'model', kind: 'plain', parent, start: [x_mm, 0, 0, 0, 0, 0], size: [1, 1, 1] };
@@ -75,5 +75,22 @@ describe('outlinesOf', () => {
     const shapes = outlinesOf([square(1), square(3), square(2)]);
     expect(shapes.length).toBe(2);
     expect(shapes.map((shape) => shape.holes.length).sort()).toEqual([0, 1]);
+  });
+});
+
+describe('smoothed', () => {
+  it('turns the stairs of a bitmap into the line that was meant and keeps corners of walls', () => {
+    const stairs = [0, 0, 40, 0];
+    for (let k = 0; k < 10; ++k) stairs.push(40 - k, k + 1, 39 - k, k + 1);
+    stairs.push(30, 40, 0, 40);
+    const drawn = smoothed(stairs);
+    expect(drawn.length).toBeLessThan(stairs.length / 2);
+    expect(drawn.slice(0, 2)).toEqual([0, 0]);
+    for (let i = 0; i < drawn.length; i += 2) expect(Math.min(...stairs.map((_, j) => (j % 2 ? 99 : Math.hypot(stairs[j] - drawn[i], stairs[j + 1] - drawn[i + 1]))))).toBeLessThan(2);
+  });
+
+  it('leaves polygons alone', () => {
+    const round = Array.from({ length: 60 }, (_, k) => (k % 2 ? Math.sin(k) : Math.cos(k)));
+    expect(smoothed(round)).toBe(round);
   });
 });

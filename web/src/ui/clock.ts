@@ -16,9 +16,15 @@ export class Clock {
     setText(this.time, clockText(replica.tick * interval));
     setText(this.factor, `${factorText(replica.realTimeFactor)}× real time`);
     setText(this.tick, `tick ${replica.tick}`);
-    setText(this.mode, replica.paused ? 'paused' : '');
+    setText(this.mode, modeText(replica));
     this.factor.hidden = replica.paused;
   }
+}
+
+function modeText(replica: Replica): string {
+  if (replica.paused) return 'paused';
+  if (replica.rowsWait) return 'catching up';
+  return replica.beamsFull ? 'some sensors not shown' : '';
 }
 
 /** 3723.4 s as "1:02:03.4". */

@@ -94,7 +94,7 @@ export class DevicePanel {
         this.line('speed', () => `${(field(0) / 1000).toFixed(3)} m/s`, 'speed-x'),
         this.line('sideways', () => `${(field(1) / 1000).toFixed(3)} m/s`, 'speed-y'),
         this.line('turn rate', () => `${((field(2) / 1000) * (180 / Math.PI)).toFixed(1)} °/s`, 'speed-a'),
-        this.line('odometry', () => `${metres(field(3) / 1000)}, ${metres(field(4) / 1000)}, ${degrees(radiansOf(field(5)))}`, 'odometry'),
+        this.line('odometry', () => `${(field(3) / 1000).toFixed(2)}, ${metres(field(4) / 1000)}, ${degrees(radiansOf(field(5)))}`, 'odometry'),
         this.line('stall', () => (replica.state[model] & kStalled ? 'yes' : 'no'), 'stall'),
       ),
     ];
@@ -136,11 +136,11 @@ export class DevicePanel {
     };
     return el('table', {},
       this.line('nearest', nearest, 'laser-nearest'),
-      this.line('right · ahead · left', () => {
+      this.line('right, ahead, left', () => {
         const beams = scan();
-        return [0, Math.floor((sensor.samples - 1) / 2), sensor.samples - 1].map((k) => metresOf(beams?.[k])).join(' · ');
+        return [0, Math.floor((sensor.samples - 1) / 2), sensor.samples - 1].map((k) => metresOf(beams?.[k])).join('  ').replaceAll(' m', '');
       }),
-      this.line('beams', () => `${sensor.samples} over ${Math.round((sensor.fov * 180) / Math.PI)}°, to ${Number(sensor.range[1].toFixed(1))} m`),
+      this.line('beams', () => `${sensor.samples}, ${Math.round((sensor.fov * 180) / Math.PI)}°, to ${Number(sensor.range[1].toFixed(1))} m`),
     );
   }
 

@@ -55,7 +55,7 @@ export class Toolbar {
     this.speeds.onchange = () => events.speed(Number(this.speeds.value));
     this.showSpeed(1);
     bar.append(
-      el('span', { class: 'brand' }, this.dot, 'Playhouse', this.world),
+      el('span', { class: 'brand' }, this.dot, el('span', { class: 'desk' }, 'Playhouse'), this.world),
       list, el('span', { class: 'rule' }), this.pause, step, this.speeds, el('span', { class: 'gap' }),
       this.tiltButton, fit, this.layerMenu(), help,
     );
@@ -90,7 +90,7 @@ export class Toolbar {
   }
 
   showTilted(tilted: boolean): void {
-    setText(this.tiltButton, tilted ? 'From above' : 'Tilted');
+    setText(this.tiltButton, tilted ? 'Top' : 'Tilt');
   }
 
   toggle(layer: keyof Layers): void {

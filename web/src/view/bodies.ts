@@ -1,24 +1,22 @@
 import {
-  BufferAttribute, BufferGeometry, Color, DynamicDrawUsage, EdgesGeometry, Group, InstancedMesh, LineBasicMaterial,
+  BufferAttribute, BufferGeometry, Color, DoubleSide, DynamicDrawUsage, Group, InstancedMesh, LineBasicMaterial,
   LineSegments, Matrix4, MeshLambertMaterial,
 } from 'three';
 import type { Motion } from '../motion';
 import type { Replica } from '../protocol/replica';
 import type { Pose, Scene } from '../protocol/scene';
-import { geometryOf, heightOf } from './shapes';
+import { edgesOf, geometryOf, heightOf } from './shapes';
 import type { Theme } from './theme';
 
 /** Models that look alike, drawn in one call. */
 interface Batch {
   mesh: InstancedMesh;
-  edges: LineSegments | null;
+  edges: LineSegments | null; // outlines
   rows: number[];
   origins: Pose[];
 }
 
-const kEdgesMost = 20000; // line segments of one shape: outlines of larger ones say nothing
-
-/** The bodies of all models, extruded, in their colours; and a mark on the nose of each that drives. */
+/** The bodies of all models, extruded, in their colours; and a point ahead of each that drives. */
 export class Bodies {
   readonly group = new Group();
   private readonly batches: Batch[] = [];
@@ -72,7 +70,7 @@ export class Bodies {
     }
     this.noses?.rows.forEach((row, k) => {
       if (this.shown[row] === color[row]) return;
-      this.noses!.mesh.setColorAt(k, this.color.setHex(brightness(color[row]) > 0.55 ? 0x1a1e24 : 0xffffff));
+      this.noses!.mesh.setColorAt(k, this.color.setHex(color[row] >>> 8).multiplyScalar(0.55));
       this.noses!.mesh.instanceColor!.needsUpdate = true;
     });
     this.shown.set(color);
@@ -87,16 +85,16 @@ export class Bodies {
   }
 
   private addBatch(rows: number[], theme: Theme): void {
-    const geometry = geometryOf(this.scene.shapes[this.scene.models[rows[0]].shape!]);
+    const solids = this.scene.shapes[this.scene.models[rows[0]].shape!];
+    const geometry = geometryOf(solids);
     if (!geometry) return;
     const alpha = (this.replica.color[rows[0]] & 0xff) / 255;
     const material = new MeshLambertMaterial({ transparent: alpha < 1, opacity: alpha, depthWrite: alpha >= 1 });
     const mesh = new InstancedMesh(geometry, material, rows.length);
     mesh.instanceMatrix.setUsage(DynamicDrawUsage);
     mesh.frustumCulled = false;
-    const edges = edgesOf(mesh, alpha, theme);
-    this.group.add(mesh);
-    if (edges) this.group.add(edges);
+    const edges = followers(edgesOf(solids), mesh, alpha, theme);
+    this.group.add(mesh, edges);
     const origins = rows.map((row): Pose => this.scene.models[row].origin ?? [0, 0, 0, 0]);
     this.batches.push({ mesh, edges, rows, origins });
   }
@@ -108,11 +106,11 @@ export class Bodies {
     });
     if (rows.length === 0) return null;
     const geometry = new BufferGeometry();
-    // An arrow head on a body of size 1, pointing ahead.
-    const points = new Float32Array([0.4, 0, 0, 0.02, 0.24, 0, 0.12, 0, 0, 0.4, 0, 0, 0.12, 0, 0, 0.02, -0.24, 0]);
+    // A point ahead of a body of size 1.
+    const points = new Float32Array([0.74, 0, 0, 0.54, 0.26, 0, 0.54, -0.26, 0]);
     geometry.setAttribute('position', new BufferAttribute(points, 3));
     geometry.setAttribute('normal', new BufferAttribute(Float32Array.from(points, (_, i) => (i % 3 === 2 ? 1 : 0)), 3));
-    const mesh = new InstancedMesh(geometry, new MeshLambertMaterial(), rows.length);
+    const mesh = new InstancedMesh(geometry, new MeshLambertMaterial({ side: DoubleSide }), rows.length);
     mesh.instanceMatrix.setUsage(DynamicDrawUsage);
     mesh.frustumCulled = false;
     this.group.add(mesh);
@@ -133,22 +131,20 @@ export class Bodies {
   private noseMatrix(row: number): Matrix4 {
     const model = this.scene.models[row];
     const [length, width] = model.size;
-    const top = heightOf(this.scene.shapes[model.shape!]) + 0.003;
+    const middle = heightOf(this.scene.shapes[model.shape!]) / 2;
     const matrix = this.bodyMatrix(row, model.origin ?? [0, 0, 0, 0]);
     const e = matrix.elements;
     for (let k = 0; k < 3; ++k) {
       e[k] *= length;
       e[4 + k] *= width;
     }
-    e[14] += top;
+    e[14] += middle;
     return matrix;
   }
 }
 
-/** Outlines that follow the instances of a mesh: lines that share its matrices. */
-function edgesOf(mesh: InstancedMesh, alpha: number, theme: Theme): LineSegments | null {
-  const geometry = new EdgesGeometry(mesh.geometry, 30);
-  if (geometry.getAttribute('position').count > kEdgesMost * 2) return null;
+/** Lines that follow the instances of a mesh: they share its matrices. */
+function followers(geometry: BufferGeometry, mesh: InstancedMesh, alpha: number, theme: Theme): LineSegments {
   const material = new LineBasicMaterial({ color: theme.edge, transparent: true, opacity: alpha < 1 ? 0.25 : 0.55 });
   // three.js draws instances of whatever carries these; it only offers the class for meshes.
   const lines = Object.assign(new LineSegments(geometry, material), {
@@ -160,9 +156,4 @@ function edgesOf(mesh: InstancedMesh, alpha: number, theme: Theme): LineSegments
   });
   lines.frustumCulled = false;
   return lines;
-}
-
-/** 0 black .. 1 white, as the eye sees it. */
-function brightness(color: number): number {
-  return (0.299 * (color >>> 24) + 0.587 * ((color >>> 16) & 0xff) + 0.114 * ((color >>> 8) & 0xff)) / 255;
 }

@@ -12,6 +12,14 @@ export interface Box {
   y_max: number;
 }
 
+/** Pixels at each side of the screen. */
+export interface Margins {
+  left: number;
+  right: number;
+  top: number;
+  bottom: number;
+}
+
 /**
  * How the world is looked at: a point on the floor, pixels per metre there, a turn about the vertical and a tilt. Straight
  * from above the projection is orthographic, tilted it is a perspective one that agrees at the looked-at point.
@@ -61,16 +69,24 @@ export class CameraRig {
     this.glide = { ...now, ...to };
   }
 
-  /** The whole box on the screen, with a margin for what lies over it. */
-  fit(box: Box, mode: 'glide' | 'jump'): void {
+  /** The whole box within what the margins leave of the screen. */
+  fit(box: Box, margins: Margins, mode: 'glide' | 'jump'): void {
     const width = Math.max(box.x_max - box.x_min, 1);
     const height = Math.max(box.y_max - box.y_min, 1);
+    const [s, c] = [Math.sin(this.yaw), Math.cos(this.yaw)];
+    const pitch = this.glide?.pitch ?? this.pitch;
+    const near = 1 + 0.1 * Math.sin(pitch); // perspective enlarges what is near
+    const across = (width * Math.abs(c) + height * Math.abs(s)) * near;
+    const up = (width * Math.abs(s) + height * Math.abs(c)) * Math.cos(pitch) * near;
+    const free = { x: this.width - margins.left - margins.right, y: this.height - margins.top - margins.bottom };
+    const scale = clamp(Math.min(free.x / across, free.y / up), kScale.least, kScale.most);
+    const right = (margins.right - margins.left) / 2 / scale;
+    const ahead = (margins.top - margins.bottom) / 2 / scale / Math.cos(pitch);
     const to = {
-      x: (box.x_min + box.x_max) / 2,
-      y: (box.y_min + box.y_max) / 2,
-      scale: Math.min((this.width - 48) / width, (this.height - 150) / height),
+      x: (box.x_min + box.x_max) / 2 + c * right - s * ahead,
+      y: (box.y_min + box.y_max) / 2 + s * right + c * ahead,
+      scale,
     };
-    to.scale = clamp(to.scale, kScale.least, kScale.most);
     if (mode === 'glide') this.glideTo(to);
     else Object.assign(this, to);
   }

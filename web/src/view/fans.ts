@@ -6,6 +6,7 @@ import { Painted } from './painted';
 import type { Theme } from './theme';
 
 const kConeSteps = 6;
+const kGap = 0.4; // m: a longer step between two beams is no surface
 
 /** A sensor's place in the world at this moment. */
 export interface SensorPose {
@@ -33,7 +34,7 @@ export function bearingOf(sensor: Sensor, k: number): number {
   return sensor.samples < 2 ? 0 : -sensor.fov / 2 + (k * sensor.fov) / (sensor.samples - 1);
 }
 
-/** Laser scans as filled fans with an outline, sonar pings as cones. */
+/** Laser scans as filled fans, outlined where they met something; sonar pings as cones. */
 export class Fans {
   readonly group = new Group();
   private readonly fill = new Painted('triangles', 2);
@@ -81,7 +82,9 @@ export class Fans {
         this.fill.corner(at.x, at.y, at.z, color, alpha * 1.2);
         this.fill.corner(px, py, at.z, color, alpha);
         this.fill.corner(x, y, at.z, color, alpha);
-        this.line(px, py, x, y, at.z, color, 0.6);
+        if (Math.max(beams[k], beams[k - 1]) < 65535 && Math.abs(beams[k] - beams[k - 1]) * unit < kGap) {
+          this.line(px, py, x, y, at.z, color, 0.75);
+        }
       }
       px = x;
       py = y;

@@ -1,20 +1,114 @@
-import { ExtrudeGeometry, Path, Shape, type BufferGeometry } from 'three';
+import { BufferAttribute, BufferGeometry, ExtrudeGeometry, Path, Shape } from 'three';
 import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
 import type { Solid } from '../protocol/scene';
 
 type Loop = number[]; // x, y, x, y, ...
 
+const kUprightsMost = 40; // corners
+const kStairsLeast = 12; // corners
+const kStepMost = 6; // pixels: a longer edge is a wall, not a step
+
 /** A shape of the scene as one geometry in the body's frame; null when it encloses nothing. */
 export function geometryOf(solids: Solid[]): BufferGeometry | null {
   const parts: BufferGeometry[] = [];
   for (const solid of solids) {
-    const outlines = outlinesOf(solid.loops);
+    const outlines = outlinesOf(solid.loops.map(smoothed));
     if (outlines.length === 0) continue;
     const depth = Math.max(solid.z[1] - solid.z[0], 1e-3);
     const part = new ExtrudeGeometry(outlines, { depth, bevelEnabled: false });
     parts.push(part.translate(0, 0, solid.z[0]));
   }
   return parts.length === 0 ? null : mergeGeometries(parts);
+}
+
+/** The outlines of a shape as pairs of points: the rims, and the uprights of corners where there are few. */
+export function edgesOf(solids: Solid[]): BufferGeometry {
+  const points: number[] = [];
+  for (const { z, loops } of solids) {
+    for (const loop of loops.map(smoothed)) {
+      const uprights = loop.length <= kUprightsMost * 2;
+      for (let i = 0, j = loop.length - 2; i < loop.length; j = i, i += 2) {
+        points.push(loop[j], loop[j + 1], z[1], loop[i], loop[i + 1], z[1]);
+        if (!uprights) continue;
+        points.push(loop[j], loop[j + 1], z[0], loop[i], loop[i + 1], z[0]);
+        points.push(loop[i], loop[i + 1], z[0], loop[i], loop[i + 1], z[1]);
+      }
+    }
+  }
+  return new BufferGeometry().setAttribute('position', new BufferAttribute(new Float32Array(points), 3));
+}
+
+/**
+ * A loop as it is drawn. Outlines traced from a bitmap are stairs along its pixels: the middles of their steps lie on the
+ * line that was meant. Corners between long straight edges stay.
+ */
+export function smoothed(loop: Loop): Loop {
+  const pixel = stairsPixel(loop);
+  if (pixel === 0) return loop;
+  const middles: Loop = [];
+  const count = loop.length / 2;
+  const point = (k: number) => [loop[(2 * k) % loop.length], loop[(2 * k + 1) % loop.length]];
+  const isLong = (k: number) => distance(point(k), point(k + 1)) > kStepMost * pixel;
+  for (let k = 0; k < count; ++k) {
+    const [a, b] = [point(k), point(k + 1)];
+    if (isLong(k) && isLong(k + count - 1)) middles.push(...a);
+    if (!isLong(k)) middles.push((a[0] + b[0]) / 2, (a[1] + b[1]) / 2);
+    else middles.push(...between(a, b, 1.5 * pixel), ...between(b, a, 1.5 * pixel));
+  }
+  return thinned(middles, pixel / 2);
+}
+
+/** The side of a pixel when every edge runs along an axis and there are many; else 0. */
+function stairsPixel(loop: Loop): number {
+  if (loop.length < kStairsLeast * 2) return 0;
+  let pixel = Infinity;
+  for (let i = 0, j = loop.length - 2; i < loop.length; j = i, i += 2) {
+    const [dx, dy] = [Math.abs(loop[i] - loop[j]), Math.abs(loop[i + 1] - loop[j + 1])];
+    if (Math.min(dx, dy) > 1e-6) return 0;
+    if (dx + dy > 1e-6) pixel = Math.min(pixel, dx + dy);
+  }
+  return pixel;
+}
+
+function distance(a: number[], b: number[]): number {
+  return Math.hypot(b[0] - a[0], b[1] - a[1]);
+}
+
+/** The point this far from a towards b. */
+function between(a: number[], b: number[], far: number): number[] {
+  const t = far / distance(a, b);
+  return [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])];
+}
+
+/** Without the points that are hardly off the line between their neighbours. */
+function thinned(loop: Loop, tolerance: number): Loop {
+  const count = loop.length / 2;
+  const half = Math.floor(count / 2);
+  const kept = new Uint8Array(count + 1);
+  kept[0] = kept[half] = 1;
+  thin(loop, 0, half, tolerance, kept);
+  thin(loop, half, count, tolerance, kept);
+  return loop.filter((_, i) => kept[i >> 1]);
+}
+
+/** Marks what must stay between two points that do (Ramer 1972; Douglas and Peucker 1973). */
+function thin(loop: Loop, first: number, last: number, tolerance: number, kept: Uint8Array): void {
+  const open: [number, number][] = [[first, last]];
+  const at = (k: number, axis: number) => loop[(2 * k + axis) % loop.length];
+  for (let span = open.pop(); span; span = open.pop()) {
+    const [a, b] = span;
+    const [dx, dy] = [at(b, 0) - at(a, 0), at(b, 1) - at(a, 1)];
+    const length = Math.hypot(dx, dy);
+    let [farthest, far] = [-1, tolerance];
+    for (let k = a + 1; k < b; ++k) {
+      const [ex, ey] = [at(k, 0) - at(a, 0), at(k, 1) - at(a, 1)];
+      const off = length > 0 ? Math.abs(dx * ey - dy * ex) / length : Math.hypot(ex, ey);
+      if (off > far) [farthest, far] = [k, off];
+    }
+    if (farthest < 0) continue;
+    kept[farthest] = 1;
+    open.push([a, farthest], [farthest, b]);
+  }
 }
 
 /** Highest point above the body's frame. */

@@ -6,7 +6,7 @@ import { Motion } from '../motion';
 import type { Replica } from '../protocol/replica';
 import { rootsOf, type Scene } from '../protocol/scene';
 import { Bodies } from './bodies';
-import { CameraRig, kTilted, type Box } from './camera_rig';
+import { CameraRig, kTilted, type Box, type Margins } from './camera_rig';
 import { Fans } from './fans';
 import { Ground } from './ground';
 import { Labels } from './labels';
@@ -45,7 +45,7 @@ class Drawn {
     this.bodies = new Bodies(scene, replica, motion, theme);
     this.fans = new Fans(scene, replica, motion, theme);
     this.sightings = new Sightings(scene, replica, motion);
-    this.trails = new Trails(scene, replica, motion);
+    this.trails = new Trails(scene, replica);
     this.labels = new Labels(scene, motion, rig, canvas, theme);
     this.ground = new Ground(extent, theme);
     this.group.add(this.ground.group, this.trails.object, this.bodies.group, this.fans.group, this.sightings.group);
@@ -78,6 +78,8 @@ export class StageView {
   constructor(
     canvas: HTMLCanvasElement,
     private readonly overlay: HTMLCanvasElement,
+    /** How much of the picture other things lie over. */
+    private readonly margins: () => Margins,
   ) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'low-power' });
     this.picture.add(new AmbientLight(0xffffff, 0.7), new HemisphereLight(0xffffff, 0xb8bec8, 1.1), this.sun);
@@ -106,6 +108,7 @@ export class StageView {
   changed(now: number): void {
     this.motion?.aim(now);
     this.drawn?.bodies.paint();
+    this.drawn?.trails.record();
     this.dirty = true;
   }
 
@@ -133,7 +136,7 @@ export class StageView {
   }
 
   fitAll(): void {
-    if (this.drawn) this.rig.fit(this.drawn.extent, 'glide');
+    if (this.drawn) this.rig.fit(this.drawn.extent, this.margins(), 'glide');
     this.dirty = true;
   }
 
@@ -150,10 +153,7 @@ export class StageView {
     const moved = this.motion?.update(now) ?? false;
     if (this.followed !== null && this.motion) this.rig.lookAt(this.motion.x[this.followed], this.motion.y[this.followed]);
     const glides = this.rig.update(seconds);
-    if (moved) {
-      this.drawn?.bodies.move();
-      this.drawn?.trails.record();
-    }
+    if (moved) this.drawn?.bodies.move();
     if (!(moved || glides || resized || this.dirty)) return;
     this.dirty = false;
     this.draw();
@@ -220,9 +220,9 @@ export class StageView {
   private frameAsTheFileWants(): void {
     const { window: wanted } = this.drawn!.scene;
     this.fitWindow();
-    this.rig.fit(this.drawn!.extent, 'jump');
     this.rig.pitch = Math.min(Math.abs(wanted.pitch), 1.3);
     this.rig.yaw = wanted.yaw;
+    this.rig.fit(this.drawn!.extent, this.margins(), 'jump');
   }
 
   private applyTheme(): void {

@@ -1,5 +1,4 @@
 import { Color } from 'three';
-import type { Motion } from '../motion';
 import type { Replica } from '../protocol/replica';
 import type { Scene } from '../protocol/scene';
 import { Painted } from './painted';
@@ -8,7 +7,7 @@ const kSpacing = 0.06; // m between two points
 const kJump = 1.5; // m: a longer step starts a new trail
 const kLengthMost = 200; // points
 const kRobotsMost = 400;
-const kWidth = 0.025; // m
+const kWidth = 0.03; // m, half
 
 interface Trail {
   row: number;
@@ -26,7 +25,6 @@ export class Trails {
   constructor(
     scene: Scene,
     private readonly replica: Replica,
-    private readonly motion: Motion,
   ) {
     scene.models.forEach((model, row) => {
       if (model.parent >= 0 || model.kind !== 'position' || this.trails.length >= kRobotsMost) return;
@@ -34,10 +32,10 @@ export class Trails {
     });
   }
 
-  /** Takes down where everyone is; call once per drawn frame with motion. */
+  /** Takes down where everyone is; call for every packet. */
   record(): void {
     for (const { row, length, points } of this.trails) {
-      const [x, y] = [this.motion.x[row], this.motion.y[row]];
+      const [x, y] = [this.replica.x[row] / 1000, this.replica.y[row] / 1000];
       const far = points.length === 0 ? Infinity : Math.hypot(x - points[points.length - 2], y - points[points.length - 1]);
       if (far < kSpacing) continue;
       if (far > kJump) points.length = 0;
@@ -50,10 +48,7 @@ export class Trails {
     this.ribbon.begin();
     for (const { row, points } of this.trails) {
       this.color.setHex(this.replica.color[row] >>> 8);
-      const color = [this.color.r, this.color.g, this.color.b];
-      const count = points.length / 2;
-      for (let k = 1; k < count; ++k) this.segment(points, k, color, k / count);
-      if (count > 0) this.segment([...points.slice(-2), this.motion.x[row], this.motion.y[row]], 1, color, 1);
+      this.lay(points, [this.color.r, this.color.g, this.color.b]);
     }
     this.ribbon.end();
   }
@@ -62,16 +57,22 @@ export class Trails {
     this.ribbon.dispose();
   }
 
-  private segment(points: number[], k: number, color: number[], age: number): void {
-    const [ax, ay, bx, by] = points.slice(2 * k - 2, 2 * k + 2);
-    const length = Math.hypot(bx - ax, by - ay);
-    if (length < 1e-6) return;
-    const nx = ((by - ay) / length) * kWidth;
-    const ny = (-(bx - ax) / length) * kWidth;
-    const alpha = 0.75 * age * age;
+  /** A band along the points, which share their edges, so that it has no gaps in its turns. */
+  private lay(points: number[], color: number[]): void {
+    const count = points.length / 2;
     const z = 0.004;
-    for (const [x, y] of [[ax + nx, ay + ny], [ax - nx, ay - ny], [bx + nx, by + ny], [bx + nx, by + ny], [ax - nx, ay - ny], [bx - nx, by - ny]]) {
-      this.ribbon.corner(x, y, z, color, alpha);
+    let [lx, ly, rx, ry] = [0, 0, 0, 0];
+    for (let k = 0; k < count; ++k) {
+      const [before, behind] = [Math.max(k - 1, 0) * 2, Math.min(k + 1, count - 1) * 2];
+      const [dx, dy] = [points[behind] - points[before], points[behind + 1] - points[before + 1]];
+      const half = kWidth / Math.max(Math.hypot(dx, dy), 1e-6);
+      const [nlx, nly] = [points[2 * k] - dy * half, points[2 * k + 1] + dx * half];
+      const [nrx, nry] = [points[2 * k] + dy * half, points[2 * k + 1] - dx * half];
+      if (k > 0) {
+        const alpha = (0.85 * k) / count;
+        for (const [x, y] of [[lx, ly], [rx, ry], [nlx, nly], [nlx, nly], [rx, ry], [nrx, nry]]) this.ribbon.corner(x, y, z, color, alpha);
+      }
+      [lx, ly, rx, ry] = [nlx, nly, nrx, nry];
     }
   }
 }

@@ -1,0 +1,66 @@
+// Starts the program and a browser for the tests of the page.
+
+import { spawn } from 'node:child_process';
+import { existsSync, mkdirSync } from 'node:fs';
+import { dirname, join, resolve } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { chromium } from 'playwright-core';
+
+const root = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
+
+/** Where pictures go. */
+export const results = process.env.PLAYHOUSE_TEST_RESULTS ?? join(root, 'build/test-results');
+mkdirSync(results, { recursive: true });
+
+/**
+ * Runs a world on free ports and waits until its page is there.
+ * @param {string} world path below the source root
+ * @param {string[]} options
+ * @returns {Promise<{page: string, stop: () => Promise<number | null>}>}
+ */
+export async function startProgram(world, options = []) {
+  const program = process.env.PLAYHOUSE_PROGRAM ?? join(root, 'build/playhouse');
+  if (!existsSync(program)) throw new Error(`no program at ${program} (make build, or set PLAYHOUSE_PROGRAM)`);
+  const child = spawn(program, ['run', join(root, world), '--port', '0', '--web', '0', ...options], {
+    cwd: root,
+    stdio: ['ignore', 'ignore', 'pipe'],
+  });
+  const exit = new Promise((done) => child.once('exit', (code) => done(code)));
+  const page = await new Promise((found, fail) => {
+    let said = '';
+    child.once('error', fail);
+    child.once('exit', (code) => fail(new Error(`the program ended with ${code}:\n${said}`)));
+    child.stderr.on('data', (bytes) => {
+      said += bytes;
+      const line = said.match(/web page: (http:\S+)/);
+      if (line) found(line[1]);
+    });
+  });
+  const stop = async () => {
+    child.kill('SIGTERM');
+    return exit;
+  };
+  return { page, stop };
+}
+
+/** Debian's Chromium, drawing in software. */
+export function startBrowser() {
+  return chromium.launch({
+    executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+    args: [
+      '--headless', '--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update',
+      '--disable-sync', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist',
+    ],
+  });
+}
+
+/** A page that shows the world, and the errors it met. */
+export async function watch(browser, url, options = {}) {
+  const page = await browser.newPage({ viewport: { width: 1280, height: 800 }, ...options });
+  const errors = [];
+  page.on('pageerror', (error) => errors.push(error.message));
+  page.on('console', (message) => message.type() === 'error' && errors.push(message.text()));
+  await page.goto(url);
+  await page.waitForFunction(() => window.playhouse?.tick > 0);
+  return { page, errors };
+}

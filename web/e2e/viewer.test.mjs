@@ -1,0 +1,185 @@
+// The page in a real browser against the program: npm run e2e (PLAYHOUSE_PROGRAM=path of the program).
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { join } from 'node:path';
+import { results, startBrowser, startProgram, watch } from './program.mjs';
+
+let program;
+let browser;
+let viewer;
+let page;
+
+const tick = (on = page) => on.evaluate(() => window.playhouse.tick);
+const pose = (name, on = page) => on.evaluate((robot) => window.playhouse.pose(robot), name);
+const pixel = (name, on = page) => on.evaluate((robot) => window.playhouse.pixel(robot), name);
+const apart = (a, b) => Math.hypot(a.x - b.x, a.y - b.y);
+const by = (id, on = page) => on.getByTestId(id);
+
+/** Everything at rest: the world paused, and its last tick on the page. */
+async function pause(on = page) {
+  if (!(await on.evaluate(() => window.playhouse.paused))) await by('pause', on).click();
+  await on.waitForFunction(() => window.playhouse.paused);
+}
+
+async function goOn(on = page) {
+  if (await on.evaluate(() => window.playhouse.paused)) await by('pause', on).click();
+  await on.waitForFunction(() => !window.playhouse.paused);
+}
+
+before(async () => {
+  program = await startProgram('worlds/cave.world');
+  browser = await startBrowser();
+  viewer = await watch(browser, program.page);
+  page = viewer.page;
+});
+
+after(async () => {
+  await browser?.close();
+  await program?.stop();
+});
+
+test('the page shows the world, its robots and a running clock', async () => {
+  assert.match(await by('world').textContent(), /cave/);
+  assert.equal(await by('link').getAttribute('data-state'), 'live');
+  const robots = await page.evaluate(() => window.playhouse.robots);
+  assert.ok(robots.includes('amber') && robots.includes('guest'), robots.join());
+  assert.match(await by('count').textContent(), new RegExp(`^${robots.length} robots`));
+  const first = await by('time').textContent();
+  await page.waitForFunction((text) => document.querySelector('[data-testid=time]').textContent !== text, first);
+});
+
+test('robots move', async () => {
+  const names = await page.evaluate(() => window.playhouse.robots);
+  const start = await Promise.all(names.map((name) => pose(name)));
+  await page.waitForFunction(
+    ([all, from]) => {
+      const moved = (name, k) => {
+        const now = window.playhouse.pose(name);
+        return Math.hypot(now.x - from[k].x, now.y - from[k].y) > 0.2;
+      };
+      return all.filter(moved).length >= 5;
+    },
+    [names, start],
+  );
+});
+
+test('sensor data of the robots in view arrives', async () => {
+  await page.waitForFunction(() => window.playhouse.scans > 10);
+});
+
+test('pause stops every robot', async () => {
+  await pause();
+  const names = await page.evaluate(() => window.playhouse.robots);
+  const [t, start] = [await tick(), await Promise.all(names.map((name) => pose(name)))];
+  await page.waitForTimeout(700);
+  assert.equal(await tick(), t);
+  assert.deepEqual(await Promise.all(names.map((name) => pose(name))), start);
+  assert.equal(await by('mode').textContent(), 'paused');
+});
+
+test('step advances one tick', async () => {
+  const t = await tick();
+  await by('step').click();
+  await page.waitForFunction((before) => window.playhouse.tick > before, t);
+  await page.waitForTimeout(300);
+  assert.equal(await tick(), t + 1);
+  await page.keyboard.press('.');
+  await page.waitForFunction((before) => window.playhouse.tick > before, t + 1);
+  assert.equal(await tick(), t + 2);
+});
+
+test('speed changes how fast the world runs', async () => {
+  await goOn();
+  await by('speed').selectOption('5');
+  await page.waitForFunction(() => Number.parseFloat(document.querySelector('[data-testid=factor]').textContent) > 3);
+  await by('speed').selectOption('1');
+  await page.waitForFunction(() => Number.parseFloat(document.querySelector('[data-testid=factor]').textContent) < 1.5);
+});
+
+test('a click on a robot shows its devices live', async () => {
+  await pause();
+  const at = await pixel('guest');
+  await page.mouse.click(at.x, at.y);
+  await page.waitForFunction(() => document.querySelector('#panel').dataset.robot === 'guest');
+  assert.equal(await by('selected').textContent(), 'guest');
+  await goOn();
+  // Nobody drives the guest, so its sensors sleep: selecting it makes them measure.
+  await page.waitForFunction(() => /nearest/.test(document.querySelector('#panel').textContent) && !/no data yet/.test(document.querySelector('#panel').textContent));
+  assert.match(await by('place-x').textContent(), /^-?\d+\.\d\d m$/);
+  await page.locator('[data-robot=amber]').click();
+  await page.waitForFunction(() => document.querySelector('#panel').dataset.robot === 'amber');
+  const odometry = await by('odometry').textContent();
+  await page.waitForFunction((text) => document.querySelector('[data-testid=odometry]').textContent !== text, odometry);
+  await page.keyboard.press('Escape');
+  await page.waitForFunction(() => document.querySelector('#panel').hidden);
+});
+
+test('dragging a robot moves it in the world', async () => {
+  await pause();
+  await page.keyboard.press('f');
+  await page.waitForTimeout(900);
+  const from = await pose('guest');
+  const at = await pixel('guest');
+  await page.mouse.move(at.x, at.y);
+  await page.mouse.down();
+  for (let k = 1; k <= 8; ++k) await page.mouse.move(at.x + 5 * k, at.y - 4 * k);
+  await page.mouse.up();
+  await page.waitForFunction((start) => Math.hypot(window.playhouse.pose('guest').x - start.x, window.playhouse.pose('guest').y - start.y) > 0.2, from);
+  const second = await watch(browser, program.page);
+  assert.ok(apart(await pose('guest', second.page), await pose('guest')) < 0.002, 'another viewer sees it there too');
+  await second.page.close();
+});
+
+test('two viewers see the same and either may pause', async () => {
+  await goOn();
+  const other = await watch(browser, program.page);
+  await pause(other.page);
+  await page.waitForFunction(() => window.playhouse.paused);
+  await page.waitForTimeout(300);
+  assert.equal(await tick(), await tick(other.page));
+  assert.deepEqual(await pose('coral'), await pose('coral', other.page));
+  await goOn(other.page);
+  await page.waitForFunction(() => !window.playhouse.paused);
+  assert.deepEqual(other.errors, []);
+  await other.page.close();
+});
+
+test('the search finds a robot and the help opens', async () => {
+  await page.keyboard.press('/');
+  await page.keyboard.type('azu');
+  assert.match(await by('count').textContent(), /^1 of/);
+  await page.keyboard.press('Enter');
+  await page.waitForFunction(() => document.querySelector('#panel').dataset.robot === 'azure');
+  await by('search').fill('');
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('?');
+  assert.ok(await page.locator('#help').isVisible());
+  await page.keyboard.press('Escape');
+  assert.ok(!(await page.locator('#help').isVisible()));
+});
+
+test('the page works on a phone', async () => {
+  const phone = await watch(browser, program.page, { viewport: { width: 390, height: 844 }, hasTouch: true, deviceScaleFactor: 2 });
+  const wide = await phone.page.evaluate(() => document.documentElement.scrollWidth > innerWidth || document.querySelector('#bar').scrollWidth > innerWidth);
+  assert.equal(wide, false, 'nothing sticks out');
+  const at = await pixel('coral', phone.page);
+  await phone.page.touchscreen.tap(at.x, at.y);
+  await phone.page.waitForFunction(() => document.querySelector('#panel').dataset.robot !== undefined);
+  await phone.page.waitForTimeout(500);
+  await phone.page.screenshot({ path: join(results, 'phone.png') });
+  assert.deepEqual(phone.errors, []);
+  await phone.page.close();
+});
+
+test('the page says so when the program is gone, and comes back with it', async () => {
+  await page.waitForTimeout(1500);
+  await page.screenshot({ path: join(results, 'viewer.png') });
+  assert.deepEqual(viewer.errors, []);
+  const port = new URL(program.page).port;
+  await program.stop();
+  await page.waitForFunction(() => !document.querySelector('#lost').hidden);
+  assert.match(await page.locator('#lost').textContent(), /Connection lost/);
+  program = await startProgram('worlds/cave.world', ['--web', port]);
+  await page.waitForFunction(() => document.querySelector('#lost').hidden && window.playhouse.tick > 0);
+});
