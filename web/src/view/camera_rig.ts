@@ -118,14 +118,20 @@ export class CameraRig {
     this.place();
   }
 
-  /** Where the ray through a pixel meets the height z; null when it does not. */
-  floorAt(px: number, py: number, z = 0): Vector3 | null {
-    const camera = this.camera;
-    const near = new Vector3((px / this.width) * 2 - 1, 1 - (py / this.height) * 2, -1).unproject(camera);
-    const far = new Vector3((px / this.width) * 2 - 1, 1 - (py / this.height) * 2, 1).unproject(camera);
-    const along = (z - near.z) / (far.z - near.z);
-    if (!(along >= 0 && along <= 1)) return null;
-    return near.lerp(far, along);
+  /** Where the ray through a pixel meets the floor; null when it does not. */
+  floorAt(px: number, py: number): Vector3 | null {
+    return this.rayAt(px, py)(0);
+  }
+
+  /** The ray through a pixel, as a function from a height to where it meets it. */
+  rayAt(px: number, py: number): (z: number) => Vector3 | null {
+    const [x, y] = [(px / this.width) * 2 - 1, 1 - (py / this.height) * 2];
+    const near = new Vector3(x, y, -1).unproject(this.camera);
+    const far = new Vector3(x, y, 1).unproject(this.camera);
+    return (z) => {
+      const along = (z - near.z) / (far.z - near.z);
+      return along >= 0 && along <= 1 ? near.clone().lerp(far, along) : null;
+    };
   }
 
   /** Pixel of a point, or null behind the eye. */

@@ -29,7 +29,10 @@ export class Painted {
 
   corner(x: number, y: number, z: number, color: ArrayLike<number>, alpha: number): void {
     if ((this.count + 1) * 3 > this.positions.length) this.grow();
-    this.positions.set([x, y, z], this.count * 3);
+    const to = this.count * 3;
+    this.positions[to] = x;
+    this.positions[to + 1] = y;
+    this.positions[to + 2] = z;
     const at = this.count * 4;
     this.colors[at] = color[0];
     this.colors[at + 1] = color[1];

@@ -163,12 +163,13 @@ export class StageView {
   pick(px: number, py: number): number | null {
     const { drawn, motion } = this;
     if (!drawn || !motion) return null;
+    const ray = this.rig.rayAt(px, py);
     const slack = 5 / this.rig.scale;
     let best: number | null = null;
     let nearest = Infinity;
     drawn.scene.models.forEach((model, row) => {
       if (model.parent >= 0 || !(model.movable || model.kind === 'position')) return;
-      const p = this.rig.floorAt(px, py, motion.z[row] + model.size[2] * 0.6);
+      const p = ray(motion.z[row] + model.size[2] * 0.6);
       if (!p) return;
       const [ox, oy] = model.origin ?? [0, 0];
       const dx = p.x - motion.x[row];
