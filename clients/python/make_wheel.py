@@ -1,7 +1,7 @@
 """Builds the package for `pip install clients/python`, without a network and with nothing but Python.
 
-Robots are often offline, and what setuptools would do for these few files fits here. The functions are those of
-PEP 517 and PEP 660.
+Robots are often offline, and what setuptools would do for these few files fits here. The functions are those
+of PEP 517 and PEP 660.
 """
 
 import base64
