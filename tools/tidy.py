@@ -61,7 +61,7 @@ def check_header(path):
     with tempfile.NamedTemporaryFile("w", suffix=".cc") as alone:
         alone.write(f'#include "{path.relative_to(ROOT)}"\n')
         alone.flush()
-        done = subprocess.run(["g++", "-std=c++20", "-fsyntax-only", f"-I{ROOT}", alone.name], capture_output=True, text=True)
+        done = subprocess.run(["g++", "-std=c++20", "-fsyntax-only", "-DPLAYHOUSE_VERSION=\"0\"", f"-I{ROOT}", alone.name], capture_output=True, text=True)
     if done.returncode:
         first = next((line for line in done.stderr.splitlines() if "error" in line), done.stderr[:200])
         yield f"{path.relative_to(ROOT)}:1: does not compile alone: {first}"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <cmath>
 
 #include "playhouse/geom/pose.h"
