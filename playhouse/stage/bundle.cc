@@ -1,6 +1,7 @@
 /// Bundles: the single rays of a ranger, looked at together. Walls come first: what they hide need not be
 /// looked at.
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -46,6 +47,11 @@ PLAYHOUSE_VECTORS void meet_edge(Vec2 a, Vec2 b, double seen, std::size_t count,
   }
 }
 
+bool reaches(const Walls::Edge& edge, const geom::Box& box) {
+  return (std::max(edge.a.x, edge.b.x) >= box.x_min) & (std::min(edge.a.x, edge.b.x) <= box.x_max) &
+         (std::max(edge.a.y, edge.b.y) >= box.y_min) & (std::min(edge.a.y, edge.b.y) <= box.y_max);
+}
+
 /// Turns centres into the ranger's frame and finds their cells in `meets`.
 PLAYHOUSE_VECTORS void find_cells(const Bundle& bundle, Rotation r, std::size_t count, double* __restrict x,
                                   double* __restrict y, std::int32_t* __restrict cell) {
@@ -78,15 +84,13 @@ void RangerSense::run_bundle(const Space& space, const View& view, const Bundle&
     rays.intensity[k] = solids.ranger_return[row];
   };
 
-  const geom::Box box = box_about(p_WM, bundle.reach);
   const double z_low = view.X_WM.z + bundle.z_min, z_high = view.X_WM.z + bundle.z_max;
-  const std::size_t listings = space.walls.count_near(box);
-  if (listings > 0 && listings <= 2 * bundle.rays() && z_low == z_high) {  // few edges: each for all rays
-    space.walls.near(box, [&](const Walls::Edge& edge) {
-      if (view.sees(solids, edge.solid) && at_height(solids, edge.solid, z_low))
+  if (!space.walls.few().empty() && z_low == z_high) {  // each edge for all rays
+    const geom::Box box = box_about(p_WM, bundle.reach);
+    for (const Walls::Edge& edge : space.walls.few())
+      if (reaches(edge, box) && view.sees(solids, edge.solid) && at_height(solids, edge.solid, z_low))
         meet_edge(edge.a, edge.b, solids.ranger_return[edge.solid], bundle.rays(), rays);
-    });
-  } else if (listings > 0) {
+  } else {
     for (std::size_t k = 0; k < bundle.rays(); ++k)
       space.walls.along(rays.p(k), rays.d(k), &rays.range[k], [&](const Walls::Edge& edge) {
         keep(k, edge_hit(edge.a - rays.p(k), edge.b - rays.p(k), rays.d(k)), edge.solid);

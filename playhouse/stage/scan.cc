@@ -106,19 +106,15 @@ PLAYHOUSE_VECTORS Facing find_facing(const Corners& corners) {
 }
 
 /// A convex body from outside: its facing edges follow each other from right to left, and so do the beams
-/// that meet them. False, and nothing done, if it lies across the line behind the scanner.
-bool project_facing(const Corners& corners, const Facing& facing, double intensity, const Row& row) {
+/// that meet them. `k` is a beam to the right of them all; no edge crosses the line behind the scanner.
+void project_facing(const Corners& corners, const Facing& facing, double intensity, std::size_t k,
+                    const Row& row) {
   std::size_t right = facing.left + facing.edges;
   right = right < corners.count ? right : right - corners.count;
   Vec2 w0 = corners[right];
-  const double from = rough_bearing(w0), to = rough_bearing(corners[facing.left]);
-  constexpr double kBehind = geom::kPi - kBearingError;
-  if (from < -kBehind || to > kBehind || from > to + 1.0) return false;
-
   const double *const x = row.scan.x.data(), *const y = row.scan.y.data();
   double *const range = row.range, *const seen = row.intensity;
   const std::size_t beams = row.beams();
-  std::size_t k = row.beam_right_of(from - kBearingError);
   while (k < beams && x[k] * w0.y - y[k] * w0.x > 0) ++k;
   for (std::size_t edge = facing.edges; edge > 0 && k < beams; --edge) {
     right = right > 0 ? right - 1 : corners.count - 1;
@@ -134,7 +130,6 @@ bool project_facing(const Corners& corners, const Facing& facing, double intensi
     }
     w0 = w1;
   }
-  return true;
 }
 
 PLAYHOUSE_VECTORS void find_corners(const Vec2* __restrict p, std::size_t count, Vec2 origin, Rotation r,
@@ -148,28 +143,25 @@ PLAYHOUSE_VECTORS void find_corners(const Vec2* __restrict p, std::size_t count,
   y[count] = y[0];
 }
 
-/// Turns centres into the scanner's frame and measures their distances.
+/// Turns centres into the scanner's frame and measures their distances and rough bearings.
 PLAYHOUSE_VECTORS void find_distances(Rotation r, std::size_t count, double* __restrict x,
-                                      double* __restrict y, double* __restrict distance) {
+                                      double* __restrict y, double* __restrict distance,
+                                      double* __restrict bearing) {
   for (std::size_t i = 0; i < count; ++i) {
     const double u = r.c * x[i] + r.s * y[i], v = r.c * y[i] - r.s * x[i];
     x[i] = u;
     y[i] = v;
     distance[i] = std::sqrt(u * u + v * v);
+    bearing[i] = rough_bearing({u, v});
   }
 }
 
-/// True if every beam that the disc may cover has met something nearer.
-bool is_hidden(double bearing, double distance, double radius, const Row& row) {
-  const double x = radius / distance;
-  const double spread = x + 0.5708 * x * x * x + kBearingError;  // not below asin(x)
-  const double from = bearing - spread, to = bearing + spread;
-  if (from < -geom::kPi || to > geom::kPi || row.half > geom::kPi) return false;
-  if (to < -row.half || from > row.half) return row.half < geom::kPi - kBearingError;
+/// True if every beam from one bearing to another has met something nearer.
+bool is_hidden(double from, double to, double nearest, const Row& row) {
   const std::size_t last = std::min(row.beam_right_of(to) + 1, row.beams() - 1);
-  for (std::size_t k = row.beam_right_of(from); k <= last; ++k)
-    if (row.range[k] > distance - radius) return false;
-  return true;
+  unsigned open = 0;
+  for (std::size_t k = row.beam_right_of(from); k <= last; ++k) open += row.range[k] > nearest;
+  return open == 0;
 }
 
 }  // namespace
@@ -205,7 +197,7 @@ void RangerSense::scan_bodies(const Space& space, const Pose& X_WS, double z, co
   // Beams that all point forward meet nothing that is all behind.
   const double behind = scan.fov <= geom::kPi ? -radius_max : -kMiss;
   const std::size_t near = bench.gather(space.index, X_WS.xy(), scan.range_max);
-  find_distances(rotation, near, bench.x.data(), bench.y.data(), bench.distance.data());
+  find_distances(rotation, near, bench.x.data(), bench.y.data(), bench.distance.data(), bench.bearing.data());
   const std::size_t count = bench.sort_by_distance(near, scan.range_max + radius_max, behind);
 
   for (std::size_t i = 0; i < count; ++i) {
@@ -213,17 +205,24 @@ void RangerSense::scan_bodies(const Space& space, const Pose& X_WS, double z, co
     const DiscIndex::Disc& disc = space.index.discs()[bench.place[at]];
     if (z < disc.z_min || disc.z_max < z || !view.sees(solids, disc.row)) continue;
     const double distance = bench.distance[at], radius = disc.radius + kMargin;
-    const bool outside = distance > radius;
-    if (outside && is_hidden(rough_bearing({bench.x[at], bench.y[at]}), distance, radius, row)) continue;
+    const double x = radius / distance;
+    const double spread = x + 0.5708 * x * x * x + kBearingError;  // not below asin(x)
+    const double from = bench.bearing[at] - spread, to = bench.bearing[at] + spread;
+    const bool in_front = x < 1 && row.half <= geom::kPi && from > -geom::kPi && to < geom::kPi;
+    if (in_front && (to < -row.half || from > row.half || is_hidden(from, to, distance - radius, row)))
+      continue;
 
     const std::span<const Vec2> polygon = solids.polygon(disc.row);
     find_corners(polygon.data(), polygon.size(), X_WS.xy(), rotation, bench.corner_x.data(),
                  bench.corner_y.data());
     const Corners corners{bench.corner_x.data(), bench.corner_y.data(), polygon.size()};
     const double intensity = solids.ranger_return[disc.row];
-    if (outside && solids.convex[disc.row] && polygon.size() <= kFacingCorners && row.half <= geom::kPi) {
+    if (in_front && solids.convex[disc.row] && polygon.size() <= kFacingCorners) {
       const Facing facing = find_facing(corners);
-      if (facing.edges > 0 && project_facing(corners, facing, intensity, row)) continue;
+      if (facing.edges > 0) {
+        project_facing(corners, facing, intensity, row.beam_right_of(from), row);
+        continue;
+      }
     }
     project_edges(corners, intensity, row);
   }

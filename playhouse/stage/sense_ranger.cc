@@ -40,6 +40,7 @@ RangerSense::RangerSense(const world::World& world, const Solids& solids, unsign
   bench.x.resize(solids.moving);
   bench.y.resize(solids.moving);
   bench.distance.resize(solids.moving);
+  bench.bearing.resize(solids.moving);
   bench.place.resize(solids.moving);
   bench.order.resize(solids.moving);
   bench.cell.resize(solids.moving);

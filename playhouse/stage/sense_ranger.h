@@ -24,7 +24,7 @@ class RangerSense {
   struct Bench {
     std::vector<double> range, intensity;  // of the ranger's beams
     // Moving solids near the ranger: centres from it along W's axes, then along its own; places in the index.
-    std::vector<double> x, y, distance;  // m
+    std::vector<double> x, y, distance, bearing;  // m, m, m, rad
     std::vector<std::uint32_t> place, order;
     std::vector<std::int32_t> cell;
     std::vector<double> corner_x, corner_y;  // of one polygon, in S; the first again at the end  [m]

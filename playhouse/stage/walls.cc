@@ -13,11 +13,11 @@ double length(const Walls::Edge& edge) {
   return std::sqrt(geom::dot(e, e));
 }
 
-/// Cells about as long as a typical edge, not so small that the long ones fill memory.
+/// Cells that hold a few typical edges, not so small that the long ones fill memory.
 double cell_for(double total_length, std::size_t edges) {
   const double typical = total_length / static_cast<double>(edges);
   const double affordable = total_length / (8.0 * static_cast<double>(edges) + 65536.0);
-  return std::clamp(typical, std::max(0.5, affordable), std::max(2.0, affordable));
+  return std::clamp(2 * typical, std::max(0.1, affordable), std::max(2.0, affordable));
 }
 
 /// Enough that far apart places seldom share a cell: the whole extent where that is affordable.
@@ -29,7 +29,7 @@ std::size_t cells_for(const std::vector<Walls::Edge>& edges, double total_length
   }
   const double across = std::max(box.x_max - box.x_min, box.y_max - box.y_min) / cell + 2;
   const double listings = static_cast<double>(edges.size()) + total_length / cell;
-  return static_cast<std::size_t>(std::min(std::max(across * across, 2 * listings), 1048576.0));
+  return static_cast<std::size_t>(std::min(across * across, std::clamp(16 * listings, 65536.0, 4194304.0)));
 }
 
 }  // namespace
@@ -76,6 +76,33 @@ Walls::Walls(const Solids& solids) {
   edges_.resize(first_.back());
   std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
   for (const Edge& edge : all) rasterise(edge, [&](std::size_t index) { edges_[next[index]++] = edge; });
+  measure_clearance();
+  if (all.size() <= kFew) few_ = all;
+}
+
+/// Along rows first, then across them; both wrap round.
+void Walls::measure_clearance() {
+  const auto side = static_cast<std::int64_t>(torus_.side());
+  std::vector<std::uint8_t> along_row(torus_.cells(), kFarthest);
+  for (std::int64_t y = 0; y < side; ++y) {
+    int left = kFarthest, right = kFarthest;
+    for (std::int64_t i = -kFarthest; i < side; ++i) {  // from before the row's begin, for what wraps
+      const std::size_t up = torus_.index(i, y), down = torus_.index(side - 1 - i, y);
+      left = first_[up] != first_[up + 1] ? 0 : std::min(left + 1, kFarthest);
+      right = first_[down] != first_[down + 1] ? 0 : std::min(right + 1, kFarthest);
+      along_row[up] = static_cast<std::uint8_t>(std::min<int>(along_row[up], left));
+      along_row[down] = static_cast<std::uint8_t>(std::min<int>(along_row[down], right));
+    }
+  }
+  clearance_.assign(torus_.cells(), kFarthest);
+  for (std::int64_t y = 0; y < side; ++y) {
+    std::uint8_t* const row = clearance_.data() + torus_.index(0, y);
+    for (int dy = 1 - kFarthest; dy < kFarthest; ++dy) {
+      const std::uint8_t* const other = along_row.data() + torus_.index(0, y + dy);
+      const auto far = static_cast<std::uint8_t>(dy < 0 ? -dy : dy);
+      for (std::int64_t x = 0; x < side; ++x) row[x] = std::min(row[x], std::max(other[x], far));
+    }
+  }
 }
 
 }  // namespace playhouse::stage

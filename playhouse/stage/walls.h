@@ -3,6 +3,7 @@
 /// Walls: the edges of everything that stands still, in cells. Built once and again when such a thing is put
 /// elsewhere. An edge is listed in every cell it touches.
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -44,45 +45,60 @@ class Walls {
     return count;
   }
 
+  /// All edges once, where there are so few that trying each is cheaper than looking them up; else none.
+  static constexpr std::size_t kFew = 64;
+  const std::vector<Edge>& few() const { return few_; }
+
   /// Calls visit(edge) along the ray from p towards the unit vector d, cell by cell, until the distance
   /// `*reach` is passed; visit may shorten *reach.
   template <typename Visit>
   void along(Vec2 p, Vec2 d, const double* reach, const Visit& visit) const;
 
  private:
+  static constexpr int kFarthest = 16;
+
   template <typename Visit>
   void rasterise(const Edge& edge, const Visit& visit) const;
+
+  void measure_clearance();
 
   Torus torus_;
   std::size_t edge_count_ = 0;
   std::vector<std::uint32_t> first_;  // (cells + 1)
   std::vector<Edge> edges_;           // by cell
+  // Cells, diagonals included, to the nearest one with edges: 0 for that one itself; no more than kFarthest.
+  std::vector<std::uint8_t> clearance_;
+  std::vector<Edge> few_;  // all edges once, if there are no more than kFew
 };
 
 template <typename Visit>
 void Walls::along(Vec2 p, Vec2 d, const double* reach, const Visit& visit) const {
   if (edge_count_ == 0) return;
-  constexpr double kNever = 1e300;
-  std::int64_t cx = torus_.along(p.x), cy = torus_.along(p.y);
   const double cell = torus_.cell();
-  const int step_x = d.x < 0 ? -1 : 1, step_y = d.y < 0 ? -1 : 1;
-  const double per_x = d.x == 0 ? kNever : cell / std::fabs(d.x),
-               per_y = d.y == 0 ? kNever : cell / std::fabs(d.y);
-  const double border_x = static_cast<double>(cx + (step_x > 0)) * cell;
-  const double border_y = static_cast<double>(cy + (step_y > 0)) * cell;
-  double t_x = d.x == 0 ? kNever : (border_x - p.x) / d.x, t_y = d.y == 0 ? kNever : (border_y - p.y) / d.y;
+  const double per_x = d.x == 0 ? 0 : 1 / d.x, per_y = d.y == 0 ? 0 : 1 / d.y;
+  std::int64_t cx = torus_.along(p.x), cy = torus_.along(p.y);
   double t = 0;
   while (t <= *reach) {
     const std::size_t index = torus_.index(cx, cy);
-    for (std::uint32_t i = first_[index]; i < first_[index + 1]; ++i) visit(edges_[i]);
+    std::int64_t hop = clearance_[index];
+    if (hop == 0) {
+      for (std::uint32_t i = first_[index]; i < first_[index + 1]; ++i) visit(edges_[i]);
+      hop = 1;
+    }
+    // All cells less than `hop` away are done with: on to where the ray leaves that square.
+    constexpr double kNever = 1e300;
+    const double border_x = static_cast<double>(cx + (d.x < 0 ? 1 - hop : hop)) * cell;
+    const double border_y = static_cast<double>(cy + (d.y < 0 ? 1 - hop : hop)) * cell;
+    const double t_x = d.x == 0 ? kNever : (border_x - p.x) * per_x;
+    const double t_y = d.y == 0 ? kNever : (border_y - p.y) * per_y;
     if (t_x < t_y) {
       t = t_x;
-      t_x += per_x;
-      cx += step_x;
+      cx += d.x < 0 ? -hop : hop;
+      if (hop > 1) cy = std::clamp(torus_.along(p.y + t * d.y), cy - (hop - 1), cy + (hop - 1));
     } else {
       t = t_y;
-      t_y += per_y;
-      cy += step_y;
+      cy += d.y < 0 ? -hop : hop;
+      if (hop > 1) cx = std::clamp(torus_.along(p.x + t * d.x), cx - (hop - 1), cx + (hop - 1));
     }
   }
 }
