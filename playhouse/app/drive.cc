@@ -110,6 +110,7 @@ int drive(const DriveOptions& options) {
   Result<client::Device> robot = client::Device::open(*client, name->interf, name->index);
   if (!robot) return fail(robot.error());
   fmt::print("w a s d or arrows drive, space stops, + and - change the speed, q ends\n");
+  std::fflush(stdout);
   if (const Result<void> done = drive_by_keys(*client, *robot, interrupt); !done) return fail(done.error());
   fmt::print("\n");
   return interrupt.exit_code(kDone);

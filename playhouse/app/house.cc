@@ -50,7 +50,12 @@ std::string Outcome::json() const {
 }
 
 House::House(Serving serving, Running running, QuitTime quit_time)
-    : serving_(std::move(serving)), running_(running), quit_time_(quit_time) {}
+    : serving_(std::move(serving)),
+      running_(running),
+      quit_time_(quit_time),
+      server_(std::make_unique<server::Server>(loop_, server::ServerOptions{.bind = serving_.bind})) {
+  server_->set_clock([this] { return simulation().time(); });
+}
 
 House::~House() {
   // Nobody may be left who answers a request when the server, who sends the answers, goes.
@@ -74,8 +79,6 @@ Result<void> House::read_cfg(const std::string& path) {
 }
 
 Result<void> House::open_ports() {
-  server_ = std::make_unique<server::Server>(loop_, server::ServerOptions{.bind = serving_.bind});
-  server_->set_clock([this] { return simulation().time(); });
   const std::set<std::uint16_t> wanted = cfg_ ? ports_of(*cfg_) : std::set<std::uint16_t>{0};
   for (const std::uint16_t port : wanted) {
     const Result<std::uint16_t> opened = server_->listen(port == 0 ? serving_.port : port);
