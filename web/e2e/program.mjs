@@ -13,15 +13,16 @@ export const results = process.env.PLAYHOUSE_TEST_RESULTS ?? join(root, 'build/t
 mkdirSync(results, { recursive: true });
 
 /**
- * Runs a world on free ports and waits until its page is there.
+ * Runs a world and waits until its page is there.
  * @param {string} world path below the source root
  * @param {string[]} options
+ * @param {string} port of the page; '0': any free one
  * @returns {Promise<{page: string, stop: () => Promise<number | null>}>}
  */
-export async function startProgram(world, options = []) {
+export async function startProgram(world, options = [], port = '0') {
   const program = process.env.PLAYHOUSE_PROGRAM ?? join(root, 'build/playhouse');
   if (!existsSync(program)) throw new Error(`no program at ${program} (make build, or set PLAYHOUSE_PROGRAM)`);
-  const child = spawn(program, ['run', join(root, world), '--port', '0', '--web', '0', ...options], {
+  const child = spawn(program, ['run', join(root, world), '--port', '0', '--web', port, ...options], {
     cwd: root,
     stdio: ['ignore', 'ignore', 'pipe'],
   });

@@ -80,6 +80,7 @@ class Page {
     return {
       tick: replica?.tick ?? -1,
       paused: replica?.paused ?? false,
+      gliding: view.rig.gliding,
       scans: replica?.scans.size ?? 0,
       robots: scene?.models.filter((model) => model.kind === 'position').map((model) => model.name) ?? [],
       pose: (name: string) => {

@@ -46,6 +46,11 @@ export class CameraRig {
     this.height = Math.max(height, 1);
   }
 
+  /** On its way to somewhere. */
+  get gliding(): boolean {
+    return this.glide !== null;
+  }
+
   /** Moves on towards where it was sent; false when it stands still. */
   update(seconds: number): boolean {
     const { glide } = this;

@@ -41,12 +41,18 @@ export class Pointer {
     canvas.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
     canvas.addEventListener('contextmenu', (event) => event.preventDefault());
     canvas.addEventListener('dblclick', (event) => {
-      const row = this.view.pick(event.offsetX, event.offsetY);
+      const row = this.pick(event);
       if (row !== null && this.view.motion) {
         this.view.rig.glideTo({ x: this.view.motion.x[row], y: this.view.motion.y[row], scale: Math.max(this.view.rig.scale, 140) });
         this.view.redraw();
       }
     });
+  }
+
+  /** A finger is less precise than a mouse. */
+  private pick(event: MouseEvent): number | null {
+    const touch = event instanceof PointerEvent && event.pointerType === 'touch';
+    return this.view.pick(event.offsetX, event.offsetY, touch ? 18 : 5);
   }
 
   private pressed(event: PointerEvent): void {
@@ -65,7 +71,7 @@ export class Pointer {
 
   private grip(event: PointerEvent): void {
     const { motion, rig } = this.view;
-    const row = this.view.pick(event.offsetX, event.offsetY);
+    const row = this.pick(event);
     const at = rig.floorAt(event.offsetX, event.offsetY);
     if (row === null || !motion || !at || !this.events.mayCarry(row)) return;
     this.carried = { row, dx: motion.x[row] - at.x, dy: motion.y[row] - at.y, a: motion.a[row] };
@@ -90,13 +96,13 @@ export class Pointer {
     const wasDown = this.down.delete(event.pointerId);
     this.canvas.style.cursor = '';
     if (this.carried && this.moved) this.carryTo(this.carriedAt.x, this.carriedAt.y);
-    else if (wasDown && !this.moved && !this.turning) this.events.select(this.view.pick(event.offsetX, event.offsetY));
+    else if (wasDown && !this.moved && !this.turning) this.events.select(this.pick(event));
     this.carried = null;
   }
 
   private hover(event: PointerEvent): void {
     if (event.pointerType === 'touch') return;
-    const row = this.view.pick(event.offsetX, event.offsetY);
+    const row = this.pick(event);
     if (row === this.view.hovered) return;
     this.view.hovered = row;
     this.canvas.style.cursor = row === null ? '' : this.events.mayCarry(row) ? 'grab' : 'pointer';

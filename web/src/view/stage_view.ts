@@ -159,12 +159,15 @@ export class StageView {
     this.draw();
   }
 
-  /** The top-level model under a pixel: the nearest robot, else what else may be moved; null for floor and walls. */
-  pick(px: number, py: number): number | null {
+  /**
+   * The top-level model within `reach` pixels of a pixel: the nearest robot, else what else may be moved; null for floor
+   * and walls.
+   */
+  pick(px: number, py: number, reach: number): number | null {
     const { drawn, motion } = this;
     if (!drawn || !motion) return null;
     const ray = this.rig.rayAt(px, py);
-    const slack = 5 / this.rig.scale;
+    const slack = reach / this.rig.scale;
     let best: number | null = null;
     let nearest = Infinity;
     drawn.scene.models.forEach((model, row) => {
@@ -224,6 +227,7 @@ export class StageView {
     this.rig.pitch = Math.min(Math.abs(wanted.pitch), 1.3);
     this.rig.yaw = wanted.yaw;
     this.rig.fit(this.drawn!.extent, this.margins(), 'jump');
+    this.rig.update(0);
   }
 
   private applyTheme(): void {
