@@ -1,0 +1,194 @@
+// What .cfg files become: devices, or one line that says what is wrong with the file.
+
+#include "playhouse/drivers/registry.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "playhouse/drivers/testing/small_town.h"
+#include "playhouse/wire/generated/laser.h"
+#include "playhouse/wire/generated/ranger.h"
+
+namespace playhouse::drivers {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using testing::SmallTown;
+using ::testing::StartsWith;
+
+constexpr const char* kWorld = R"(
+interval_sim 100
+define sonars ranger( sensor( pose [0 0 0 0] ) sensor( pose [0 0 0 90] ) )
+define laser ranger( sensor( range [0 8] fov 180 samples 3 pose [0.05 0 0 0] ) )
+position( name "r0" sonars( pose [0 0 0 0] ) laser( pose [0.1 0 0 0] ) )
+position( name "r1" sonars( pose [0 0 0 0] ) )
+)";
+
+constexpr const char* kStage =
+    "driver( name \"stage\" provides [\"simulation:0\"] plugin \"stageplugin\" worldfile \"some.world\" "
+    "usegui 0 )\n";
+
+std::string fault(const std::string& cfg) {
+  SmallTown town(kWorld);
+  return town.build(cfg);
+}
+
+TEST(StageDriver, opens_its_world_beside_the_file_and_provides_what_is_named) {
+  SmallTown town(kWorld);
+  ASSERT_EQ(town.build(std::string(kStage) + R"(
+driver( name "stage" provides ["position2d:0" "ranger:0" "ranger:1"] model "r0" )
+driver( name "stage" provides ["6666:position2d:0"] model "r1" ))"),
+            "");
+  EXPECT_THAT(town.opened, ElementsAre(EndsWith("some.world")));
+  EXPECT_THAT(town.devices(), ElementsAre("6665:31:0=stage", "6665:4:0=stage", "6665:62:0=stage",
+                                          "6665:62:1=stage", "6666:4:0=stage"));
+  EXPECT_THAT(town.site().ports(), ElementsAre(6665u, 6666u));
+  EXPECT_THAT(town.site().warnings(), IsEmpty());
+}
+
+TEST(StageDriver, gives_each_address_the_next_model_that_fits) {
+  SmallTown town(kWorld);
+  ASSERT_EQ(
+      town.build(std::string(kStage) +
+                 "driver( name \"stage\" provides [\"laser:0\" \"ranger:0\" \"ranger:1\"] model \"r0\" )"),
+      "");
+  // Both rangers are there, and the laser is the one with a scanner.
+  town.driver({6665, 6, 0})
+      .request({town.id({6665, 6, 0}), 3, wire::laser::kReqGetGeom, {}}, device::Replier(town.notebook, 1));
+  EXPECT_TRUE(town.notebook.answers[1].ack);
+}
+
+TEST(StageDriver, leaves_out_interfaces_of_the_original_that_are_not_simulated_yet) {
+  SmallTown town(kWorld);
+  ASSERT_EQ(town.build(std::string(kStage) +
+                       "driver( name \"stage\" provides [\"position2d:0\" \"gripper:0\"] model \"r0\" )"),
+            "");
+  EXPECT_EQ(town.devices().size(), 2u);
+  EXPECT_THAT(std::vector(town.site().warnings().begin(), town.site().warnings().end()),
+              ElementsAre(AllOf(StartsWith("test.cfg:2"), HasSubstr("gripper:0"))));
+}
+
+TEST(StageDriver, says_what_is_wrong_and_where) {
+  const std::string stage = kStage;
+  EXPECT_THAT(fault("driver( name \"stage\" provides [\"simulation:0\"] )"),
+              AllOf(StartsWith("test.cfg:1"), HasSubstr("worldfile")));
+  EXPECT_THAT(fault(stage + "driver( name \"stage\" provides [\"position2d:0\"] )"),
+              AllOf(StartsWith("test.cfg:2"), HasSubstr("model")));
+  EXPECT_THAT(fault(stage + "driver( name \"stage\" provides [\"position2d:0\"] model \"robot\" )"),
+              AllOf(StartsWith("test.cfg:2"), HasSubstr("no model \"robot\"")));
+  EXPECT_THAT(fault(stage + "driver( name \"stage\" provides [\"fiducial:0\"] model \"r0\" )"),
+              HasSubstr("nothing left for \"fiducial:0\""));
+  EXPECT_THAT(fault(stage + "driver( name \"stage\" provides [\"ranger:0\" \"ranger:1\"] model \"r1\" )"),
+              HasSubstr("nothing left for \"ranger:1\""));
+  EXPECT_THAT(fault(stage + "driver( name \"stage\" provides [\"wifi:0\"] model \"r0\" )"),
+              HasSubstr("\"wifi\""));
+  EXPECT_THAT(fault(stage + "driver( name \"stage\" provides [\"positon2d:0\"] model \"r0\" )"),
+              HasSubstr("did you mean \"position2d\"?"));
+  EXPECT_THAT(fault(stage + stage), HasSubstr("test.cfg:2"));
+}
+
+TEST(Registry, an_unknown_driver_gets_the_nearest_name) {
+  EXPECT_THAT(fault("driver( name \"stge\" provides [\"simulation:0\"] )"),
+              AllOf(StartsWith("test.cfg:1"), HasSubstr("did you mean \"stage\"?")));
+}
+
+TEST(Registry, a_field_that_no_driver_reads_is_warned_of) {
+  SmallTown town(kWorld);
+  ASSERT_EQ(town.build(std::string(kStage) +
+                       "driver( name \"stage\" provides [\"position2d:0\"] modle \"r0\" model \"r0\" )"),
+            "");
+  EXPECT_THAT(std::vector(town.site().warnings().begin(), town.site().warnings().end()),
+              ElementsAre(AllOf(StartsWith("test.cfg:2"), HasSubstr("modle"))));
+}
+
+TEST(Registry, alwayson_devices_run_without_a_client) {
+  SmallTown town(kWorld);
+  ASSERT_EQ(town.build(std::string(kStage) +
+                       "driver( name \"stage\" provides [\"position2d:0\"] model \"r0\" alwayson 1 )"),
+            "");
+  EXPECT_EQ(town.held[town.id({6665, 4, 0}).row], 1);
+  town.run(1);
+  EXPECT_EQ(town.notebook.published.size(), 1u);
+}
+
+/// A laser made of the scanner of r0.
+class RangerToLaserTest : public ::testing::Test {
+ protected:
+  RangerToLaserTest() : town_(kWorld) {
+    EXPECT_EQ(town_.build(std::string(kStage) + R"(
+driver( name "rangertolaser" provides ["laser:0"] requires ["ranger:1"] )
+driver( name "stage" provides ["ranger:0" "ranger:1"] model "r0" ))"),
+              "");
+  }
+  device::DeviceId laser() const { return town_.id({6665, 6, 0}); }
+  device::DeviceId ranger() const { return town_.id({6665, 62, 1}); }
+  device::Driver& driver() const { return town_.driver({6665, 6, 0}); }
+
+  SmallTown town_;
+};
+
+TEST_F(RangerToLaserTest, finds_its_ranger_wherever_it_is_in_the_file) {
+  EXPECT_THAT(town_.devices(),
+              ElementsAre("6665:31:0=stage", "6665:6:0=rangertolaser", "6665:62:0=stage", "6665:62:1=stage"));
+}
+
+TEST_F(RangerToLaserTest, holds_the_ranger_while_the_laser_is_open_and_makes_one_scan_of_each_of_its) {
+  ASSERT_TRUE(driver().start(laser()));
+  EXPECT_EQ(town_.held[ranger().row], 1);
+  town_.run(2);
+  std::vector<const device::Publication*> scans;
+  for (const device::Publication& publication : town_.notebook.published) {
+    if (publication.device == laser()) scans.push_back(&publication);
+  }
+  ASSERT_EQ(scans.size(), 2u);
+  const auto scan = wire::decode<wire::laser::Data>(scans[1]->body);
+  ASSERT_TRUE(scan);
+  EXPECT_EQ(scan->ranges.size(), 3u);
+  EXPECT_EQ(scan->intensity.size(), 3u);
+  EXPECT_EQ(scan->max_range, 8.0f);
+  EXPECT_DOUBLE_EQ(scans[1]->timestamp, 0.2);
+  driver().stop(laser());
+  EXPECT_EQ(town_.held[ranger().row], 0);
+  town_.notebook.published.clear();
+  town_.run(1);
+  EXPECT_TRUE(town_.notebook.published.empty());
+}
+
+TEST_F(RangerToLaserTest, asks_the_ranger_for_geometry_and_configuration) {
+  driver().request({laser(), 3, wire::laser::kReqGetGeom, {}}, device::Replier(town_.notebook, 1));
+  driver().request({laser(), 3, wire::laser::kReqGetConfig, {}}, device::Replier(town_.notebook, 2));
+  const auto geom = wire::decode<wire::laser::Geom>(town_.notebook.answers[1].body);
+  ASSERT_TRUE(geom);
+  EXPECT_NEAR(geom->pose.px, 0.15, 1e-12) << "the scanner is 5 cm in front of its ranger";
+  const auto config = wire::decode<wire::laser::Config>(town_.notebook.answers[2].body);
+  ASSERT_TRUE(config);
+  EXPECT_EQ(config->max_range, 8.0f);
+}
+
+TEST_F(RangerToLaserTest, refuses_what_a_ranger_cannot_do) {
+  const std::vector<std::byte> config = wire::encode(wire::laser::Config{});
+  driver().request({laser(), 3, wire::laser::kReqSetConfig, config}, device::Replier(town_.notebook, 1));
+  EXPECT_FALSE(town_.notebook.answers[1].ack);
+  const std::vector<std::byte> off = wire::encode(wire::laser::PowerConfig{0});
+  driver().request({laser(), 3, wire::laser::kReqPower, off}, device::Replier(town_.notebook, 2));
+  EXPECT_FALSE(town_.notebook.answers[2].ack);
+}
+
+TEST(RangerToLaser, says_what_is_wrong_and_where) {
+  const std::string stage = kStage;
+  EXPECT_THAT(
+      fault(stage + "driver( name \"rangertolaser\" provides [\"laser:0\"] requires [\"ranger:7\"] )"),
+      AllOf(StartsWith("test.cfg:2"), HasSubstr("nothing provides \"ranger:7\"")));
+  EXPECT_THAT(fault(stage + "driver( name \"rangertolaser\" provides [\"laser:0\"] )"),
+              HasSubstr("requires one ranger"));
+  EXPECT_THAT(
+      fault(stage + "driver( name \"rangertolaser\" provides [\"sonar:0\"] requires [\"ranger:0\"] )"),
+      HasSubstr("provides one laser"));
+}
+
+}  // namespace
+}  // namespace playhouse::drivers
