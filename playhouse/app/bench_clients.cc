@@ -12,8 +12,10 @@
 #include <chrono>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
-#include <sstream>
+#include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -34,18 +36,18 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Processor time that a process has used so far. [s]
+/// Processor time that the threads of a process have used so far. [s]
 double cpu_seconds(pid_t process) {
-  std::ifstream file(fmt::format("/proc/{}/stat", process));
-  std::string line;
-  std::getline(file, line);
-  // The name, in parentheses, may hold anything; user and system time are the 12th and 13th words behind it.
-  std::istringstream words(line.substr(std::min(line.size(), line.rfind(')') + 1)));
-  std::string skipped;
-  for (int i = 0; i < 11; ++i) words >> skipped;
-  double user = 0, system = 0;
-  words >> user >> system;
-  return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
+  std::uint64_t total_ns = 0;
+  std::error_code ignored;
+  for (const auto& thread :
+       std::filesystem::directory_iterator(fmt::format("/proc/{}/task", process), ignored)) {
+    std::ifstream file(thread.path() / "schedstat");
+    std::uint64_t running_ns = 0;
+    file >> running_ns;
+    total_ns += running_ns;
+  }
+  return static_cast<double>(total_ns) * 1e-9;
 }
 
 /// One connection that counts what it hears; never blocks once it is open.

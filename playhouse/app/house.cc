@@ -53,6 +53,7 @@ House::House(Serving serving, Running running, QuitTime quit_time)
     : serving_(std::move(serving)),
       running_(running),
       quit_time_(quit_time),
+      warn_([](const std::string& line) { log::warn("{}", line); }),
       server_(std::make_unique<server::Server>(loop_, server::ServerOptions{.bind = serving_.bind})) {
   server_->set_clock([this] { return simulation().time(); });
 }
@@ -66,7 +67,7 @@ Result<void> House::read_world(const std::string& path) {
   Result<scene::SceneDesc> scene = scene::load_world(path);
   if (!scene) return scene.error();
   scene_ = std::move(*scene);
-  for (const std::string& warning : scene_.warnings) log::warn("{}", warning);
+  for (const std::string& warning : scene_.warnings) warn_(warning);
   return {};
 }
 
@@ -74,7 +75,7 @@ Result<void> House::read_cfg(const std::string& path) {
   Result<scene::CfgFile> file = scene::load_cfg(path, serving_.port);
   if (!file) return file.error();
   cfg_ = std::move(*file);
-  for (const std::string& warning : cfg_->warnings) log::warn("{}", warning);
+  for (const std::string& warning : cfg_->warnings) warn_(warning);
   return {};
 }
 
@@ -93,14 +94,17 @@ Result<void> House::furnish() {
   drivers::Surroundings& surroundings = *this;  // a private base, which make_unique cannot see
   site_ = std::make_unique<drivers::Site>(surroundings, serving_.port);
   site_->tap().pass_to(*server_);
-  return cfg_ ? make_drivers() : add_robots();
+  const Result<void> made = cfg_ ? make_drivers() : add_robots();
+  // Before anybody is told where to connect: who reads that may end us at once.
+  if (made) catch_signals();
+  return made;
 }
 
 Result<void> House::make_drivers() {
   drivers::Registry registry;
   drivers::register_drivers(registry);
   Result<std::vector<std::unique_ptr<device::Driver>>> made = drivers::make_drivers(registry, *cfg_, *site_);
-  for (const std::string& warning : site_->warnings()) log::warn("{}", warning);
+  for (const std::string& warning : site_->warnings()) warn_(warning);
   if (!made) return made.error();
   drivers_ = std::move(*made);
   return {};
@@ -177,7 +181,6 @@ void House::show_progress() {
 }
 
 Outcome House::run() {
-  catch_signals();
   const bool shows_progress = isatty(STDERR_FILENO) == 1;
   if (shows_progress) progress_ = loop_.after(kProgressSeconds, [this] { show_progress(); });
   std::thread io([this] { loop_.run(); });

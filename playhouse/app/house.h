@@ -5,6 +5,7 @@
 /// run() is the tick thread; the io thread lives inside run().
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -42,6 +43,9 @@ class House final : private drivers::Surroundings {
  public:
   House(Serving serving, Running running, QuitTime quit_time);
   ~House() override;
+
+  /// Where lines about odd things in the files go; by default, to the log. Before the first step.
+  void on_warning(std::function<void(const std::string&)> warn) { warn_ = std::move(warn); }
 
   // Steps, in this order; each fails with one line for a person.
 
@@ -86,6 +90,7 @@ class House final : private drivers::Surroundings {
   Serving serving_;
   Running running_;
   QuitTime quit_time_;
+  std::function<void(const std::string&)> warn_;
 
   // In order of construction; what is below uses what is above.
   std::optional<scene::CfgFile> cfg_;
