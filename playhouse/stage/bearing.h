@@ -1,7 +1,7 @@
 #pragma once
 
-#include <initializer_list>
 #include <cmath>
+#include <initializer_list>
 
 #include "playhouse/geom/pose.h"
 

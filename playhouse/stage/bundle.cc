@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "playhouse/stage/march.h"
 #include "playhouse/stage/sense_ranger.h"
 #include "playhouse/stage/vectors.h"
 
@@ -45,6 +46,14 @@ PLAYHOUSE_VECTORS void meet_edge(Vec2 a, Vec2 b, double seen, std::size_t count,
     rays.range[k] = nearer ? t : rays.range[k];
     rays.intensity[k] = nearer ? seen : rays.intensity[k];
   }
+}
+
+/// edge_hit() without branches.
+inline double quick_hit(Vec2 w0, Vec2 w1, Vec2 d) {
+  const double s0 = geom::cross(d, w0), s1 = geom::cross(d, w1);
+  const double t = geom::cross(w0, w1) / (s1 - s0);
+  const bool met = (((s0 <= 0) & (s1 >= 0)) | ((s0 >= 0) & (s1 <= 0))) & (t >= 0);
+  return met ? t : kMiss;
 }
 
 bool reaches(const Walls::Edge& edge, const geom::Box& box) {
@@ -90,18 +99,35 @@ void RangerSense::run_bundle(const Space& space, const View& view, const Bundle&
     for (const Walls::Edge& edge : space.walls.few())
       if (reaches(edge, box) && view.sees(solids, edge.solid) && at_height(solids, edge.solid, z_low))
         meet_edge(edge.a, edge.b, solids.ranger_return[edge.solid], bundle.rays(), rays);
-  } else {
-    for (std::size_t k = 0; k < bundle.rays(); ++k)
-      space.walls.along(rays.p(k), rays.d(k), &rays.range[k], [&](const Walls::Edge& edge) {
-        keep(k, edge_hit(edge.a - rays.p(k), edge.b - rays.p(k), rays.d(k)), edge.solid);
-      });
+  } else if (space.walls.edge_count() > 0) {
+    const auto try_edges = [&](std::size_t k, std::span<const Walls::Edge> edges) {
+      const Vec2 p = rays.p(k), d = rays.d(k);
+      double nearest = rays.range[k];
+      for (const Walls::Edge& edge : edges) nearest = std::min(nearest, quick_hit(edge.a - p, edge.b - p, d));
+      if (nearest >= rays.range[k]) return;  // by far most often; else find out which one it was
+      for (const Walls::Edge& edge : edges) keep(k, quick_hit(edge.a - p, edge.b - p, d), edge.solid);
+    };
+    if (bundle.reach < March::kFarthest * space.walls.torus().cell()) {
+      march_along(space.walls, bundle.rays(), p_WM, rays.px, rays.py, rays.dx, rays.dy, rays.range,
+                  try_edges);
+    } else {
+      for (std::size_t k = 0; k < bundle.rays(); ++k)
+        space.walls.along(rays.p(k), rays.d(k), &rays.range[k], [&](const Walls::Edge& edge) {
+          try_edges(k, {&edge, 1});
+        });
+    }
   }
 
   const std::size_t count = bench.gather(space.index, p_WM, bundle.reach);
   find_cells(bundle, rotation, count, bench.x.data(), bench.y.data(), bench.cell.data());
+  std::size_t matter = 0;
   for (std::size_t i = 0; i < count; ++i) {
+    bench.order[matter] = static_cast<std::uint32_t>(i);
+    matter += bundle.meets[static_cast<std::size_t>(bench.cell[i])] != 0;
+  }
+  for (std::size_t n = 0; n < matter; ++n) {
+    const std::size_t i = bench.order[n];
     std::uint64_t near = bundle.meets[static_cast<std::size_t>(bench.cell[i])];
-    if (near == 0) continue;
     const DiscIndex::Disc& disc = space.index.discs()[bench.place[i]];
     if (disc.root == view.root || disc.z_max < z_low || disc.z_min > z_high) continue;
     const double radius = disc.radius + kMargin;
@@ -109,7 +135,8 @@ void RangerSense::run_bundle(const Space& space, const View& view, const Bundle&
       const auto k = static_cast<std::size_t>(std::countr_zero(near));
       const Vec2 d = bundle.d[k], to_disc = Vec2{bench.x[i], bench.y[i]} - bundle.p[k];
       const double ahead = geom::dot(d, to_disc);
-      if (std::fabs(geom::cross(d, to_disc)) > radius || ahead < -radius || ahead - radius > rays.range[k])
+      if ((std::fabs(geom::cross(d, to_disc)) > radius) | (ahead < -radius) |
+          (ahead - radius > rays.range[k]))
         continue;
       keep(k, polygon_hit(solids.polygon(disc.row), rays.p(k), rays.d(k)), disc.row);
     }

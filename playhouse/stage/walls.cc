@@ -17,7 +17,7 @@ double length(const Walls::Edge& edge) {
 double cell_for(double total_length, std::size_t edges) {
   const double typical = total_length / static_cast<double>(edges);
   const double affordable = total_length / (8.0 * static_cast<double>(edges) + 65536.0);
-  return std::clamp(2 * typical, std::max(0.1, affordable), std::max(2.0, affordable));
+  return std::clamp(1.5 * typical, std::max(0.05, affordable), std::max(2.0, affordable));
 }
 
 /// Enough that far apart places seldom share a cell: the whole extent where that is affordable.
@@ -80,27 +80,24 @@ Walls::Walls(const Solids& solids) {
   if (all.size() <= kFew) few_ = all;
 }
 
-/// Along rows first, then across them; both wrap round.
+/// A square is as large as the least of its three neighbours allows. The second time round sees what wraps.
 void Walls::measure_clearance() {
   const auto side = static_cast<std::int64_t>(torus_.side());
-  std::vector<std::uint8_t> along_row(torus_.cells(), kFarthest);
-  for (std::int64_t y = 0; y < side; ++y) {
-    int left = kFarthest, right = kFarthest;
-    for (std::int64_t i = -kFarthest; i < side; ++i) {  // from before the row's begin, for what wraps
-      const std::size_t up = torus_.index(i, y), down = torus_.index(side - 1 - i, y);
-      left = first_[up] != first_[up + 1] ? 0 : std::min(left + 1, kFarthest);
-      right = first_[down] != first_[down + 1] ? 0 : std::min(right + 1, kFarthest);
-      along_row[up] = static_cast<std::uint8_t>(std::min<int>(along_row[up], left));
-      along_row[down] = static_cast<std::uint8_t>(std::min<int>(along_row[down], right));
-    }
-  }
-  clearance_.assign(torus_.cells(), kFarthest);
-  for (std::int64_t y = 0; y < side; ++y) {
-    std::uint8_t* const row = clearance_.data() + torus_.index(0, y);
-    for (int dy = 1 - kFarthest; dy < kFarthest; ++dy) {
-      const std::uint8_t* const other = along_row.data() + torus_.index(0, y + dy);
-      const auto far = static_cast<std::uint8_t>(dy < 0 ? -dy : dy);
-      for (std::int64_t x = 0; x < side; ++x) row[x] = std::min(row[x], std::max(other[x], far));
+  const auto farthest = static_cast<int>(std::min<std::int64_t>(kFarthest, side / 2));
+  for (unsigned quadrant = 0; quadrant < 4; ++quadrant) {
+    const std::int64_t dx = quadrant & 1 ? -1 : 1, dy = quadrant & 2 ? -1 : 1;
+    std::vector<std::uint8_t>& clear = clearance_[quadrant];
+    clear.assign(torus_.cells(), static_cast<std::uint8_t>(farthest));
+    for (std::int64_t i = 0; i < 2 * side; ++i) {
+      const std::int64_t y = -i * dy;
+      for (std::int64_t k = 0; k < 2 * side; ++k) {
+        const std::int64_t x = -k * dx;
+        const std::size_t index = torus_.index(x, y);
+        const int least = std::min({clear[torus_.index(x + dx, y)], clear[torus_.index(x, y + dy)],
+                                    clear[torus_.index(x + dx, y + dy)]});
+        const bool empty = first_[index] == first_[index + 1];
+        clear[index] = static_cast<std::uint8_t>(empty ? std::min(least + 1, farthest) : 0);
+      }
     }
   }
 }

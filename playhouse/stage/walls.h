@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "playhouse/stage/bodies.h"
@@ -45,6 +46,14 @@ class Walls {
     return count;
   }
 
+  /// Side, in cells, of the largest square without edges that has cell `index` of the torus at its corner and
+  /// lies where rays of a quadrant go; 0 if the cell has edges. At most kFarthest.
+  int clearance(unsigned quadrant, std::size_t index) const { return clearance_[quadrant][index]; }
+  static unsigned quadrant(Vec2 d) { return (d.x < 0 ? 1u : 0u) + (d.y < 0 ? 2u : 0u); }
+  std::span<const Edge> in_cell(std::size_t index) const {
+    return {edges_.data() + first_[index], first_[index + 1] - first_[index]};
+  }
+
   /// All edges once, where there are so few that trying each is cheaper than looking them up; else none.
   static constexpr std::size_t kFew = 64;
   const std::vector<Edge>& few() const { return few_; }
@@ -55,7 +64,7 @@ class Walls {
   void along(Vec2 p, Vec2 d, const double* reach, const Visit& visit) const;
 
  private:
-  static constexpr int kFarthest = 16;
+  static constexpr int kFarthest = 32;
 
   template <typename Visit>
   void rasterise(const Edge& edge, const Visit& visit) const;
@@ -64,11 +73,10 @@ class Walls {
 
   Torus torus_;
   std::size_t edge_count_ = 0;
-  std::vector<std::uint32_t> first_;  // (cells + 1)
-  std::vector<Edge> edges_;           // by cell
-  // Cells, diagonals included, to the nearest one with edges: 0 for that one itself; no more than kFarthest.
-  std::vector<std::uint8_t> clearance_;
-  std::vector<Edge> few_;  // all edges once, if there are no more than kFew
+  std::vector<std::uint32_t> first_;        // (cells + 1)
+  std::vector<Edge> edges_;                 // by cell
+  std::vector<std::uint8_t> clearance_[4];  // by quadrant
+  std::vector<Edge> few_;                   // all edges once, if there are no more than kFew
 };
 
 template <typename Visit>
@@ -77,15 +85,16 @@ void Walls::along(Vec2 p, Vec2 d, const double* reach, const Visit& visit) const
   const double cell = torus_.cell();
   const double per_x = d.x == 0 ? 0 : 1 / d.x, per_y = d.y == 0 ? 0 : 1 / d.y;
   std::int64_t cx = torus_.along(p.x), cy = torus_.along(p.y);
+  const std::uint8_t* const clear = clearance_[quadrant(d)].data();
   double t = 0;
   while (t <= *reach) {
     const std::size_t index = torus_.index(cx, cy);
-    std::int64_t hop = clearance_[index];
+    std::int64_t hop = clear[index];
     if (hop == 0) {
-      for (std::uint32_t i = first_[index]; i < first_[index + 1]; ++i) visit(edges_[i]);
+      for (const Edge& edge : in_cell(index)) visit(edge);
       hop = 1;
     }
-    // All cells less than `hop` away are done with: on to where the ray leaves that square.
+    // Nothing is left in the square of `hop` cells ahead: on to where the ray leaves it.
     constexpr double kNever = 1e300;
     const double border_x = static_cast<double>(cx + (d.x < 0 ? 1 - hop : hop)) * cell;
     const double border_y = static_cast<double>(cy + (d.y < 0 ? 1 - hop : hop)) * cell;
@@ -94,11 +103,15 @@ void Walls::along(Vec2 p, Vec2 d, const double* reach, const Visit& visit) const
     if (t_x < t_y) {
       t = t_x;
       cx += d.x < 0 ? -hop : hop;
-      if (hop > 1) cy = std::clamp(torus_.along(p.y + t * d.y), cy - (hop - 1), cy + (hop - 1));
+      if (hop > 1)
+        cy = std::clamp(torus_.along(p.y + t * d.y), d.y < 0 ? cy - (hop - 1) : cy,
+                        d.y < 0 ? cy : cy + (hop - 1));
     } else {
       t = t_y;
       cy += d.y < 0 ? -hop : hop;
-      if (hop > 1) cx = std::clamp(torus_.along(p.x + t * d.x), cx - (hop - 1), cx + (hop - 1));
+      if (hop > 1)
+        cx = std::clamp(torus_.along(p.x + t * d.x), d.x < 0 ? cx - (hop - 1) : cx,
+                        d.x < 0 ? cx : cx + (hop - 1));
     }
   }
 }
