@@ -67,7 +67,7 @@ class PacketReader {
 
   void scan(std::uint8_t tag, std::uint32_t row) {
     if (tag == 2) {
-      replica_.scans.erase(row);
+      replica_.scans[row].clear();
       return;
     }
     const std::uint32_t count = layout_.sensors[row].beam_count;

@@ -203,8 +203,7 @@ class PacketWriter {
   }
 
   bool held(const Scan& scan) const {
-    const auto held = replica_.scans.find(scan.sensor);
-    return held != replica_.scans.end() && std::ranges::equal(held->second, beams_of(scan));
+    return std::ranges::equal(replica_.scans[scan.sensor], beams_of(scan));
   }
 
   void scan(const Scan& scan) {
@@ -214,21 +213,19 @@ class PacketWriter {
     for (const std::uint16_t beam : beams) pack_.u16(beam);
   }
 
+  /// Takes back what is held and not in the snapshot, or no longer wanted. Both are in the order of sensors.
   void drop_scans() {
-    for (auto it = replica_.scans.begin(); it != replica_.scans.end();) {
-      const auto row = it->first;
-      if (wanted(layout_.sensors[row].model) && in_snapshot_scan(row)) {
-        ++it;
-      } else {
-        item(kGone, row);
-        it = replica_.scans.erase(it);
-      }
+    auto fresh = snapshot_.scans.begin();
+    for (std::uint32_t row = 0; row < replica_.scans.size(); ++row) {
+      while (fresh != snapshot_.scans.end() && fresh->sensor < row) ++fresh;
+      if (replica_.scans[row].empty()) continue;
+      const bool measured = fresh != snapshot_.scans.end() && fresh->sensor == row;
+      if (measured && wanted(layout_.sensors[row].model)) continue;
+      item(kGone, row);
+      replica_.scans[row].clear();
     }
   }
 
-  bool in_snapshot_scan(std::uint32_t row) const {
-    return std::ranges::binary_search(snapshot_.scans, row, {}, &Scan::sensor);
-  }
   bool in_snapshot_finding(std::uint32_t row) const {
     return std::ranges::binary_search(snapshot_.findings, row, {}, &Finding::finder);
   }
@@ -264,7 +261,8 @@ class PacketWriter {
 
 }  // namespace
 
-Replica::Replica(const Layout& layout) : models(layout.start), positions(layout.position_model.size()) {}
+Replica::Replica(const Layout& layout)
+    : models(layout.start), positions(layout.position_model.size()), scans(layout.sensors.size()) {}
 
 Sent DeltaWriter::write(const Snapshot& snapshot, const Wish& wish, std::uint32_t frame, std::size_t budget,
                         Replica& replica, std::vector<std::byte>& out) {

@@ -51,8 +51,8 @@ struct Replica {
   world::Pace pace;
   std::vector<ModelState> models;
   std::vector<PositionState> positions;
-  std::map<std::uint32_t, std::vector<std::uint16_t>> scans;  // by sensor row
-  std::map<std::uint32_t, std::vector<HitState>> findings;    // by finder row
+  std::vector<std::vector<std::uint16_t>> scans;            // by sensor row; empty: none held
+  std::map<std::uint32_t, std::vector<HitState>> findings;  // by finder row
 };
 
 enum class Sent { kNothing, kPart, kAll };

@@ -35,8 +35,9 @@ std::string held(const Replica& replica) {
     positions += fmt::format("{}[{},{},{},{},{},{}]", positions.empty() ? "" : ",", p.vx, p.vy, p.va, p.ox,
                              p.oy, p.oa);
   }
-  for (const auto& [row, beams] : replica.scans) {
-    scans += fmt::format("{}\"{}\":[{}]", scans.empty() ? "" : ",", row, fmt::join(beams, ","));
+  for (std::size_t row = 0; row < replica.scans.size(); ++row) {
+    if (replica.scans[row].empty()) continue;
+    scans += fmt::format("{}\"{}\":[{}]", scans.empty() ? "" : ",", row, fmt::join(replica.scans[row], ","));
   }
   for (const auto& [row, hits] : replica.findings) {
     std::string list;
