@@ -56,11 +56,6 @@ inline double quick_hit(Vec2 w0, Vec2 w1, Vec2 d) {
   return met ? t : kMiss;
 }
 
-bool reaches(const Walls::Edge& edge, const geom::Box& box) {
-  return (std::max(edge.a.x, edge.b.x) >= box.x_min) & (std::min(edge.a.x, edge.b.x) <= box.x_max) &
-         (std::max(edge.a.y, edge.b.y) >= box.y_min) & (std::min(edge.a.y, edge.b.y) <= box.y_max);
-}
-
 /// Turns centres into the ranger's frame and finds their cells in `meets`.
 PLAYHOUSE_VECTORS void find_cells(const Bundle& bundle, Rotation r, std::size_t count, double* __restrict x,
                                   double* __restrict y, std::int32_t* __restrict cell) {
@@ -97,7 +92,7 @@ void RangerSense::run_bundle(const Space& space, const View& view, const Bundle&
   if (!space.walls.few().empty() && z_low == z_high) {  // each edge for all rays
     const geom::Box box = box_about(p_WM, bundle.reach);
     for (const Walls::Edge& edge : space.walls.few())
-      if (reaches(edge, box) && view.sees(solids, edge.solid) && at_height(solids, edge.solid, z_low))
+      if (edge.reaches(box) && view.sees(solids, edge.solid) && at_height(solids, edge.solid, z_low))
         meet_edge(edge.a, edge.b, solids.ranger_return[edge.solid], bundle.rays(), rays);
   } else if (space.walls.edge_count() > 0) {
     const auto try_edges = [&](std::size_t k, std::span<const Walls::Edge> edges) {
@@ -118,7 +113,7 @@ void RangerSense::run_bundle(const Space& space, const View& view, const Bundle&
     }
   }
 
-  const std::size_t count = bench.gather(space.index, p_WM, bundle.reach);
+  const std::size_t count = bench.gather(space.index, {p_WM, bundle.reach, z_low, z_high});
   find_cells(bundle, rotation, count, bench.x.data(), bench.y.data(), bench.cell.data());
   std::size_t matter = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -129,7 +124,7 @@ void RangerSense::run_bundle(const Space& space, const View& view, const Bundle&
     const std::size_t i = bench.order[n];
     std::uint64_t near = bundle.meets[static_cast<std::size_t>(bench.cell[i])];
     const DiscIndex::Disc& disc = space.index.discs()[bench.place[i]];
-    if (disc.root == view.root || disc.z_max < z_low || disc.z_min > z_high) continue;
+    if (disc.root == view.root) continue;
     const double radius = disc.radius + kMargin;
     for (; near != 0; near &= near - 1) {
       const auto k = static_cast<std::size_t>(std::countr_zero(near));

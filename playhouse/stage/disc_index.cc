@@ -23,8 +23,9 @@ void DiscIndex::sort() {
   // Each entry c + 1 now holds the begin of cell c: shift back.
   for (std::size_t c = 0; c + 1 < first_.size(); ++c) first_[c] = first_[c + 1];
   first_.back() = static_cast<std::uint32_t>(discs_.size());
-  centers_.resize(discs_.size());
-  for (std::size_t i = 0; i < discs_.size(); ++i) centers_[i] = discs_[i].center;
+  places_.resize(discs_.size());
+  for (std::size_t i = 0; i < discs_.size(); ++i)
+    places_[i] = {discs_[i].center, discs_[i].z_min, discs_[i].z_max};
 }
 
 }  // namespace playhouse::stage

@@ -34,14 +34,19 @@ class DiscIndex {
 
   double radius_max() const { return radius_max_; }
 
-  /// Calls visit(begin, end) for runs of places in centers() and discs(): all in cells that meet that box.
+  /// Calls visit(begin, end) for runs of places in places() and discs(): all in cells that meet that box.
   template <typename Visit>
   void runs(geom::Vec2 p, double reach, const Visit& visit) const {
     torus_.runs(box_about(p, reach + radius_max_), [&](std::size_t first, std::size_t last) {
       if (first_[first] != first_[last + 1]) visit(first_[first], first_[last + 1]);
     });
   }
-  const geom::Vec2* centers() const { return centers_.data(); }
+  /// What is looked at for every disc near a place.
+  struct Place {
+    geom::Vec2 center;    // m, in W
+    double z_min, z_max;  // m
+  };
+  const Place* places() const { return places_.data(); }
   const Disc* discs() const { return discs_.data(); }
 
   /// Calls visit(disc) for everything in cells that meet the box about p, widened by the largest radius. The
@@ -59,7 +64,7 @@ class DiscIndex {
   Torus torus_;
   double radius_max_ = 0;
   std::vector<Disc> unsorted_, discs_;  // discs_ by cell
-  std::vector<geom::Vec2> centers_;     // of discs_
+  std::vector<Place> places_;           // of discs_
   std::vector<std::uint32_t> cell_;     // of unsorted_
   std::vector<std::uint32_t> first_;    // first disc of a cell (cells + 1)
 };

@@ -147,8 +147,7 @@ bool Motion::meets_wall(const Surroundings& in, std::size_t solid, const Outline
   bool met = false;
   in.walls.near(box, [&](const Walls::Edge& edge) {
     if (met || !in.solids.obstacle[edge.solid] || !z_overlaps(in.solids, solid, edge.solid)) return;
-    if (std::max(edge.a.x, edge.b.x) < box.x_min || std::min(edge.a.x, edge.b.x) > box.x_max) return;
-    if (std::max(edge.a.y, edge.b.y) < box.y_min || std::min(edge.a.y, edge.b.y) > box.y_max) return;
+    if (!edge.reaches(box)) return;
     const double inside = length_inside(then, edge.a, edge.b);
     met = inside > kRounding && inside > length_inside(now, edge.a, edge.b) + kRounding;
   });

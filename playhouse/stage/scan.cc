@@ -22,11 +22,13 @@ struct Row {
   double* range;
   double* intensity;
 
-  std::size_t beams() const { return scan.beams(); }
+  std::size_t last;  // beam
+
+  std::size_t beams() const { return last + 1; }
   /// The beam at or to the right of a bearing; 0 or the last one for those outside the fov.
   std::size_t beam_right_of(double bearing) const {
     const double beam = (bearing + half) * per_step;
-    return beam <= 0 ? 0 : std::min(static_cast<std::size_t>(beam), beams() - 1);
+    return beam <= 0 ? 0 : std::min(static_cast<std::size_t>(beam), last);
   }
   /// cross(beam k, w): above 0 if w is to the left of the beam.
   double side(std::size_t k, Vec2 w) const { return scan.x[k] * w.y - scan.y[k] * w.x; }
@@ -68,7 +70,7 @@ void project_edge(Vec2 w0, Vec2 w1, double intensity, const Row& row) {
   for (int turn = -turns; turn <= turns; ++turn) {
     const double low = from + turn * geom::kTwoPi, high = to + turn * geom::kTwoPi;
     if (high < -row.half || low > row.half) continue;
-    const std::size_t last = std::min(row.beam_right_of(high) + 1, row.beams() - 1);
+    const std::size_t last = std::min(row.beam_right_of(high) + 1, row.last);
     project({w0, w1, area, intensity}, row.scan.x.data(), row.scan.y.data(), row.range, row.intensity,
             row.beam_right_of(low), last);
   }
@@ -158,26 +160,23 @@ PLAYHOUSE_VECTORS void find_distances(Rotation r, std::size_t count, double* __r
 
 /// True if every beam from one bearing to another has met something nearer.
 bool is_hidden(double from, double to, double nearest, const Row& row) {
-  const std::size_t last = std::min(row.beam_right_of(to) + 1, row.beams() - 1);
-  unsigned open = 0;
-  for (std::size_t k = row.beam_right_of(from); k <= last; ++k) open += row.range[k] > nearest;
-  return open == 0;
+  const std::size_t last = std::min(row.beam_right_of(to) + 1, row.last);
+  for (std::size_t k = row.beam_right_of(from); k <= last; ++k)
+    if (row.range[k] > nearest) return false;
+  return true;
 }
 
 }  // namespace
 
 /// Puts the places of what may be seen into `order`, from near to far by rings; returns how many.
-std::size_t RangerSense::Bench::sort_by_distance(std::size_t count, double reach, double behind) {
+std::size_t RangerSense::Bench::sort_by_distance(std::size_t count, double reach) {
   constexpr std::size_t kRings = 32;
   std::uint32_t first[kRings + 2] = {};
   const double per_ring = static_cast<double>(kRings) / reach;
-  const double *const from_x = x.data(), *const far = distance.data();
+  const double* const far = distance.data();
   std::int32_t* const ring = cell.data();
-  for (std::size_t i = 0; i < count; ++i) {
-    const bool matters = (far[i] < reach) & (from_x[i] >= behind);
-    const double scaled = matters ? far[i] * per_ring : static_cast<double>(kRings);
-    ring[i] = static_cast<std::int32_t>(scaled);
-  }
+  for (std::size_t i = 0; i < count; ++i)
+    ring[i] = static_cast<std::int32_t>(far[i] < reach ? far[i] * per_ring : static_cast<double>(kRings));
   for (std::size_t i = 0; i < count; ++i) ++first[ring[i] + 1];
   for (std::size_t r = 1; r <= kRings; ++r) first[r] += first[r - 1];
   const std::size_t seen = first[kRings];
@@ -191,19 +190,26 @@ void RangerSense::scan_bodies(const Space& space, const Pose& X_WS, double z, co
                               const Scan& scan, Bench& bench) {
   const Solids& solids = space.solids;
   const Rotation rotation = Rotation::of(X_WS.a);
-  const Row row{scan, 0.5 * scan.fov, 1.0 / scan.step, bench.range.data() + scan.first_beam,
-                bench.intensity.data() + scan.first_beam};
+  const Row row{scan,
+                0.5 * scan.fov,
+                1.0 / scan.step,
+                bench.range.data() + scan.first_beam,
+                bench.intensity.data() + scan.first_beam,
+                scan.beams() - 1};
   const double radius_max = space.index.radius_max() + kMargin;
-  // Beams that all point forward meet nothing that is all behind.
-  const double behind = scan.fov <= geom::kPi ? -radius_max : -kMiss;
-  const std::size_t near = bench.gather(space.index, X_WS.xy(), scan.range_max);
+  Sector sector{X_WS.xy(), scan.range_max, z, z, {0, 0}, 0};
+  if (scan.fov <= geom::kPi) {  // no beam points back, so none meets what is all behind
+    sector.ahead = {rotation.c, rotation.s};
+    sector.behind = -radius_max;
+  }
+  const std::size_t near = bench.gather(space.index, sector);
   find_distances(rotation, near, bench.x.data(), bench.y.data(), bench.distance.data(), bench.bearing.data());
-  const std::size_t count = bench.sort_by_distance(near, scan.range_max + radius_max, behind);
+  const std::size_t count = bench.sort_by_distance(near, scan.range_max + radius_max);
 
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint32_t at = bench.order[i];
     const DiscIndex::Disc& disc = space.index.discs()[bench.place[at]];
-    if (z < disc.z_min || disc.z_max < z || !view.sees(solids, disc.row)) continue;
+    if (!view.sees(solids, disc.row)) continue;
     const double distance = bench.distance[at], radius = disc.radius + kMargin;
     const double x = radius / distance;
     const double spread = x + 0.5708 * x * x * x + kBearingError;  // not below asin(x)
@@ -230,37 +236,46 @@ void RangerSense::scan_bodies(const Space& space, const Pose& X_WS, double z, co
 
 void RangerSense::scan_walls(const Space& space, const Pose& X_WS, double z, const View& view,
                              const Scan& scan, Bench& bench) {
+  if (space.walls.edge_count() == 0) return;
   const geom::Box box = box_about(X_WS.xy(), scan.range_max);
-  const std::size_t listings = space.walls.count_near(box);
-  if (listings == 0) return;
-  const Row row{scan, 0.5 * scan.fov, 1.0 / scan.step, bench.range.data() + scan.first_beam,
-                bench.intensity.data() + scan.first_beam};
+  const Row row{scan,
+                0.5 * scan.fov,
+                1.0 / scan.step,
+                bench.range.data() + scan.first_beam,
+                bench.intensity.data() + scan.first_beam,
+                scan.beams() - 1};
   const auto hides = [&](std::uint32_t solid) {
     return view.sees(space.solids, solid) && at_height(space.solids, solid, z);
   };
   const Rotation rotation = Rotation::of(X_WS.a);
 
-  if (listings > 2 * scan.beams()) {  // so many edges: following the beams is cheaper
-    for (std::size_t k = 0; k < scan.beams(); ++k) {
-      const Vec2 d = rotation * Vec2{scan.x[k], scan.y[k]};
-      space.walls.along(X_WS.xy(), d, &row.range[k], [&](const Walls::Edge& edge) {
-        const double t = edge_hit(edge.a - X_WS.xy(), edge.b - X_WS.xy(), d);
-        if (t >= row.range[k] || !hides(edge.solid)) return;
-        row.range[k] = t;
-        row.intensity[k] = space.solids.ranger_return[edge.solid];
-      });
-    }
-    return;
-  }
-
-  ++bench.scans;
-  space.walls.near(box, [&](const Walls::Edge& edge) {
-    if (bench.stamp[edge.number] == bench.scans) return;
-    bench.stamp[edge.number] = bench.scans;
-    if (!hides(edge.solid)) return;
+  const auto project_wall = [&](const Walls::Edge& edge) {
     project_edge(rotation.inverse(edge.a - X_WS.xy()), rotation.inverse(edge.b - X_WS.xy()),
                  space.solids.ranger_return[edge.solid], row);
-  });
+  };
+  if (!space.walls.few().empty()) {
+    for (const Walls::Edge& edge : space.walls.few())
+      if (edge.reaches(box) && hides(edge.solid)) project_wall(edge);
+    return;
+  }
+  if (space.walls.count_near(box) <= 2 * scan.beams()) {
+    ++bench.scans;
+    space.walls.near(box, [&](const Walls::Edge& edge) {
+      if (bench.stamp[edge.number] == bench.scans) return;
+      bench.stamp[edge.number] = bench.scans;
+      if (hides(edge.solid)) project_wall(edge);
+    });
+    return;
+  }
+  for (std::size_t k = 0; k < scan.beams(); ++k) {  // so many edges: following the beams is cheaper
+    const Vec2 d = rotation * Vec2{scan.x[k], scan.y[k]};
+    space.walls.along(X_WS.xy(), d, &row.range[k], [&](const Walls::Edge& edge) {
+      const double t = edge_hit(edge.a - X_WS.xy(), edge.b - X_WS.xy(), d);
+      if (t >= row.range[k] || !hides(edge.solid)) return;
+      row.range[k] = t;
+      row.intensity[k] = space.solids.ranger_return[edge.solid];
+    });
+  }
 }
 
 void RangerSense::run_scan(const Space& space, const View& view, const Scan& scan, Bench& bench) {

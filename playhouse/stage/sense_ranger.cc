@@ -37,13 +37,13 @@ RangerSense::RangerSense(const world::World& world, const Solids& solids, unsign
   for (const RangerKind& kind : kinds_.kinds) beams = std::max<std::size_t>(beams, kind.beams);
   bench.range.resize(beams);
   bench.intensity.resize(beams);
-  bench.x.resize(solids.moving);
-  bench.y.resize(solids.moving);
-  bench.distance.resize(solids.moving);
-  bench.bearing.resize(solids.moving);
-  bench.place.resize(solids.moving);
-  bench.order.resize(solids.moving);
-  bench.cell.resize(solids.moving);
+  bench.x.resize(solids.moving + 1);
+  bench.y.resize(solids.moving + 1);
+  bench.distance.resize(solids.moving + 1);
+  bench.bearing.resize(solids.moving + 1);
+  bench.place.resize(solids.moving + 1);
+  bench.order.resize(solids.moving + 1);
+  bench.cell.resize(solids.moving + 1);
   bench.corner_x.resize(corners + 1);
   bench.corner_y.resize(corners + 1);
   benches_.assign(workers, bench);
@@ -114,17 +114,22 @@ void RangerSense::finish(world::World& world, std::uint32_t ranger, std::uint64_
   for (std::uint32_t k = 0; k < kind.beams; ++k) intensities[k] = static_cast<float>(bench.intensity[k]);
 }
 
-std::size_t RangerSense::Bench::gather(const DiscIndex& index, Vec2 p, double reach) {
+std::size_t RangerSense::Bench::gather(const DiscIndex& index, const Sector& sector) {
   std::size_t count = 0;
-  const Vec2* const centers = index.centers();
+  const DiscIndex::Place* const places = index.places();
   double *const to_x = x.data(), *const to_y = y.data();
   std::uint32_t* const to_place = place.data();
-  index.runs(p, reach, [&](std::uint32_t begin, std::uint32_t end) {
+  const Sector s = sector;
+  const double far = (s.reach + index.radius_max()) * (s.reach + index.radius_max()) + kMargin;
+  index.runs(s.p, s.reach, [&](std::uint32_t begin, std::uint32_t end) {
     std::size_t at = count;
-    for (std::uint32_t i = begin; i < end; ++i, ++at) {
-      to_x[at] = centers[i].x - p.x;
-      to_y[at] = centers[i].y - p.y;
+    for (std::uint32_t i = begin; i < end; ++i) {  // without branches: what does not matter is overwritten
+      const double dx = places[i].center.x - s.p.x, dy = places[i].center.y - s.p.y;
+      to_x[at] = dx;
+      to_y[at] = dy;
       to_place[at] = i;
+      at += (places[i].z_min <= s.z_high) & (places[i].z_max >= s.z_low) & (dx * dx + dy * dy <= far) &
+            (dx * s.ahead.x + dy * s.ahead.y >= s.behind);
     }
     count = at;
   });

@@ -20,6 +20,14 @@ class RangerSense {
   std::uint64_t sense(world::World& world, const Space& space, std::uint64_t tick, world::Workers& workers);
 
  private:
+  /// Where discs matter: within `reach` of p, at these heights, and along `ahead` no further back than
+  /// `behind`.
+  struct Sector {
+    Vec2 p;
+    double reach, z_low, z_high;
+    Vec2 ahead{0, 0};
+    double behind = 0;
+  };
   /// Scratch memory of one worker.
   struct Bench {
     std::vector<double> range, intensity;  // of the ranger's beams
@@ -31,8 +39,8 @@ class RangerSense {
     std::vector<std::uint64_t> stamp;        // last scan that saw a wall edge (edges)
     std::uint64_t scans = 0;
 
-    std::size_t gather(const DiscIndex& index, Vec2 p, double reach);
-    std::size_t sort_by_distance(std::size_t count, double reach, double behind);
+    std::size_t gather(const DiscIndex& index, const Sector& sector);
+    std::size_t sort_by_distance(std::size_t count, double reach);
   };
   struct View;
 

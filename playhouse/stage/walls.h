@@ -19,6 +19,11 @@ class Walls {
     Vec2 a, b;             // m, in W
     std::uint32_t solid;   // row of Solids
     std::uint32_t number;  // of this edge; the same in every cell that lists it
+
+    bool reaches(const geom::Box& box) const {
+      return (std::max(a.x, b.x) >= box.x_min) & (std::min(a.x, b.x) <= box.x_max) &
+             (std::max(a.y, b.y) >= box.y_min) & (std::min(a.y, b.y) <= box.y_max);
+    }
   };
 
   Walls() = default;
