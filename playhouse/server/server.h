@@ -23,7 +23,7 @@ namespace playhouse::server {
 struct ServerOptions {
   std::string bind = "127.0.0.1";  // numeric address; "0.0.0.0" and "::" mean every interface
   std::string version =
-      "3.1.1 (Playhouse " PLAYHOUSE_VERSION ")";  // clients see "Player v." and this, 31 bytes at most
+      "3.1.1 Playhouse " PLAYHOUSE_VERSION;  // clients see "Player v." and this, 31 bytes at most
 };
 
 /// What a person may want to see of a running server. Sums since the start unless said otherwise.
