@@ -1,4 +1,4 @@
-#include "playhouse/drivers/simulated/inbox.h"
+#include "playhouse/drivers/simulated/mailbox.h"
 
 #include <utility>
 
@@ -7,7 +7,7 @@
 
 namespace playhouse::drivers {
 
-void Inbox::command(const PositionCommand& command) {
+void Mailbox::command(const PositionCommand& command) {
   const std::lock_guard lock(mutex_);
   PLAYHOUSE_ASSERT(command.robot.index < slots_.size());
   std::size_t& slot = slots_[command.robot.index];
@@ -19,25 +19,25 @@ void Inbox::command(const PositionCommand& command) {
   entries_.emplace_back(command);
 }
 
-bool Inbox::post(Change change, world::PositionRow robot) {
+bool Mailbox::post(Change change, world::PositionRow robot) {
   const std::lock_guard lock(mutex_);
   if (changes_ >= limits::kRequestQueue) return false;
   append(std::move(change), robot);
   return true;
 }
 
-void Inbox::post_always(Change change, world::PositionRow robot) {
+void Mailbox::post_always(Change change, world::PositionRow robot) {
   const std::lock_guard lock(mutex_);
   append(std::move(change), robot);
 }
 
-void Inbox::append(Change change, world::PositionRow robot) {
+void Mailbox::append(Change change, world::PositionRow robot) {
   entries_.emplace_back(std::move(change));
   ++changes_;
   if (robot) slots_[robot.index] = kNoEntry;
 }
 
-void Inbox::take(std::vector<Entry>& out) {
+void Mailbox::take(std::vector<Entry>& out) {
   out.clear();
   const std::lock_guard lock(mutex_);
   for (const Entry& entry : entries_) {
@@ -47,7 +47,7 @@ void Inbox::take(std::vector<Entry>& out) {
   changes_ = 0;
 }
 
-bool Inbox::empty() const {
+bool Mailbox::empty() const {
   const std::lock_guard lock(mutex_);
   return entries_.empty();
 }
