@@ -48,7 +48,7 @@ void apply(world::World& world, const PositionCommand& command) {
 Simulation::Simulation(std::unique_ptr<world::Engine> engine, Options options)
     : engine_(std::move(engine)),
       end_tick_(ticks_in(options.duration, engine_->world().scene().interval)),
-      mailbox_(engine_->world().positions.size()),
+      inbox_(engine_->world().positions.size()),
       time_(engine_->world().time()),
       pacer_(engine_->world().scene().interval) {
   wanted_.speed = std::max(0.0, options.speed);
@@ -61,7 +61,7 @@ void Simulation::run() {
   for (;;) {
     if (rung_.exchange(false)) {
       take_wishes();
-      take_mailbox();
+      take_inbox();
     }
     if (now_.stop || world.tick() >= end_tick_) return;
     if (wait_for_tick()) tick();
@@ -118,11 +118,11 @@ void Simulation::take_wishes() {
   tell_listeners();
 }
 
-void Simulation::take_mailbox() {
-  mailbox_.take(taken_);
+void Simulation::take_inbox() {
+  inbox_.take(taken_);
   if (taken_.empty()) return;
   world::World& world = engine_->world();
-  for (Mailbox::Entry& entry : taken_) {
+  for (Inbox::Entry& entry : taken_) {
     if (const auto* command = std::get_if<PositionCommand>(&entry)) {
       apply(world, *command);
     } else {
@@ -153,7 +153,7 @@ void Simulation::want(Edit edit) {
 }
 
 void Simulation::discard() {
-  mailbox_.take(taken_);
+  inbox_.take(taken_);
   taken_.clear();
 }
 
@@ -186,18 +186,18 @@ bool Simulation::post(std::function<void(world::World&)> change) {
 }
 
 bool Simulation::post(Change change, world::PositionRow robot) {
-  if (!mailbox_.post(std::move(change), robot)) return false;
+  if (!inbox_.post(std::move(change), robot)) return false;
   ring();
   return true;
 }
 
 void Simulation::post_always(Change change, world::PositionRow robot) {
-  mailbox_.post_always(std::move(change), robot);
+  inbox_.post_always(std::move(change), robot);
   ring();
 }
 
 void Simulation::command(const PositionCommand& command) {
-  mailbox_.command(command);
+  inbox_.command(command);
   ring();
 }
 

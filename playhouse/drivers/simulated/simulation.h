@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "playhouse/device/driver.h"
-#include "playhouse/drivers/simulated/mailbox.h"
+#include "playhouse/drivers/simulated/inbox.h"
 #include "playhouse/drivers/simulated/pacer.h"
 #include "playhouse/world/control.h"
 #include "playhouse/world/engine.h"
@@ -91,7 +91,7 @@ class Simulation final : public world::Control {
   template <typename Edit>
   void want(Edit edit);
   void take_wishes();
-  void take_mailbox();
+  void take_inbox();
   bool wait_for_tick();
   void tick();
   void tell_listeners();
@@ -102,7 +102,7 @@ class Simulation final : public world::Control {
   std::uint64_t end_tick_;
 
   // Shared between threads.
-  Mailbox mailbox_;
+  Inbox inbox_;
   mutable std::mutex mutex_;  // guards wanted_ and, with bell_, the sleep of the tick thread
   std::condition_variable bell_;
   std::atomic<bool> rung_ = true;
@@ -113,7 +113,7 @@ class Simulation final : public world::Control {
   // Tick thread.
   Wanted now_;
   Pacer pacer_;
-  std::vector<Mailbox::Entry> taken_;
+  std::vector<Inbox::Entry> taken_;
   std::vector<Source*> sources_;
   std::vector<device::Publication> batch_;
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Mailbox: hand-over 1, from the io thread to the tick thread. Commands are latest-value slots, one per
+/// Inbox: hand-over 1, from the io thread to the tick thread. Commands are latest-value slots, one per
 /// robot; everything else is a bounded queue of changes. What one robot is told arrives in the order it was
 /// said: a change of a robot closes its slot, so a command before it is carried out before it, and a later
 /// one after it.
@@ -27,11 +27,11 @@ struct PositionCommand {
 
 using Change = std::function<void(world::World&)>;
 
-class Mailbox {
+class Inbox {
  public:
   using Entry = std::variant<PositionCommand, Change>;
 
-  explicit Mailbox(std::size_t robots) : slots_(robots, kNoEntry) {}
+  explicit Inbox(std::size_t robots) : slots_(robots, kNoEntry) {}
 
   /// Replaces the robot's waiting command, or waits as a new one.
   void command(const PositionCommand& command);

@@ -1,4 +1,4 @@
-#include "playhouse/drivers/simulated/mailbox.h"
+#include "playhouse/drivers/simulated/inbox.h"
 
 #include <utility>
 
@@ -7,7 +7,7 @@
 
 namespace playhouse::drivers {
 
-void Mailbox::command(const PositionCommand& command) {
+void Inbox::command(const PositionCommand& command) {
   const std::lock_guard lock(mutex_);
   PLAYHOUSE_ASSERT(command.robot.index < slots_.size());
   std::size_t& slot = slots_[command.robot.index];
@@ -19,25 +19,25 @@ void Mailbox::command(const PositionCommand& command) {
   entries_.emplace_back(command);
 }
 
-bool Mailbox::post(Change change, world::PositionRow robot) {
+bool Inbox::post(Change change, world::PositionRow robot) {
   const std::lock_guard lock(mutex_);
   if (changes_ >= limits::kRequestQueue) return false;
   append(std::move(change), robot);
   return true;
 }
 
-void Mailbox::post_always(Change change, world::PositionRow robot) {
+void Inbox::post_always(Change change, world::PositionRow robot) {
   const std::lock_guard lock(mutex_);
   append(std::move(change), robot);
 }
 
-void Mailbox::append(Change change, world::PositionRow robot) {
+void Inbox::append(Change change, world::PositionRow robot) {
   entries_.emplace_back(std::move(change));
   ++changes_;
   if (robot) slots_[robot.index] = kNoEntry;
 }
 
-void Mailbox::take(std::vector<Entry>& out) {
+void Inbox::take(std::vector<Entry>& out) {
   out.clear();
   const std::lock_guard lock(mutex_);
   for (const Entry& entry : entries_) {
@@ -47,7 +47,7 @@ void Mailbox::take(std::vector<Entry>& out) {
   changes_ = 0;
 }
 
-bool Mailbox::empty() const {
+bool Inbox::empty() const {
   const std::lock_guard lock(mutex_);
   return entries_.empty();
 }
