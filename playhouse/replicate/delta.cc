@@ -96,10 +96,11 @@ class PacketWriter {
       const auto row = it->first;
       if (wanted(layout_.finder_model[row]) && in_snapshot_finding(row)) {
         ++it;
-      } else {
-        item(kGone, row);
-        it = replica_.findings.erase(it);
+        continue;
       }
+      if (full(budget_)) break;
+      item(kGone, row);
+      it = replica_.findings.erase(it);
     }
     pack_.u8(kEnd);
   }
@@ -221,6 +222,7 @@ class PacketWriter {
       if (replica_.scans[row].empty()) continue;
       const bool measured = fresh != snapshot_.scans.end() && fresh->sensor == row;
       if (measured && wanted(layout_.sensors[row].model)) continue;
+      if (full(budget_)) return;
       item(kGone, row);
       replica_.scans[row].clear();
     }

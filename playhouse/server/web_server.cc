@@ -17,8 +17,6 @@
 namespace playhouse::server {
 namespace {
 
-constexpr std::chrono::milliseconds kFramePeriod{33};
-
 constexpr std::string_view kNoPage =
     "This program was built without its web page. Build it (cd web && npm ci && npm run build), then build "
     "the "
@@ -97,6 +95,7 @@ class WebServer::Impl final : public net::HttpService,
 
   void close() {
     listener_.reset();
+    offer_timer_.reset();
     viewers_.clear();
   }
 
@@ -115,6 +114,10 @@ class WebServer::Impl final : public net::HttpService,
       if (std::exchange(fresh_, false)) std::swap(ready_, front_);
     }
     reconcile_subscriptions();
+    offer();
+  }
+
+  void offer() {
     for (const auto& viewer : viewers_) viewer->offer(front_);
   }
 
@@ -208,6 +211,14 @@ class WebServer::Impl final : public net::HttpService,
     status_.bytes_sent += bytes;
   }
 
+  void waits() override {
+    if (offer_timer_) return;
+    offer_timer_ = loop_.after(std::chrono::duration<double>(kFramePeriod).count(), [this] {
+      offer_timer_.reset();
+      offer();
+    });
+  }
+
   void left(WebViewer& viewer, const std::string& why) override {
     log::info("web: {} left: {}", viewer.peer(), why);
     std::erase_if(viewers_, [&](const auto& other) { return other.get() == &viewer; });
@@ -264,6 +275,7 @@ class WebServer::Impl final : public net::HttpService,
   std::unique_ptr<net::Listener> listener_;
   std::vector<std::unique_ptr<WebViewer>> viewers_;
   std::set<std::uint32_t> selected_, subscribed_;  // top-level rows: wanted, and asked of the world
+  std::unique_ptr<net::Timer> offer_timer_;
   replicate::Snapshot front_;
   WebStatus status_;
 

@@ -55,13 +55,16 @@ Result<void> WebViewer::obey(const replicate::Command& command) {
 }
 
 void WebViewer::send_frame() {
-  if (!newest_ || socket_->messages_in_flight() > 0) return;
+  if (!newest_ || socket_->messages_in_flight() > 0 || !viewer_.ready()) return;
   const auto now = std::chrono::steady_clock::now();
+  // Rows that wait for room in the next frame must not make it come sooner.
+  if (now - frame_time_ < kFramePeriod * 3 / 4) return owner_.waits();
   const auto emit = now - frame_time_ >= kSignOfLife ? replicate::Emit::kAlways : replicate::Emit::kIfChanged;
   if (!viewer_.next_frame(*newest_, emit, *frame_)) return;
   frame_time_ = now;
   owner_.sent_frame(frame_->size());
   socket_->send_binary(frame_);
+  if (viewer_.waiting()) owner_.waits();
 }
 
 }  // namespace playhouse::server

@@ -16,6 +16,9 @@ namespace playhouse::server {
 
 class WebViewer;
 
+/// The least time between two frames of one viewer, and between two captures.
+inline constexpr std::chrono::milliseconds kFramePeriod{33};
+
 /// Who hears of a viewer's commands and its end.
 class WebViewerOwner {
  public:
@@ -25,6 +28,8 @@ class WebViewerOwner {
   virtual Result<void> carry_out(const replicate::Command& command, WebViewer& from) = 0;
   virtual void refused(const WebViewer& from, const std::string& why) = 0;
   virtual void sent_frame(std::size_t bytes) = 0;
+  /// Wants to be offered the newest snapshot again after kFramePeriod, also if it is the same one.
+  virtual void waits() = 0;
   /// May destroy the viewer.
   virtual void left(WebViewer& viewer, const std::string& why) = 0;
 };

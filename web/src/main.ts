@@ -14,6 +14,7 @@ import { StageView } from './view/stage_view';
 import { kDarkPage } from './view/theme';
 
 const kLookPeriodMs = 150;
+const kSensorScale = 8; // pixels per metre: seen from farther away, fans are a fog
 const kNoticeMs = 4000;
 const kFaster = [0.1, 0.25, 0.5, 1, 2, 5, 10, 50];
 const kLinkTexts: Record<LinkState, string> = {
@@ -206,7 +207,8 @@ class Page {
   private tellView(now: number): void {
     if (!this.replica || now - this.lookTime < kLookPeriodMs) return;
     this.lookTime = now;
-    const box = this.view.rig.view();
+    const { rig, layers } = this.view;
+    const box = rig.view();
     const round = (value: number) => Math.min(Math.max(Math.round(value * 10) / 10, -1e6), 1e6);
     const look = {
       do: 'look' as const,
@@ -214,7 +216,7 @@ class Page {
       y_min: round(box.y_min),
       x_max: round(box.x_max),
       y_max: round(box.y_max),
-      sensors: this.view.layers.sensors || this.view.layers.fiducials,
+      sensors: (layers.sensors || layers.fiducials) && rig.scale >= kSensorScale,
     };
     const text = JSON.stringify(look);
     if (text === this.looked) return;

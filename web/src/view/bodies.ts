@@ -16,6 +16,8 @@ interface Batch {
   origins: Pose[];
 }
 
+const kOutlineScale = 10; // pixels per metre
+
 /** The bodies of all models, extruded, in their colours; and a point ahead of each that drives. */
 export class Bodies {
   readonly group = new Group();
@@ -56,6 +58,11 @@ export class Bodies {
     const { mesh, rows } = this.noses;
     rows.forEach((row, k) => mesh.setMatrixAt(k, this.noseMatrix(row)));
     mesh.instanceMatrix.needsUpdate = true;
+  }
+
+  /** Leaves out outlines where they would be most of what is seen. */
+  adapt(pixelsPerMetre: number): void {
+    for (const { edges } of this.batches) if (edges) edges.visible = pixelsPerMetre >= kOutlineScale;
   }
 
   /** Takes over the colours that changed. */

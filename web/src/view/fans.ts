@@ -6,6 +6,7 @@ import { Painted } from './painted';
 import type { Theme } from './theme';
 
 const kConeSteps = 6;
+const kSensorsManyMost = 1500; // beyond, cones are plain triangles
 const kGap = 0.4; // m: a longer step between two beams is no surface
 
 /** A sensor's place in the world at this moment. */
@@ -54,10 +55,11 @@ export class Fans {
   draw(): void {
     this.fill.begin();
     this.outline.begin();
+    const steps = this.replica.scans.size > kSensorsManyMost ? 1 : kConeSteps;
     for (const [row, beams] of this.replica.scans) {
       const { model, sensor } = this.replica.sensors[row];
       const at = sensorPose(this.motion, model, this.scene.models[model].origin, sensor);
-      if (sensor.samples < 2) this.cone(at, sensor, beams[0], this.colors[row]);
+      if (sensor.samples < 2) this.cone(at, sensor, beams[0], this.colors[row], steps);
       else this.fan(at, sensor, beams, this.colors[row]);
     }
     this.fill.end();
@@ -91,21 +93,21 @@ export class Fans {
     }
   }
 
-  private cone(at: SensorPose, sensor: Sensor, beam: number, color: Float32Array): void {
+  private cone(at: SensorPose, sensor: Sensor, beam: number, color: Float32Array, steps: number): void {
     const range = (beam * sensor.range[1]) / 65535;
     // A ping that heard nothing says little; it is drawn fainter.
     const alpha = beam === 65535 ? color[3] * 0.45 : color[3];
     let px = 0;
     let py = 0;
-    for (let k = 0; k <= kConeSteps; ++k) {
-      const bearing = at.a + sensor.fov * (k / kConeSteps - 0.5);
+    for (let k = 0; k <= steps; ++k) {
+      const bearing = at.a + sensor.fov * (k / steps - 0.5);
       const x = at.x + Math.cos(bearing) * range;
       const y = at.y + Math.sin(bearing) * range;
       if (k > 0) {
         this.fill.corner(at.x, at.y, at.z, color, alpha);
         this.fill.corner(px, py, at.z, color, alpha);
         this.fill.corner(x, y, at.z, color, alpha);
-        if (beam !== 65535) this.line(px, py, x, y, at.z, color, 0.55);
+        if (beam !== 65535 && steps > 1) this.line(px, py, x, y, at.z, color, 0.55);
       }
       px = x;
       py = y;

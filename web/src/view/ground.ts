@@ -3,16 +3,18 @@ import type { Box } from './camera_rig';
 import type { Theme } from './theme';
 
 const kLinesMost = 400;
+const kPixelsLeast = 8;
 
 /** A grid on the floor: a line per metre, stronger ones every five; coarser where the world is large. */
 export class Ground {
   readonly group = new Group();
   private readonly lines: LineSegments[] = [];
+  private spacing = 1; // m
 
   constructor(extent: Box, theme: Theme) {
     const size = Math.max(extent.x_max - extent.x_min, extent.y_max - extent.y_min, 10);
-    let spacing = 1;
-    while ((size * 2) / spacing > kLinesMost) spacing *= 10;
+    while ((size * 2) / this.spacing > kLinesMost) this.spacing *= 10;
+    const { spacing } = this;
     const snap = (value: number, round: (v: number) => number) => round(value / (5 * spacing)) * 5 * spacing;
     const box = {
       x_min: snap(extent.x_min - size / 4, Math.floor),
@@ -22,6 +24,11 @@ export class Ground {
     };
     this.add(box, spacing, theme.grid, (k) => k % 5 !== 0);
     this.add(box, spacing, theme.axis, (k) => k % 5 === 0);
+  }
+
+  /** Lines that would lie closer than a few pixels are left out. */
+  adapt(pixelsPerMetre: number): void {
+    this.lines[0].visible = pixelsPerMetre * this.spacing >= kPixelsLeast;
   }
 
   dispose(): void {

@@ -196,6 +196,8 @@ export class StageView {
       if (layers.sensors) drawn.fans.draw();
       if (layers.fiducials) drawn.sightings.draw();
       if (layers.trails) drawn.trails.draw();
+      drawn.ground.adapt(this.rig.scale);
+      drawn.bodies.adapt(this.rig.scale);
       this.placeRing(drawn);
       drawn.labels.draw([this.selected, this.hovered, this.followed]);
     }
