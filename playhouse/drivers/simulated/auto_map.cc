@@ -96,8 +96,8 @@ class Mapper {
     out_.devices.push_back({interf, static_cast<std::uint16_t>(index), model});
   }
 
-  static constexpr std::size_t kNoRobot =
-      static_cast<std::size_t>(-1);  // the number of a tree that is no robot
+  /// The number of a tree that is no robot.
+  static constexpr std::size_t kNoRobot = static_cast<std::size_t>(-1);
 
   const world::World& world_;
   AutoMap out_;

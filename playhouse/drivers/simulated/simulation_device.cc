@@ -14,21 +14,26 @@ using wire::MessageType;
 
 namespace {
 
-world::ModelRow find_or_warn(const world::World& world, const std::string& raw_name) {
+constexpr std::size_t kUnknownNames = 100;  // a client may make names up for ever
+
+}  // namespace
+
+world::ModelRow SimulationDevice::find_or_warn(const world::World& world, const std::string& raw_name) {
   const std::string_view name = wire::text(raw_name);
   const world::ModelRow row = world.find(name);
-  if (!row) log::warn("simulation: a client asked for model \"{}\", which is not in this world", name);
+  if (!row && unknown_names_.size() < kUnknownNames && unknown_names_.emplace(name).second) {
+    log::warn("simulation: a client asked for model \"{}\", which is not in this world", name);
+  }
   return row;
 }
 
 /// Poses in requests are in the parent's frame. Without a z the model keeps its height.
-bool move(world::World& world, const std::string& name, geom::Vec2 p, std::optional<double> z, double a) {
+bool SimulationDevice::move(world::World& world, const std::string& name, geom::Vec2 p,
+                            std::optional<double> z, double a) {
   const world::ModelRow row = find_or_warn(world, name);
   if (!row) return false;
   return world::set_pose(world, row, {p.x, p.y, z.value_or(world.models.X_PM[row.index].z), a});
 }
-
-}  // namespace
 
 std::span<const Served> SimulationDevice::served() const {
   static constexpr Served kServed[] = {
@@ -72,13 +77,13 @@ void SimulationDevice::pose_2d(const device::Message& message, device::Replier r
   const auto request = wire::decode<sim::Pose2dReq>(message.body);
   if (!request) return;
   if (message.subtype == sim::kReqSetPose2d) {
-    ask_world(std::move(replier), [r = *request](world::World& world) -> std::optional<Bytes> {
+    ask_world(std::move(replier), [this, r = *request](world::World& world) -> std::optional<Bytes> {
       if (!move(world, r.name, {r.pose.px, r.pose.py}, std::nullopt, r.pose.pa)) return std::nullopt;
       return Bytes();
     });
     return;
   }
-  ask_world(std::move(replier), [r = *request](world::World& world) mutable -> std::optional<Bytes> {
+  ask_world(std::move(replier), [this, r = *request](world::World& world) mutable -> std::optional<Bytes> {
     const world::ModelRow row = find_or_warn(world, r.name);
     if (!row) return std::nullopt;
     r.pose = pose2d(world.models.X_PM[row.index]);
@@ -90,13 +95,13 @@ void SimulationDevice::pose_3d(const device::Message& message, device::Replier r
   const auto request = wire::decode<sim::Pose3dReq>(message.body);
   if (!request) return;
   if (message.subtype == sim::kReqSetPose3d) {
-    ask_world(std::move(replier), [r = *request](world::World& world) -> std::optional<Bytes> {
+    ask_world(std::move(replier), [this, r = *request](world::World& world) -> std::optional<Bytes> {
       if (!move(world, r.name, {r.pose.px, r.pose.py}, r.pose.pz, r.pose.pyaw)) return std::nullopt;
       return Bytes();
     });
     return;
   }
-  ask_world(std::move(replier), [r = *request](world::World& world) mutable -> std::optional<Bytes> {
+  ask_world(std::move(replier), [this, r = *request](world::World& world) mutable -> std::optional<Bytes> {
     const world::ModelRow row = find_or_warn(world, r.name);
     if (!row) return std::nullopt;
     r.pose = pose3d(world.models.X_PM[row.index]);

@@ -3,6 +3,9 @@
 /// The whole world as interface simulation: poses and properties of models by name, and pausing
 /// (docs/drivers.md).
 
+#include <functional>
+#include <optional>
+#include <set>
 #include <string>
 
 #include "playhouse/drivers/simulated/simulated_device.h"
@@ -21,6 +24,11 @@ class SimulationDevice final : public SimulatedDevice {
   void pose_2d(const device::Message& message, device::Replier replier);
   void pose_3d(const device::Message& message, device::Replier replier);
   void property(const device::Message& message, device::Replier replier);
+
+  // Tick thread.
+  world::ModelRow find_or_warn(const world::World& world, const std::string& raw_name);
+  bool move(world::World& world, const std::string& name, geom::Vec2 p, std::optional<double> z, double a);
+  std::set<std::string, std::less<>> unknown_names_;  // warned of; at most kUnknownNames
 };
 
 }  // namespace playhouse::drivers
