@@ -37,6 +37,7 @@ web: web/dist/index.html
 
 build: setup web
 	@echo "== building the program"
+	@mkdir -p build
 	@cmake --preset release -Wno-dev > build/configure.log 2>&1 || (cat build/configure.log; exit 1)
 	@cmake --build --preset release --target playhouse
 	@echo "== $(PROGRAM) is ready"
