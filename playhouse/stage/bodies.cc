@@ -56,10 +56,12 @@ void add_solid(Solids& solids, std::span<const Vec2> points_B, double z_min, dou
     solids.p_M.push_back(p_M);
     sum = sum + p_M;
   }
-  const std::span<const Vec2> polygon(solids.p_M.data() + first, points_B.size());
+  const std::vector<Vec2> polygon(solids.p_M.begin() + static_cast<std::ptrdiff_t>(first), solids.p_M.end());
   const Vec2 center = (1.0 / static_cast<double>(polygon.size())) * sum;
   double radius_squared = 0;
   for (const Vec2 p : polygon) radius_squared = std::max(radius_squared, geom::dot(p - center, p - center));
+
+  solids.p_M.push_back(solids.p_M[first]);
 
   solids.model.push_back(model);
   solids.root.push_back(root);
@@ -143,7 +145,7 @@ Solids make_solids(const world::World& world, Trees& trees) {
   solids.center.resize(solids.size());
   solids.z_min.resize(solids.size());
   solids.z_max.resize(solids.size());
-  solids.p.resize(solids.p_M.size());
+  solids.p.resize(solids.p_M.size() + Solids::kSpare);
   place(solids, world.models, 0, solids.size());
   return solids;
 }

@@ -40,17 +40,20 @@ struct Solids {
   std::vector<std::uint8_t> obstacle;       // 1: collides
   std::vector<double> ranger_return;        // below 0: rangers do not see it
   std::vector<std::uint32_t> first_vertex;  // (n + 1)
-  std::vector<Vec2> p_M;   // counter-clockwise vertices                              [m] (vertices)
+  // Counter-clockwise vertices, the first of each polygon again at its end.                            [m]
+  // (vertices)
+  std::vector<Vec2> p_M;
   std::size_t moving = 0;  // rows below this belong to trees
 
   // Where it is.                              written by: place
   std::vector<Vec2> center;          // in W                                                    [m]
   std::vector<double> z_min, z_max;  // in W                                                    [m]
-  std::vector<Vec2> p;               // vertices in W                                           [m] (vertices)
+  std::vector<Vec2> p;  // vertices in W, and kSpare more to read past the end           [m] (vertices)
+  static constexpr std::size_t kSpare = 4;
 
   std::size_t size() const { return model.size(); }
   std::span<const Vec2> polygon(std::size_t row) const {
-    return {p.data() + first_vertex[row], first_vertex[row + 1] - first_vertex[row]};
+    return {p.data() + first_vertex[row], first_vertex[row + 1] - first_vertex[row] - 1};
   }
 };
 

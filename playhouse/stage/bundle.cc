@@ -124,7 +124,7 @@ void RangerSense::run_bundle(const Space& space, const View& view, const Bundle&
     const std::size_t i = bench.order[n];
     std::uint64_t near = bundle.meets[static_cast<std::size_t>(bench.cell[i])];
     const DiscIndex::Disc& disc = space.index.discs()[bench.place[i]];
-    if (disc.root == view.root) continue;
+    if (!view.sees(disc)) continue;
     const double radius = disc.radius + kMargin;
     for (; near != 0; near &= near - 1) {
       const auto k = static_cast<std::size_t>(std::countr_zero(near));
@@ -133,7 +133,8 @@ void RangerSense::run_bundle(const Space& space, const View& view, const Bundle&
       if ((std::fabs(geom::cross(d, to_disc)) > radius) | (ahead < -radius) |
           (ahead - radius > rays.range[k]))
         continue;
-      keep(k, polygon_hit(solids.polygon(disc.row), rays.p(k), rays.d(k)), disc.row);
+      keep(k, polygon_hit(solids.p.data() + disc.first_vertex, disc.vertices, rays.p(k), rays.d(k)),
+           disc.row);
     }
   }
 

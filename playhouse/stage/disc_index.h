@@ -18,6 +18,9 @@ class DiscIndex {
     double z_min, z_max;
     std::uint32_t row;   // of whatever was indexed
     std::uint32_t root;  // model row of the top of its tree
+    // Of a solid, so that who looks at it need not look it up.
+    std::uint32_t first_vertex = 0, vertices = 0;
+    double ranger_return = 0;
   };
 
   /// Sizes the cells for things of this mean radius.

@@ -29,7 +29,7 @@ Pose driven(const Pose& X_PM, const geom::Twist& velocity, double dt) {
 }
 
 Outline outline_at(const Solids& solids, std::size_t row, Vec2 center, const Vec2* p) {
-  const std::size_t vertices = solids.first_vertex[row + 1] - solids.first_vertex[row];
+  const std::size_t vertices = solids.first_vertex[row + 1] - solids.first_vertex[row] - 1;
   return {{p, vertices}, center, solids.convex[row] != 0};
 }
 

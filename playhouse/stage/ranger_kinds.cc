@@ -21,12 +21,21 @@ Vec2 unit(double angle) {
 }
 
 Scan make_scan(const scene::RangerSensorDesc& sensor, const Pose& X_MS, double z, std::uint32_t first_beam) {
-  Scan scan{X_MS, z, sensor.range_max, first_beam, sensor.fov, sensor.fov / (sensor.samples - 1), {}, {}};
+  Scan scan;
+  scan.X_MS = X_MS;
+  scan.z = z;
+  scan.range_max = sensor.range_max;
+  scan.first_beam = first_beam;
+  scan.fov = sensor.fov;
+  scan.step = sensor.fov / (sensor.samples - 1);
+  scan.count = sensor.samples;
   for (std::uint32_t beam = 0; beam < sensor.samples; ++beam) {
     const Vec2 d = unit(bearing_of(sensor, beam));
     scan.x.push_back(d.x);
     scan.y.push_back(d.y);
   }
+  scan.x.resize(scan.count + Scan::kSpare, 0.0);
+  scan.y.resize(scan.count + Scan::kSpare, 0.0);
   return scan;
 }
 

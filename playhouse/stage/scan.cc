@@ -4,8 +4,8 @@
 /// ones are dropped at a glance.
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+#include <cstring>
 
 #include "playhouse/stage/bearing.h"
 #include "playhouse/stage/sense_ranger.h"
@@ -14,55 +14,65 @@
 namespace playhouse::stage {
 namespace {
 
+// Beams are handled four at a time; the columns of a row are that much longer than it.
+static_assert(Scan::kSpare >= kFour);
+
 /// The beams of a scan and what they have met so far.
 struct Row {
-  const Scan& scan;
-  double half;      // of the fov  [rad]
-  double per_step;  // beams per radian
-  double* range;
-  double* intensity;
-
+  const double *x, *y;  // unit vectors in S
+  double *range, *intensity;
   std::size_t last;  // beam
+  double half;       // of the fov  [rad]
+  double per_step;   // beams per radian
 
-  std::size_t beams() const { return last + 1; }
+  Row(const Scan& scan, double* ranges, double* intensities)
+      : x(scan.x.data()),
+        y(scan.y.data()),
+        range(ranges + scan.first_beam),
+        intensity(intensities + scan.first_beam),
+        last(scan.count - 1),
+        half(0.5 * scan.fov),
+        per_step(1.0 / scan.step) {}
+
   /// The beam at or to the right of a bearing; 0 or the last one for those outside the fov.
   std::size_t beam_right_of(double bearing) const {
     const double beam = (bearing + half) * per_step;
     return beam <= 0 ? 0 : std::min(static_cast<std::size_t>(beam), last);
   }
-  /// cross(beam k, w): above 0 if w is to the left of the beam.
-  double side(std::size_t k, Vec2 w) const { return scan.x[k] * w.y - scan.y[k] * w.x; }
+  std::size_t beam_left_of(double bearing) const { return std::min(beam_right_of(bearing) + 1, last); }
 };
 
-/// An edge as the scanner sees it, w0 to the right of w1.
-struct Sight {
-  Vec2 w0, w1;  // m, in S
-  double area;  // cross(w0, w1), above 0
-  double intensity;
-};
-
-/// Keeps the nearer of what is known and the edge, beams first .. last.
-PLAYHOUSE_VECTORS void project(const Sight& sight, const double* __restrict x, const double* __restrict y,
-                               double* __restrict range, double* __restrict intensity, std::size_t first,
-                               std::size_t last) {
-  for (std::size_t k = first; k <= last; ++k) {
-    const double s0 = x[k] * sight.w0.y - y[k] * sight.w0.x;
-    const double s1 = x[k] * sight.w1.y - y[k] * sight.w1.x;
-    const double t = sight.area / (s1 - s0);
-    const bool nearer = (s0 <= 0) & (s1 >= 0) & (t < range[k]);
-    range[k] = nearer ? t : range[k];
-    intensity[k] = nearer ? sight.intensity : intensity[k];
+/// Keeps the nearer of what is known and the edge from w0 to w1, which is to the left of w0, for the beams
+/// from `first` on up to `last`, and a few more.
+inline __attribute__((always_inline)) void project(Vec2 w0, Vec2 w1, double seen, const Row& row,
+                                                   std::size_t first, std::size_t last) {
+  const double area = w0.x * w1.y - w0.y * w1.x;
+  for (std::size_t k = first; k <= last; k += kFour) {
+    Four x, y, range, intensity;
+    std::memcpy(&x, row.x + k, sizeof x);
+    std::memcpy(&y, row.y + k, sizeof y);
+    std::memcpy(&range, row.range + k, sizeof range);
+    std::memcpy(&intensity, row.intensity + k, sizeof intensity);
+    const Four s0 = x * w0.y - y * w0.x, s1 = x * w1.y - y * w1.x;
+    const Four t = area / (s1 - s0);
+    const auto nearer = (s0 <= 0) & (s1 >= 0) & (t < range);
+    range = nearer ? t : range;
+    intensity = nearer ? seen : intensity;
+    std::memcpy(row.range + k, &range, sizeof range);
+    std::memcpy(row.intensity + k, &intensity, sizeof intensity);
   }
+}
+
+PLAYHOUSE_VECTORS void project_on(const Row& row, Vec2 w0, Vec2 w1, double seen, std::size_t first,
+                                  std::size_t last) {
+  project(w0, w1, seen, row, first, last);
 }
 
 /// Projects an edge, once for each turn by which its bearings can meet those of the beams.
 void project_edge(Vec2 w0, Vec2 w1, double intensity, const Row& row) {
-  double area = geom::cross(w0, w1);
+  const double area = geom::cross(w0, w1);
   if (area == 0) return;
-  if (area < 0) {
-    std::swap(w0, w1);
-    area = -area;
-  }
+  if (area < 0) std::swap(w0, w1);
   const double from = rough_bearing(w0) - kBearingError;
   double to = rough_bearing(w1) + kBearingError;
   if (to < from - 3.0) to += geom::kTwoPi;
@@ -70,79 +80,44 @@ void project_edge(Vec2 w0, Vec2 w1, double intensity, const Row& row) {
   for (int turn = -turns; turn <= turns; ++turn) {
     const double low = from + turn * geom::kTwoPi, high = to + turn * geom::kTwoPi;
     if (high < -row.half || low > row.half) continue;
-    const std::size_t last = std::min(row.beam_right_of(high) + 1, row.last);
-    project({w0, w1, area, intensity}, row.scan.x.data(), row.scan.y.data(), row.range, row.intensity,
-            row.beam_right_of(low), last);
+    project_on(row, w0, w1, intensity, row.beam_right_of(low), row.beam_left_of(high));
   }
 }
 
-/// The corners of one polygon as the scanner sees it, the first again at the end.
-struct Corners {
-  const double *x, *y;
-  std::size_t count;
-  Vec2 operator[](std::size_t i) const { return {x[i], y[i]}; }
-};
-
 /// A body of any shape from anywhere, edge by edge.
-void project_edges(const Corners& corners, double intensity, const Row& row) {
-  for (std::size_t i = 0; i < corners.count; ++i) project_edge(corners[i], corners[i + 1], intensity, row);
+void project_edges(std::span<const Vec2> polygon, const Pose& X_WS, Rotation rotation, double seen,
+                   const Row& row) {
+  Vec2 before = rotation.inverse(polygon.back() - X_WS.xy());
+  for (const Vec2 corner : polygon) {
+    const Vec2 w = rotation.inverse(corner - X_WS.xy());
+    project_edge(before, w, seen, row);
+    before = w;
+  }
 }
-
-/// The edges of a convex polygon that face the origin, which is outside: they follow each other.
-struct Facing {
-  std::size_t left = 0, edges = 0;  // corner `left` is the left end; 0 edges: none is sure to face
-};
 
 constexpr std::size_t kFacingCorners = 32;
 
-PLAYHOUSE_VECTORS Facing find_facing(const Corners& corners) {
-  double area[kFacingCorners];
-  const double *x = corners.x, *y = corners.y;
-  for (std::size_t i = 0; i < corners.count; ++i) area[i] = x[i] * y[i + 1] - x[i + 1] * y[i];
-  std::uint64_t faces = 0;
-  for (std::size_t i = 0; i < corners.count; ++i) faces |= std::uint64_t{area[i] < 0} << i;
-  const std::uint64_t before = (faces << 1) | (faces >> (corners.count - 1));  // bit i: edge i - 1 faces
-  const std::uint64_t starts = faces & ~before;
-  if (!std::has_single_bit(starts)) return {};
-  return {static_cast<std::size_t>(std::countr_zero(starts)), static_cast<std::size_t>(std::popcount(faces))};
-}
+/// A body of up to kFacingCorners from outside, all within the beams first .. last: projects the edges that
+/// face the scanner, unless every beam has met something nearer than `nearest`.
+PLAYHOUSE_VECTORS void project_facing(const Row& row, const Vec2* __restrict polygon, std::size_t corners,
+                                      Vec2 origin, Rotation r, double seen, double nearest, std::size_t first,
+                                      std::size_t last) {
+  bool hidden = true;
+  for (std::size_t k = first; k <= last && hidden; ++k) hidden = row.range[k] <= nearest;
+  if (hidden) return;
 
-/// A convex body from outside: its facing edges follow each other from right to left, and so do the beams
-/// that meet them. `k` is a beam to the right of them all; no edge crosses the line behind the scanner.
-void project_facing(const Corners& corners, const Facing& facing, double intensity, std::size_t k,
-                    const Row& row) {
-  std::size_t right = facing.left + facing.edges;
-  right = right < corners.count ? right : right - corners.count;
-  Vec2 w0 = corners[right];
-  const double *const x = row.scan.x.data(), *const y = row.scan.y.data();
-  double *const range = row.range, *const seen = row.intensity;
-  const std::size_t beams = row.beams();
-  while (k < beams && x[k] * w0.y - y[k] * w0.x > 0) ++k;
-  for (std::size_t edge = facing.edges; edge > 0 && k < beams; --edge) {
-    right = right > 0 ? right - 1 : corners.count - 1;
-    const Vec2 w1 = corners[right];
-    const double area = geom::cross(w0, w1);
-    for (; k < beams; ++k) {
-      const double s1 = x[k] * w1.y - y[k] * w1.x;
-      if (s1 < 0) break;
-      const double t = area / (s1 - (x[k] * w0.y - y[k] * w0.x));
-      const bool nearer = t < range[k];
-      range[k] = nearer ? t : range[k];
-      seen[k] = nearer ? intensity : seen[k];
-    }
-    w0 = w1;
+  double u[kFacingCorners + 1], v[kFacingCorners + 1], area[kFacingCorners];
+  for (std::size_t i = 0; i < corners; ++i) {
+    const double dx = polygon[i].x - origin.x, dy = polygon[i].y - origin.y;
+    u[i] = r.c * dx + r.s * dy;
+    v[i] = r.c * dy - r.s * dx;
   }
-}
-
-PLAYHOUSE_VECTORS void find_corners(const Vec2* __restrict p, std::size_t count, Vec2 origin, Rotation r,
-                                    double* __restrict x, double* __restrict y) {
-  for (std::size_t i = 0; i < count; ++i) {
-    const double u = p[i].x - origin.x, v = p[i].y - origin.y;
-    x[i] = r.c * u + r.s * v;
-    y[i] = r.c * v - r.s * u;
-  }
-  x[count] = x[0];
-  y[count] = y[0];
+  u[corners] = u[0];
+  v[corners] = v[0];
+  for (std::size_t i = 0; i < corners; ++i) area[i] = u[i] * v[i + 1] - u[i + 1] * v[i];
+  // From outside, the nearest edge along any beam faces the scanner: it goes clockwise about it.
+  for (std::size_t i = 0; i < corners; ++i)
+    if (area[i] < 0) project({u[i + 1], v[i + 1]}, {u[i], v[i]}, seen, row, first, last);
 }
 
 /// Turns centres into the scanner's frame and measures their distances and rough bearings.
@@ -156,14 +131,6 @@ PLAYHOUSE_VECTORS void find_distances(Rotation r, std::size_t count, double* __r
     distance[i] = std::sqrt(u * u + v * v);
     bearing[i] = rough_bearing({u, v});
   }
-}
-
-/// True if every beam from one bearing to another has met something nearer.
-bool is_hidden(double from, double to, double nearest, const Row& row) {
-  const std::size_t last = std::min(row.beam_right_of(to) + 1, row.last);
-  for (std::size_t k = row.beam_right_of(from); k <= last; ++k)
-    if (row.range[k] > nearest) return false;
-  return true;
 }
 
 }  // namespace
@@ -190,12 +157,7 @@ void RangerSense::scan_bodies(const Space& space, const Pose& X_WS, double z, co
                               const Scan& scan, Bench& bench) {
   const Solids& solids = space.solids;
   const Rotation rotation = Rotation::of(X_WS.a);
-  const Row row{scan,
-                0.5 * scan.fov,
-                1.0 / scan.step,
-                bench.range.data() + scan.first_beam,
-                bench.intensity.data() + scan.first_beam,
-                scan.beams() - 1};
+  const Row row(scan, bench.range.data(), bench.intensity.data());
   const double radius_max = space.index.radius_max() + kMargin;
   Sector sector{X_WS.xy(), scan.range_max, z, z, {0, 0}, 0};
   if (scan.fov <= geom::kPi) {  // no beam points back, so none meets what is all behind
@@ -209,28 +171,19 @@ void RangerSense::scan_bodies(const Space& space, const Pose& X_WS, double z, co
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint32_t at = bench.order[i];
     const DiscIndex::Disc& disc = space.index.discs()[bench.place[at]];
-    if (!view.sees(solids, disc.row)) continue;
+    if (!view.sees(disc)) continue;
     const double distance = bench.distance[at], radius = disc.radius + kMargin;
     const double x = radius / distance;
     const double spread = x + 0.5708 * x * x * x + kBearingError;  // not below asin(x)
     const double from = bench.bearing[at] - spread, to = bench.bearing[at] + spread;
-    const bool in_front = x < 1 && row.half <= geom::kPi && from > -geom::kPi && to < geom::kPi;
-    if (in_front && (to < -row.half || from > row.half || is_hidden(from, to, distance - radius, row)))
-      continue;
-
-    const std::span<const Vec2> polygon = solids.polygon(disc.row);
-    find_corners(polygon.data(), polygon.size(), X_WS.xy(), rotation, bench.corner_x.data(),
-                 bench.corner_y.data());
-    const Corners corners{bench.corner_x.data(), bench.corner_y.data(), polygon.size()};
-    const double intensity = solids.ranger_return[disc.row];
-    if (in_front && solids.convex[disc.row] && polygon.size() <= kFacingCorners) {
-      const Facing facing = find_facing(corners);
-      if (facing.edges > 0) {
-        project_facing(corners, facing, intensity, row.beam_right_of(from), row);
-        continue;
-      }
+    const std::span<const Vec2> polygon(solids.p.data() + disc.first_vertex, disc.vertices);
+    const bool in_front = (x < 1) & (row.half <= geom::kPi) & (from > -geom::kPi) & (to < geom::kPi);
+    if (!in_front || polygon.size() > kFacingCorners) {
+      project_edges(polygon, X_WS, rotation, disc.ranger_return, row);
+    } else if (to >= -row.half && from <= row.half) {
+      project_facing(row, polygon.data(), polygon.size(), X_WS.xy(), rotation, disc.ranger_return,
+                     distance - radius, row.beam_right_of(from), row.beam_left_of(to));
     }
-    project_edges(corners, intensity, row);
   }
 }
 
@@ -238,12 +191,7 @@ void RangerSense::scan_walls(const Space& space, const Pose& X_WS, double z, con
                              const Scan& scan, Bench& bench) {
   if (space.walls.edge_count() == 0) return;
   const geom::Box box = box_about(X_WS.xy(), scan.range_max);
-  const Row row{scan,
-                0.5 * scan.fov,
-                1.0 / scan.step,
-                bench.range.data() + scan.first_beam,
-                bench.intensity.data() + scan.first_beam,
-                scan.beams() - 1};
+  const Row row(scan, bench.range.data(), bench.intensity.data());
   const auto hides = [&](std::uint32_t solid) {
     return view.sees(space.solids, solid) && at_height(space.solids, solid, z);
   };
@@ -258,7 +206,7 @@ void RangerSense::scan_walls(const Space& space, const Pose& X_WS, double z, con
       if (edge.reaches(box) && hides(edge.solid)) project_wall(edge);
     return;
   }
-  if (space.walls.count_near(box) <= 2 * scan.beams()) {
+  if (space.walls.count_near(box) <= 2 * scan.count) {
     ++bench.scans;
     space.walls.near(box, [&](const Walls::Edge& edge) {
       if (bench.stamp[edge.number] == bench.scans) return;
@@ -267,7 +215,7 @@ void RangerSense::scan_walls(const Space& space, const Pose& X_WS, double z, con
     });
     return;
   }
-  for (std::size_t k = 0; k < scan.beams(); ++k) {  // so many edges: following the beams is cheaper
+  for (std::size_t k = 0; k < scan.count; ++k) {  // so many edges: following the beams is cheaper
     const Vec2 d = rotation * Vec2{scan.x[k], scan.y[k]};
     space.walls.along(X_WS.xy(), d, &row.range[k], [&](const Walls::Edge& edge) {
       const double t = edge_hit(edge.a - X_WS.xy(), edge.b - X_WS.xy(), d);
@@ -279,7 +227,7 @@ void RangerSense::scan_walls(const Space& space, const Pose& X_WS, double z, con
 }
 
 void RangerSense::run_scan(const Space& space, const View& view, const Scan& scan, Bench& bench) {
-  std::fill_n(bench.range.begin() + scan.first_beam, scan.beams(), scan.range_max);
+  std::fill_n(bench.range.begin() + scan.first_beam, scan.count, scan.range_max);
   const Pose X_WS = geom::compose(view.X_WM, scan.X_MS);
   const double z = view.X_WM.z + scan.z;
   scan_walls(space, X_WS, z, view, scan, bench);

@@ -23,10 +23,8 @@ std::uint64_t ticks_of(double update_interval, double interval) {
 
 RangerSense::RangerSense(const world::World& world, const Solids& solids, unsigned workers) {
   double body_radius = 0;
-  std::size_t corners = 0;
   for (std::size_t row = 0; row < solids.moving; ++row) {
     body_radius = std::max(body_radius, solids.radius[row]);
-    corners = std::max<std::size_t>(corners, solids.first_vertex[row + 1] - solids.first_vertex[row]);
   }
   kinds_ = make_ranger_kinds(world, body_radius);
   for (const world::ModelRow model : world.rangers.model)
@@ -35,8 +33,8 @@ RangerSense::RangerSense(const world::World& world, const Solids& solids, unsign
   Bench bench;
   std::size_t beams = 0;
   for (const RangerKind& kind : kinds_.kinds) beams = std::max<std::size_t>(beams, kind.beams);
-  bench.range.resize(beams);
-  bench.intensity.resize(beams);
+  bench.range.resize(beams + Scan::kSpare);
+  bench.intensity.resize(beams + Scan::kSpare);
   bench.x.resize(solids.moving + 1);
   bench.y.resize(solids.moving + 1);
   bench.distance.resize(solids.moving + 1);
@@ -44,8 +42,6 @@ RangerSense::RangerSense(const world::World& world, const Solids& solids, unsign
   bench.place.resize(solids.moving + 1);
   bench.order.resize(solids.moving + 1);
   bench.cell.resize(solids.moving + 1);
-  bench.corner_x.resize(corners + 1);
-  bench.corner_y.resize(corners + 1);
   benches_.assign(workers, bench);
   due_.reserve(world.rangers.size());
 }

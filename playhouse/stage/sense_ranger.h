@@ -35,8 +35,7 @@ class RangerSense {
     std::vector<double> x, y, distance, bearing;  // m, m, m, rad
     std::vector<std::uint32_t> place, order;
     std::vector<std::int32_t> cell;
-    std::vector<double> corner_x, corner_y;  // of one polygon, in S; the first again at the end  [m]
-    std::vector<std::uint64_t> stamp;        // last scan that saw a wall edge (edges)
+    std::vector<std::uint64_t> stamp;  // last scan that saw a wall edge (edges)
     std::uint64_t scans = 0;
 
     std::size_t gather(const DiscIndex& index, const Sector& sector);
@@ -71,6 +70,7 @@ struct RangerSense::View {
   bool sees(const Solids& solids, std::size_t row) const {
     return solids.root[row] != root && solids.ranger_return[row] >= 0;
   }
+  bool sees(const DiscIndex::Disc& disc) const { return disc.root != root && disc.ranger_return >= 0; }
 };
 
 /// `interval` of updates in whole ticks, rounded up, at least 1.

@@ -1,45 +1,41 @@
 #include "playhouse/stage/space.h"
 
 #include <algorithm>
-#include <bit>
+#include <cstring>
 
 #include "playhouse/stage/vectors.h"
 
 namespace playhouse::stage {
 namespace {
 
-constexpr std::size_t kCorners = 32;
+static_assert(Solids::kSpare >= kFour);
 
-/// Bit i: corner i is to the right of the ray (or on it, with a negative zero).
-PLAYHOUSE_VECTORS std::uint64_t corners_right(const Vec2* corner, std::size_t count, Vec2 p, Vec2 d,
-                                              double* side) {
-  for (std::size_t i = 0; i < count; ++i) side[i] = d.x * (corner[i].y - p.y) - d.y * (corner[i].x - p.x);
-  std::uint64_t right = 0;
-  for (std::uint64_t i = 0; i < count; ++i) right |= (std::bit_cast<std::uint64_t>(side[i]) >> 63) << i;
-  return right;
-}
+/// Four corners from `corner` on, relative to p.
+struct Corners {
+  Four u, v;
+
+  __attribute__((always_inline)) Corners(const Vec2* corner, Vec2 p) {
+    Four first, second;
+    std::memcpy(&first, corner, sizeof first);
+    std::memcpy(&second, corner + 2, sizeof second);
+    u = __builtin_shufflevector(first, second, 0, 2, 4, 6) - p.x;
+    v = __builtin_shufflevector(first, second, 1, 3, 5, 7) - p.y;
+  }
+};
 
 }  // namespace
 
-double polygon_hit(std::span<const Vec2> polygon, Vec2 p, Vec2 d) {
-  double best = kMiss;
-  const std::size_t corners = polygon.size();
-  if (corners > kCorners) {
-    for (std::size_t i = 0; i < corners; ++i)
-      best = std::min(best, edge_hit(polygon[i] - p, polygon[i + 1 < corners ? i + 1 : 0] - p, d));
-    return best;
+PLAYHOUSE_VECTORS double polygon_hit(const Vec2* polygon, std::size_t corners, Vec2 p, Vec2 d) {
+  const Four lane = {0, 1, 2, 3};
+  Four best = {kMiss, kMiss, kMiss, kMiss};
+  for (std::size_t i = 0; i < corners; i += kFour) {
+    const Corners w0(polygon + i, p), w1(polygon + i + 1, p);
+    const Four s0 = d.x * w0.v - d.y * w0.u, s1 = d.x * w1.v - d.y * w1.u;
+    const Four t = (w0.u * w1.v - w0.v * w1.u) / (s1 - s0);
+    const auto met = ((s0 <= 0) & (s1 >= 0)) | ((s0 >= 0) & (s1 <= 0));
+    best = (met & (t >= 0) & (t < best) & (lane < static_cast<double>(corners - i))) ? t : best;
   }
-  // The ray meets the edges whose ends are on different sides of it.
-  double side[kCorners];
-  const std::uint64_t right = corners_right(polygon.data(), corners, p, d, side);
-  const std::uint64_t next_right = (right >> 1) | ((right & 1) << (corners - 1));
-  for (std::uint64_t crossed = right ^ next_right; crossed != 0; crossed &= crossed - 1) {
-    const auto i = static_cast<std::size_t>(std::countr_zero(crossed));
-    const std::size_t j = i + 1 < corners ? i + 1 : 0;
-    const double t = geom::cross(polygon[i] - p, polygon[j] - p) / (side[j] - side[i]);
-    if (t >= 0 && t < best) best = t;
-  }
-  return best;
+  return std::min(std::min(best[0], best[1]), std::min(best[2], best[3]));
 }
 
 }  // namespace playhouse::stage

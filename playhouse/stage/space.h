@@ -27,8 +27,9 @@ inline double edge_hit(Vec2 w0, Vec2 w1, Vec2 d) {
   return t >= 0 ? t : kMiss;
 }
 
-/// Distance from p along d to the outline of a polygon, from outside or inside; kMiss if it is not met.
-double polygon_hit(std::span<const Vec2> polygon, Vec2 p, Vec2 d);
+/// Distance from p along d to the outline of a polygon of Solids, from outside or inside; kMiss if it is not
+/// met.
+double polygon_hit(const Vec2* polygon, std::size_t corners, Vec2 p, Vec2 d);
 
 struct Ray {
   Vec2 p, d;               // from p towards the unit vector d, in W
@@ -63,7 +64,7 @@ Hit cast(const Space& space, const Ray& ray, const Sees& sees) {
   space.index.near(ray.p + half * ray.d, half, [&](const DiscIndex::Disc& disc) {
     const Vec2 to_disc = disc.center - ray.p;
     if (std::fabs(geom::cross(ray.d, to_disc)) > disc.radius + kMargin) return;
-    meet(polygon_hit(solids.polygon(disc.row), ray.p, ray.d), disc.row);
+    meet(polygon_hit(solids.p.data() + disc.first_vertex, disc.vertices, ray.p, ray.d), disc.row);
   });
   return hit;
 }

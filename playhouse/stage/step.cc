@@ -34,12 +34,16 @@ void StageEngine::decide() {
 
 void StageEngine::index() {
   index_.rebuild(solids_.moving, [&](std::size_t row) {
+    const std::uint32_t vertex = solids_.first_vertex[row];
     return DiscIndex::Disc{solids_.center[row],
                            solids_.radius[row],
                            solids_.z_min[row],
                            solids_.z_max[row],
                            static_cast<std::uint32_t>(row),
-                           solids_.root[row]};
+                           solids_.root[row],
+                           vertex,
+                           solids_.first_vertex[row + 1] - vertex - 1,
+                           solids_.ranger_return[row]};
   });
 }
 
