@@ -48,8 +48,8 @@ demo: build
 	@echo "    look      http://127.0.0.1:$(WEB_PORT)/"
 	@echo "    devices   $(PROGRAM) devices 127.0.0.1:$(PLAYER_PORT)"
 	@echo "    scan      $(PROGRAM) watch 127.0.0.1:$(PLAYER_PORT) laser:0"
-	@echo "    drive     $(PROGRAM) drive 127.0.0.1:$(PLAYER_PORT) position2d:0"
-	@echo "    program   python3 clients/python/examples/square.py 127.0.0.1:$(PLAYER_PORT) 0"
+	@echo "    drive     $(PROGRAM) drive 127.0.0.1:$(PLAYER_PORT) position2d:12   (the white robot, guest)"
+	@echo "    program   python3 clients/python/examples/wander.py 127.0.0.1:$(PLAYER_PORT) 12"
 	@echo "  Ctrl-C ends it."
 	@echo
 	@$(PROGRAM) run $(WORLD) --port $(PLAYER_PORT) --web $(WEB_PORT)
