@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "playhouse/stage/space.h"
 
@@ -34,8 +35,10 @@ Scan make_scan(const scene::RangerSensorDesc& sensor, const Pose& X_MS, double z
     scan.x.push_back(d.x);
     scan.y.push_back(d.y);
   }
-  scan.x.resize(scan.count + Scan::kSpare, 0.0);
-  scan.y.resize(scan.count + Scan::kSpare, 0.0);
+  // Beams that meet nothing: what is written behind a scan's own may be those of the next one.
+  constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+  scan.x.resize(scan.count + Scan::kSpare, kNowhere);
+  scan.y.resize(scan.count + Scan::kSpare, kNowhere);
   return scan;
 }
 

@@ -19,7 +19,7 @@ struct Scan {
   std::uint32_t first_beam = 0;  // of the ranger
   double fov = 0, step = 0;      // rad
   std::vector<double> x, y;      // unit vectors of the beams in S
-  std::size_t count = 0;         // of beams; x and y have kSpare zeros behind them
+  std::size_t count = 0;         // of beams; x and y have kSpare that meet nothing behind them
   static constexpr std::size_t kSpare = 8;
 };
 

@@ -118,7 +118,8 @@ scene::SceneDesc any_scene() {
   const int bodies = *rc::gen::inRange(0, 40);
   for (int i = 0; i < bodies; ++i) {
     scene.models.push_back(any_body("b" + std::to_string(i)));
-    // Small cases are full of equal numbers; sensors in line with edges to the last bit see either side of them.
+    // Small cases are full of equal numbers; sensors in line with edges to the last bit see either side of
+    // them.
     scene.models.back().X_PM.x += 0.0061803 * (i + 1);
     scene.models.back().X_PM.y += 0.0041421 * (i + 1);
   }
@@ -166,6 +167,19 @@ TEST(RangerSense, beams_run_from_right_to_left_and_report_what_they_hit) {
   EXPECT_EQ(ranges[2], 5.0f);
   EXPECT_EQ(engine->world().sensors.intensities[2], 0.0f);
   EXPECT_EQ(engine->rays(), 3u);
+}
+
+TEST(RangerSense, scanners_of_one_ranger_do_not_write_into_each_others_beams) {
+  scene::SceneDesc scene;
+  scene.models.push_back(robot("r", {}, {0.1, 0.1, 0.1}));
+  scene.models.push_back(ranger("r.ranger:0", 0, {}));
+  scene.models[1].sensors = {sensor({0, 0, 0.05, 0}, 5, 1.0, 9), sensor({0, 0, 0.05, geom::kPi}, 5, 1.0, 9)};
+  testing::add_arena(scene, 8);
+  scene.models.push_back(robot("q", {1, 0.1, 0, 0.3}, {0.5, 0.5, 0.5}));
+  for (const double side : {1.0, -1.0}) {
+    scene.models.back().X_PM.y = 0.4 * side;
+    expect_like_oracle(run(scene)->world());
+  }
 }
 
 TEST(RangerSense, a_range_below_the_minimum_is_reported_as_the_minimum) {
