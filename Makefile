@@ -7,7 +7,7 @@ PLAYER_PORT ?= 6665
 WEB_PORT ?= 8080
 WORLD ?= worlds/cave.world
 
-.PHONY: help setup setup-test build demo test fuzz bench clean web
+.PHONY: help setup setup-test build demo test fuzzers fuzz bench clean web
 
 help:
 	@echo "make build   the release program, build/playhouse"
@@ -54,10 +54,16 @@ demo: build
 	@echo
 	@$(PROGRAM) run $(WORLD) --port $(PLAYER_PORT) --web $(WEB_PORT)
 
-test: setup-test build
+fuzzers: setup-test
+	@echo "== building the fuzzers"
+	@mkdir -p build
+	@cmake --preset fuzz -Wno-dev > build/configure-fuzz.log 2>&1 || (cat build/configure-fuzz.log; exit 1)
+	@cmake --build --preset fuzz --target fuzzers
+
+test: setup-test build fuzzers
 	@tools/test.sh
 
-fuzz: setup-test
+fuzz: fuzzers
 	@tools/fuzz.sh $${FUZZ_SECONDS:-60}
 
 bench: build

@@ -5,6 +5,7 @@ set -eu
 cd "$(dirname "$0")/.."
 seconds=${1:?usage: fuzz.sh SECONDS [TARGET]}
 targets=${2:-$(find build/fuzz/playhouse -name '*_fuzz' -type f -perm -u+x -exec basename {} \; | sort)}
+[ -n "$targets" ] || { echo "fuzz.sh: no fuzzers under build/fuzz (make fuzzers)" >&2; exit 2; }
 
 for target in $targets; do
   program=$(find build/fuzz/playhouse -name "$target" -type f -perm -u+x | head -1)
