@@ -51,8 +51,8 @@ set(body "  return {};\n")
 if(count GREATER 0)
   set(body "  static const PageFile files[] = {\n${entries}  };\n  return files;\n")
 endif()
-file(WRITE ${OUT} "// Made by web/embed.cmake from the built page.\n\n#include \"playhouse/server/page_files.h\"\n\n${data}
-namespace playhouse::server {
+file(WRITE ${OUT} "// Made by web/embed.cmake from the built page.\n\n#include \"playhouse/web_server/page_files.h\"\n\n${data}
+namespace playhouse::web_server {
 
 [[maybe_unused]] static std::string_view bytes(const char* begin, const char* end) {
   return {begin, static_cast<std::size_t>(end - begin)};
@@ -61,5 +61,5 @@ namespace playhouse::server {
 std::span<const PageFile> page_files() {
 ${body}}
 
-}  // namespace playhouse::server
+}  // namespace playhouse::web_server
 ")

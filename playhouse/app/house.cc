@@ -17,7 +17,7 @@
 #include "playhouse/drivers/simulated/device_factory.h"
 #include "playhouse/drivers/simulated/simulated_driver.h"
 #include "playhouse/scene/world_loader.h"
-#include "playhouse/server/page_files.h"
+#include "playhouse/web_server/page_files.h"
 
 namespace playhouse::app {
 namespace {
@@ -147,9 +147,9 @@ Result<device::DeviceId> House::add_device(device::Address address, device::Driv
 
 Result<void> House::open_page() {
   if (!serving_.web) return {};
-  const server::WebOptions options{
-      .bind = serving_.bind, .port = *serving_.web, .page = server::page_files()};
-  web_ = std::make_unique<server::WebServer>(loop_, options, simulation(), simulation().world());
+  const web_server::WebOptions options{
+      .bind = serving_.bind, .port = *serving_.web, .page = web_server::page_files()};
+  web_ = std::make_unique<web_server::WebServer>(loop_, options, simulation(), simulation().world());
   const Result<std::uint16_t> port = web_->listen();
   if (!port) return port.error();
   web_port_ = *port;

@@ -20,7 +20,7 @@
 #include "playhouse/scene/cfg.h"
 #include "playhouse/scene/scene_desc.h"
 #include "playhouse/server/server.h"
-#include "playhouse/server/web_server.h"
+#include "playhouse/web_server/web_server.h"
 
 namespace playhouse::app {
 
@@ -99,7 +99,7 @@ class House final : private drivers::Surroundings {
   std::unique_ptr<drivers::Site> site_;  // with the simulation
   std::vector<std::unique_ptr<device::Driver>> drivers_;
   std::unique_ptr<server::Server> server_;
-  std::unique_ptr<server::WebServer> web_;
+  std::unique_ptr<web_server::WebServer> web_;
   std::unique_ptr<net::Timer> progress_;
 
   std::vector<std::uint16_t> player_ports_;

@@ -1,4 +1,4 @@
-#include "playhouse/server/web_server.h"
+#include "playhouse/web_server/web_server.h"
 
 #include <arpa/inet.h>
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@
 #include "playhouse/replicate/delta.h"
 #include "playhouse/replicate/small_world.h"
 
-namespace playhouse::server {
+namespace playhouse::web_server {
 namespace {
 
 using replicate::SmallWorld;
@@ -367,4 +367,4 @@ TEST_F(WebServerTest, a_message_over_the_limit_ends_the_connection) {
 }
 
 }  // namespace
-}  // namespace playhouse::server
+}  // namespace playhouse::web_server

@@ -3,7 +3,7 @@
 #include <span>
 #include <string_view>
 
-namespace playhouse::server {
+namespace playhouse::web_server {
 
 /// One file of the built web page, as the build put it into the program. Everything lives as long as the
 /// program.
@@ -19,4 +19,4 @@ struct PageFile {
 /// playhouse_page (web/CMakeLists.txt).
 std::span<const PageFile> page_files();
 
-}  // namespace playhouse::server
+}  // namespace playhouse::web_server

@@ -1,4 +1,4 @@
-#include "playhouse/server/web_viewer.h"
+#include "playhouse/web_server/web_viewer.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 
 #include "playhouse/base/limits.h"
 
-namespace playhouse::server {
+namespace playhouse::web_server {
 namespace {
 
 /// A page that hears nothing for longer thinks that the program hangs.
@@ -67,4 +67,4 @@ void WebViewer::send_frame() {
   if (viewer_.waiting()) owner_.waits();
 }
 
-}  // namespace playhouse::server
+}  // namespace playhouse::web_server

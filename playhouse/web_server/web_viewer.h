@@ -12,7 +12,7 @@
 #include "playhouse/net/websocket.h"
 #include "playhouse/replicate/viewer.h"
 
-namespace playhouse::server {
+namespace playhouse::web_server {
 
 class WebViewer;
 
@@ -70,4 +70,4 @@ class WebViewer final : public net::WebSocketEvents {
   std::size_t faults_ = 0;
 };
 
-}  // namespace playhouse::server
+}  // namespace playhouse::web_server

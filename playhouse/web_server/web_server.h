@@ -13,10 +13,10 @@
 
 #include "playhouse/base/result.h"
 #include "playhouse/net/io_loop.h"
-#include "playhouse/server/page_files.h"
+#include "playhouse/web_server/page_files.h"
 #include "playhouse/world/control.h"
 
-namespace playhouse::server {
+namespace playhouse::web_server {
 
 struct WebOptions {
   std::string bind = "127.0.0.1";  // numeric address
@@ -58,4 +58,4 @@ class WebServer {
   std::shared_ptr<Impl> impl_;  // with the tasks posted to the io loop, which may outlive the server
 };
 
-}  // namespace playhouse::server
+}  // namespace playhouse::web_server

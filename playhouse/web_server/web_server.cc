@@ -1,4 +1,4 @@
-#include "playhouse/server/web_server.h"
+#include "playhouse/web_server/web_server.h"
 
 #include <algorithm>
 #include <atomic>
@@ -12,9 +12,9 @@
 #include "playhouse/base/log.h"
 #include "playhouse/net/http.h"
 #include "playhouse/replicate/scene_text.h"
-#include "playhouse/server/web_viewer.h"
+#include "playhouse/web_server/web_viewer.h"
 
-namespace playhouse::server {
+namespace playhouse::web_server {
 namespace {
 
 constexpr std::string_view kNoPage =
@@ -310,4 +310,4 @@ WebStatus WebServer::status() const {
   return impl_->status();
 }
 
-}  // namespace playhouse::server
+}  // namespace playhouse::web_server
