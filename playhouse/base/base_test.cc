@@ -3,6 +3,7 @@
 #include <array>
 
 #include "playhouse/base/hash.h"
+#include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/base/result.h"
 #include "playhouse/base/rng.h"
@@ -15,6 +16,13 @@ TEST(NearestWord, finds_a_slip_and_refuses_a_stranger) {
   EXPECT_EQ(nearest_word("positoin", words), "position");
   EXPECT_EQ(nearest_word("zzzzzz", words), "");
   EXPECT_EQ(did_you_mean("rangr", words), " (did you mean \"ranger\"?)");
+}
+
+TEST(InQuotes, keeps_words_as_they_are_and_takes_the_sting_out_of_others) {
+  EXPECT_EQ(in_quotes("rob\u00f6t"), "\"rob\u00f6t\"");
+  EXPECT_EQ(in_quotes(std::string_view("a\n[error] b\0c\x7f", 14)), "\"a\\x0a[error] b\\x00c\\x7f\"");
+  EXPECT_EQ(in_quotes(std::string(200, 'x')).size(), 202u);
+  EXPECT_EQ(in_quotes(std::string(65536, 'x')), "\"" + std::string(200, 'x') + "...\"");
 }
 
 TEST(Result, holds_a_value_or_an_error) {

@@ -1,4 +1,5 @@
 #include "playhouse/replicate/command.h"
+#include "playhouse/base/in_quotes.h"
 
 #include <array>
 #include <boost/json.hpp>
@@ -24,7 +25,7 @@ class Members {
   std::string_view word(std::string_view key) {
     const json::value* value = find(key);
     if (value && value->is_string()) return value->get_string();
-    fault("\"" + std::string(key) + "\" must be a string");
+    fault(in_quotes(key) + " must be a string");
     return {};
   }
 
@@ -32,13 +33,13 @@ class Members {
     const json::value* value = find(key);
     const double number = value && value->is_number() ? value->to_number<double>() : std::nan("");
     if (number >= least && number <= most) return number;
-    fault("\"" + std::string(key) + "\" must be a number within its range");
+    fault(in_quotes(key) + " must be a number within its range");
     return 0;
   }
 
   std::uint32_t count(std::string_view key) {
     const double value = number(key, 0, 4294967294.0);
-    if (value != std::floor(value)) fault("\"" + std::string(key) + "\" must be a whole number");
+    if (value != std::floor(value)) fault(in_quotes(key) + " must be a whole number");
     return static_cast<std::uint32_t>(value);
   }
 
@@ -52,7 +53,7 @@ class Members {
   bool truth(std::string_view key) {
     const json::value* value = find(key);
     if (value && value->is_bool()) return value->get_bool();
-    fault("\"" + std::string(key) + "\" must be true or false");
+    fault(in_quotes(key) + " must be true or false");
     return false;
   }
 

@@ -1,5 +1,7 @@
 #include "playhouse/scenarios/scenario.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -69,7 +71,7 @@ void replace_robot(scene::SceneDesc& scene, const std::vector<geom::Pose>& poses
     const auto base = static_cast<std::int32_t>(scene.models.size());
     for (const scene::ModelDesc& part : robot) {
       scene::ModelDesc& copy = scene.models.emplace_back(part);
-      copy.name = "r" + std::to_string(k) + part.name.substr(1);
+      copy.name = fmt::format("r{}{}", k, part.name.substr(1));
       copy.alias = copy.name;
       if (part.parent >= 0) copy.parent = part.parent - first + base;
     }

@@ -1,4 +1,5 @@
 #include "playhouse/scene/cfg.h"
+#include "playhouse/base/in_quotes.h"
 
 #include <cmath>
 #include <map>
@@ -56,7 +57,7 @@ double CfgSection::scaled(std::string_view key, double otherwise, std::size_t el
   const std::optional<double> number =
       value.kind == ValueKind::kBool ? std::nullopt : parse_number(value.text);
   if (number) return *number * factor;
-  fail(*field, "\"" + std::string(key) + "\" needs a number, found \"" + std::string(value.text) + "\"");
+  fail(*field, in_quotes(key) + " needs a number, found " + in_quotes(value.text));
   return otherwise;
 }
 
@@ -75,7 +76,7 @@ double CfgSection::angle(std::string_view key, double otherwise, std::size_t ele
 int CfgSection::integer(std::string_view key, int otherwise, std::size_t element) const {
   const double value = number(key, otherwise, element);
   if (std::abs(value) <= 2147483647.0) return static_cast<int>(value);
-  fail(*ask(key), "\"" + std::string(key) + "\" needs a smaller number");
+  fail(*ask(key), in_quotes(key) + " needs a smaller number");
   return otherwise;
 }
 
@@ -86,7 +87,7 @@ bool CfgSection::flag(std::string_view key, bool otherwise) const {
   if (text == "yes" || text == "true") return true;
   if (text == "no" || text == "false") return false;
   if (const auto number = parse_number(text)) return *number != 0;
-  fail(*field, "\"" + std::string(key) + "\" is yes or no, found \"" + std::string(text) + "\"");
+  fail(*field, in_quotes(key) + " is yes or no, found " + in_quotes(text));
   return otherwise;
 }
 
@@ -195,7 +196,7 @@ Result<void> CfgLoader::read_globals() {
     if (field.key == "unit_length" || field.key == "unit_angle") continue;
     if (field.key == "plugin" || field.key == "test") {
       warn(field.where,
-           "\"" + std::string(field.key) + "\" has no effect: " +
+           in_quotes(field.key) + " has no effect: " +
                (field.key == "test" ? "use playhouse check" : "all drivers are part of the program"));
     } else {
       warn(field.where, "unknown field \"" + std::string(field.key) + "\" outside all sections" +

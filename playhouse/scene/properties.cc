@@ -1,4 +1,5 @@
 #include "playhouse/scene/properties.h"
+#include "playhouse/base/in_quotes.h"
 
 #include <cmath>
 
@@ -31,8 +32,8 @@ double Properties::scaled(const Field& field, std::size_t element, char scale) c
   const std::string_view text = field.values[element].text;
   const std::optional<double> value = parse_number(text);
   if (!value || std::abs(*value) > kLargest) {
-    state_.fail(field.where, "\"" + std::string(field.key) + "\" needs a number" +
-                                 (value ? " of at most 1e9" : "") + ", found \"" + std::string(text) + "\"");
+    state_.fail(field.where, in_quotes(field.key) + " needs a number" + (value ? " of at most 1e9" : "") +
+                                 ", found \"" + std::string(text) + "\"");
     return 0;
   }
   return *value * (scale == 'L' ? state_.units.length : scale == 'A' ? state_.units.angle : 1.0);
@@ -43,7 +44,7 @@ bool Properties::tuple(std::string_view key, std::string_view scales, std::span<
   const Field* field = fields_.find(key);
   if (!field) return false;
   if (field->values.size() < scales.size()) {
-    state_.fail(field->where, "\"" + std::string(key) + "\" needs " + std::to_string(scales.size()) +
+    state_.fail(field->where, in_quotes(key) + " needs " + std::to_string(scales.size()) +
                                   (scales.size() == 1 ? " value" : " values " + std::string(form)) +
                                   ", found " + std::to_string(field->values.size()));
     return false;
@@ -79,7 +80,7 @@ std::string Properties::text(std::string_view key, std::string_view otherwise) c
   const Field* field = fields_.find(key);
   if (!field) return std::string(otherwise);
   if (field->values.empty()) {
-    state_.fail(field->where, "\"" + std::string(key) + "\" needs a text in quotes, found an empty tuple");
+    state_.fail(field->where, in_quotes(key) + " needs a text in quotes, found an empty tuple");
     return {};
   }
   return std::string(field->values.front().text);
@@ -102,8 +103,7 @@ std::optional<geom::Pose> Properties::pose(std::string_view key) const {
 geom::Size Properties::size(std::string_view key, geom::Size otherwise) const {
   double v[3] = {otherwise.x, otherwise.y, otherwise.z};
   tuple(key, "LLL", v, "[x y z] (files for Stage 2 leave z out)");
-  if (v[0] < 0 || v[1] < 0 || v[2] < 0)
-    state_.fail(where(key), "\"" + std::string(key) + "\" must not be negative");
+  if (v[0] < 0 || v[1] < 0 || v[2] < 0) state_.fail(where(key), in_quotes(key) + " must not be negative");
   return {v[0], v[1], v[2]};
 }
 

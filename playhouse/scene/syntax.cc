@@ -1,4 +1,5 @@
 #include "playhouse/scene/syntax.h"
+#include "playhouse/base/in_quotes.h"
 
 #include <algorithm>
 
@@ -113,7 +114,7 @@ Result<void> Parser::parse_define(const Token& word) {
 
 Result<void> Parser::parse_item(const Token& name, std::vector<Field>& fields, std::vector<Section>& sections,
                                 int depth) {
-  const std::string subject = "\"" + std::string(name.text) + "\"";
+  const std::string subject = in_quotes(name.text);
   if (std::count(name.text.begin(), name.text.end(), '[') >
       std::count(name.text.begin(), name.text.end(), ']')) {
     return error(name.where, subject + " needs a space before its \"[\"");
@@ -153,7 +154,7 @@ Result<void> Parser::parse_body(Section& section, int depth) {
       case TokenKind::kClose:
         return {};
       case TokenKind::kEnd:
-        return error(section.where, "\"" + std::string(section.name) + "\" lacks its closing \")\"");
+        return error(section.where, in_quotes(section.name) + " lacks its closing \")\"");
       case TokenKind::kWord:
         break;
       default:

@@ -1,4 +1,5 @@
 #include "playhouse/scene/tokens.h"
+#include "playhouse/base/in_quotes.h"
 
 #include <cstdio>
 
@@ -64,7 +65,7 @@ std::string describe(const Token& token) {
     case TokenKind::kString:
       return "the string \"" + std::string(token.text) + "\"";
     default:
-      return "\"" + std::string(token.text) + "\"";
+      return in_quotes(token.text);
   }
 }
 

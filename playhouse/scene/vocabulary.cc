@@ -1,4 +1,5 @@
 #include "playhouse/scene/vocabulary.h"
+#include "playhouse/base/in_quotes.h"
 
 #include <algorithm>
 
@@ -217,7 +218,7 @@ void VocabularyCheck::check(Vocabulary vocabulary, std::string_view type, const 
     const Words* known = find_word(vocabulary, type, word);
     if (known && known->use != Use::kLater && known->use != Use::kOld) continue;
     if (known && !words_.insert(word).second) continue;
-    const std::string subject = "\"" + std::string(word) + "\"";
+    const std::string subject = in_quotes(word);
     const std::string whose = " of " + std::string(owner(vocabulary, type));
     if (!known) {
       state.warn(field->where, "unknown property " + subject + whose + hint(vocabulary, type, word));

@@ -1,4 +1,5 @@
 #include "playhouse/scene/world_loader.h"
+#include "playhouse/base/in_quotes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -162,7 +163,7 @@ const ModelType* WorldLoader::type_of(const Instance& entity) {
     const std::string_view place = entity.type == "block"    ? "a model"
                                    : entity.type == "sensor" ? "a ranger"
                                                              : "no model, but at the top level";
-    state_.fail(entity.where, "\"" + std::string(entity.type) + "\" belongs into " + std::string(place));
+    state_.fail(entity.where, in_quotes(entity.type) + " belongs into " + std::string(place));
     return nullptr;
   }
   const ModelType* type = find_model_type(entity.type);

@@ -1,4 +1,5 @@
 #include "playhouse/scene/world_models.h"
+#include "playhouse/base/in_quotes.h"
 
 #include <algorithm>
 #include <array>
@@ -19,15 +20,14 @@ std::size_t read_choice(const Properties& properties, std::string_view key,
   const auto found = std::find(words.begin(), words.end(), word);
   if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
   std::string known;
-  for (const std::string_view w : words) known += (known.empty() ? "\"" : ", \"") + std::string(w) + "\"";
-  properties.state().fail(properties.where(key), "\"" + std::string(key) + "\" is one of " + known +
-                                                     ", found \"" + word + "\"" + did_you_mean(word, words));
+  for (const std::string_view w : words) known += (known.empty() ? "" : ", ") + in_quotes(w);
+  properties.state().fail(properties.where(key), in_quotes(key) + " is one of " + known + ", found " +
+                                                     in_quotes(word) + did_you_mean(word, words));
   return 0;
 }
 
 void require(bool good, const Properties& properties, std::string_view key, std::string_view what) {
-  if (!good)
-    properties.state().fail(properties.where(key), "\"" + std::string(key) + "\" " + std::string(what));
+  if (!good) properties.state().fail(properties.where(key), in_quotes(key) + " " + std::string(what));
 }
 
 void read_bounds(const Properties& properties, std::string_view key, Bounds (&bounds)[4]) {

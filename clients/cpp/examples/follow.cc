@@ -40,7 +40,8 @@ Result<void> step(Position2d& robot, const wire::Pose3d& marker) {
 
 Result<void> follow(Client& client, std::uint16_t index, const example::Clock& clock,
                     const std::vector<int>& more) {
-  const std::optional<int> wanted = more.empty() ? std::nullopt : std::optional(more[0]);
+  std::optional<int> wanted;
+  if (!more.empty()) wanted = more[0];
   auto robot = Position2d::open(client, index);
   if (!robot) return robot.error();
   auto finder = Fiducial::open(client, more.size() > 1 ? static_cast<std::uint16_t>(more[1]) : index);

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <utility>
 
+#include "playhouse/base/in_quotes.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/player.h"
 #include "session.h"
@@ -39,7 +40,7 @@ Result<Address> parse_address(std::string_view text) {
   const std::string_view port = text.substr(colon + 1);
   const auto [end, fault] = std::from_chars(port.data(), port.data() + port.size(), address.port);
   if (fault != std::errc() || end != port.data() + port.size() || address.port == 0) {
-    return Error{"", "\"" + std::string(text) + "\" is not HOST or HOST:PORT"};
+    return Error{"", in_quotes(text) + " is not HOST or HOST:PORT"};
   }
   return address;
 }

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace playhouse {
+
+/// Text from outside as our messages show it: in quotes, control characters as \xNN so that nobody forges
+/// lines of a log, and cut with "..." when it is longer than a line.
+std::string in_quotes(std::string_view text);
+
+}  // namespace playhouse
