@@ -330,6 +330,19 @@ TEST_F(SimulationInterface, refuses_unknown_models_and_poses_that_are_no_numbers
   EXPECT_FALSE(ask(sim::kReqGetPose2d).ack);
 }
 
+TEST_F(SimulationInterface, takes_names_as_clients_send_them_and_refuses_monsters) {
+  open(sim::kCode, "");
+  const auto knows = [&](std::string name) {
+    return ask_with(sim::kReqGetPose2d, sim::Pose2dReq{std::move(name), {}}).ack;
+  };
+  EXPECT_TRUE(knows("r0")) << "without its final NUL";
+  EXPECT_TRUE(knows(std::string("r0\0\0junk", 8)));
+  EXPECT_FALSE(knows(""));
+  EXPECT_FALSE(knows(std::string("\0r0", 3)));
+  EXPECT_FALSE(knows(std::string(65536, 'r')));
+  EXPECT_FALSE(knows(std::string(65536, '\n')));
+}
+
 TEST_F(SimulationInterface, properties_are_colour_time_name_and_model) {
   open(sim::kCode, "");
   const auto get = [&](const char* property) {

@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
 #include "playhouse/drivers/simulated/properties.h"
 #include "playhouse/drivers/simulated/shapes.h"
@@ -21,9 +22,10 @@ constexpr std::size_t kUnknownNames = 100;  // a client may make names up for ev
 world::ModelRow SimulationDevice::find_or_warn(const world::World& world, const std::string& raw_name) {
   const std::string_view name = wire::text(raw_name);
   const world::ModelRow row = world.find(name);
-  if (!row && unknown_names_.size() < kUnknownNames && unknown_names_.emplace(name).second) {
-    log::warn("simulation: a client asked for model \"{}\", which is not in this world", name);
-  }
+  if (row || unknown_names_.size() >= kUnknownNames) return row;
+  const std::string shown = in_quotes(name);  // what a client makes up is of any length and any bytes
+  if (unknown_names_.insert(shown).second)
+    log::warn("simulation: a client asked for model {}, which is not in this world", shown);
   return row;
 }
 

@@ -28,7 +28,7 @@ class SimulationDevice final : public SimulatedDevice {
   // Tick thread.
   world::ModelRow find_or_warn(const world::World& world, const std::string& raw_name);
   bool move(world::World& world, const std::string& name, geom::Vec2 p, std::optional<double> z, double a);
-  std::set<std::string, std::less<>> unknown_names_;  // warned of; at most kUnknownNames
+  std::set<std::string> unknown_names_;  // as shown in the log; at most kUnknownNames
 };
 
 }  // namespace playhouse::drivers
