@@ -47,7 +47,9 @@ inline constexpr int kEntityDepth = 64;
 inline constexpr std::size_t kEntities = 1u << 20;                // after macro expansion
 inline constexpr std::size_t kExpandedFields = 1u << 27;          // properties of all entities, macros' included
 inline constexpr std::size_t kBitmapPixels = 1u << 28;
+inline constexpr std::size_t kCorners = 1u << 22;                 // of all bodies of a world, bitmaps' contours included
 inline constexpr int kRangerSamples = 1 << 16;                    // beams of one sensor
+inline constexpr std::size_t kBeams = 1u << 26;                   // of all sensors of a world
 
 static_assert(kBodyBytes + kHeaderBytes == kMessageBytes);
 

@@ -63,15 +63,18 @@ Result<Bitmap> decode_bitmap(std::string_view bytes, std::size_t most_pixels) {
   return bitmap;
 }
 
-std::vector<std::vector<geom::Vec2>> trace_contours(const Bitmap& bitmap) {
+Result<std::vector<std::vector<geom::Vec2>>> trace_contours(const Bitmap& bitmap, std::size_t most_corners) {
   // Every contour has an edge with solid below and nothing above: scanning for those finds them all.
   std::vector<std::vector<geom::Vec2>> loops;
   std::vector<bool> seen(bitmap.solid.size());
-  std::size_t pixel = 0;
+  std::size_t pixel = 0, corners = 0;
   for (int y = 0; y < bitmap.height; ++y) {
     for (int x = 0; x < bitmap.width; ++x, ++pixel) {
-      if (bitmap.solid[pixel] && !seen[pixel] && !bitmap.at(x, y - 1))
-        loops.push_back(walk(bitmap, x, y, seen));
+      if (!bitmap.solid[pixel] || seen[pixel] || bitmap.at(x, y - 1)) continue;
+      loops.push_back(walk(bitmap, x, y, seen));
+      corners += loops.back().size();
+      if (corners > most_corners)
+        return Error{"", "has outlines of more than " + std::to_string(most_corners) + " corners"};
     }
   }
   return loops;

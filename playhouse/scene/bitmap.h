@@ -30,7 +30,9 @@ Result<Bitmap> decode_bitmap(std::string_view bytes, std::size_t most_pixels = l
 
 /// Closed contours of the solid pixels, in pixels: x to the right from the image's left edge, y up from its
 /// bottom edge. Solid is on the left of each edge, collinear runs are one edge, pixels that touch at a corner
-/// only are apart. Cost: one pass over the pixels and one over the edges.
-std::vector<std::vector<geom::Vec2>> trace_contours(const Bitmap& bitmap);
+/// only are apart. Fails on more than `most_corners`: a few kilobytes of image can hold millions of contours.
+/// Cost: one pass over the pixels and one over the edges.
+Result<std::vector<std::vector<geom::Vec2>>> trace_contours(const Bitmap& bitmap,
+                                                            std::size_t most_corners = limits::kCorners);
 
 }  // namespace playhouse::scene

@@ -89,13 +89,13 @@ TEST(Bitmap, what_is_no_image_says_so) {
 }
 
 TEST(Contours, a_square_is_four_corners_counter_clockwise) {
-  const auto loops = trace_contours(drawn({"....", ".##.", ".##.", "...."}));
+  const auto loops = *trace_contours(drawn({"....", ".##.", ".##.", "...."}));
   ASSERT_EQ(loops.size(), 1u);
   EXPECT_THAT(loops[0], ElementsAre(geom::Vec2{1, 3}, geom::Vec2{1, 1}, geom::Vec2{3, 1}, geom::Vec2{3, 3}));
 }
 
 TEST(Contours, a_hole_is_a_second_loop_the_other_way_round) {
-  const auto loops = trace_contours(drawn({"###", "#.#", "###"}));
+  const auto loops = *trace_contours(drawn({"###", "#.#", "###"}));
   ASSERT_EQ(loops.size(), 2u);
   EXPECT_THAT(loops[1], testing::UnorderedElementsAre(geom::Vec2{1, 1}, geom::Vec2{1, 2}, geom::Vec2{2, 2},
                                                       geom::Vec2{2, 1}));
@@ -108,9 +108,17 @@ TEST(Contours, a_hole_is_a_second_loop_the_other_way_round) {
 }
 
 TEST(Contours, pixels_that_touch_at_a_corner_are_apart) {
-  EXPECT_EQ(trace_contours(drawn({"#.", ".#"})).size(), 2u);
-  EXPECT_EQ(trace_contours(drawn({".#", "#."})).size(), 2u);
-  EXPECT_TRUE(trace_contours(drawn({".."})).empty());
+  EXPECT_EQ(trace_contours(drawn({"#.", ".#"}))->size(), 2u);
+  EXPECT_EQ(trace_contours(drawn({".#", "#."}))->size(), 2u);
+  EXPECT_TRUE(trace_contours(drawn({".."}))->empty());
+}
+
+TEST(Contours, more_corners_than_allowed_are_a_fault_before_they_cost_memory) {
+  const Bitmap four_corners_each = drawn({"#.#", ".#.", "#.#"});
+  EXPECT_TRUE(trace_contours(four_corners_each, 20));
+  const auto refused = trace_contours(four_corners_each, 19);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().text, "has outlines of more than 19 corners");
 }
 
 /// Oracle: crossings of a ray to the right from the pixel's centre with the vertical edges of all loops.
@@ -131,7 +139,7 @@ RC_GTEST_PROP(Contours, filled_again_by_the_even_odd_rule_they_are_the_bitmap, (
   const auto cells = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   bitmap.solid = *rc::gen::container<std::vector<std::uint8_t>>(
       cells, rc::gen::weightedElement<std::uint8_t>({{3, 0}, {4, 1}}));
-  const auto loops = trace_contours(bitmap);
+  const auto loops = *trace_contours(bitmap);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) RC_ASSERT(inside(loops, {x + 0.5, height - y - 0.5}) == bitmap.at(x, y));
   }

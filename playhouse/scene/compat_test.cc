@@ -214,7 +214,9 @@ TEST_P(OriginalBitmap, has_its_solid_pixels_and_their_bounding_box) {
   EXPECT_EQ(std::count(bitmap->solid.begin(), bitmap->solid.end(), 1), expected.solid);
   geom::Box box;
   double area = 0;
-  for (const auto& loop : trace_contours(*bitmap)) {
+  const auto loops = trace_contours(*bitmap);
+  ASSERT_TRUE(loops.ok());
+  for (const auto& loop : *loops) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
       box.add(loop[i]);
       area += cross(loop[i], loop[(i + 1) % loop.size()]) / 2;

@@ -25,12 +25,19 @@ class WorldLoader {
         files_(files),
         limits_(limits),
         macros_(document),
-        state_{document, {}, {}, {}} {}
+        state_{document, {}, {}, {}},
+        corners_{limits.corners, limits.corners, "corners of bodies"},
+        beams_{limits.beams, limits.beams, "beams of rangers"} {}
 
   Result<SceneDesc> load();
 
  private:
   using Loops = std::vector<std::vector<geom::Vec2>>;
+  /// What all models of a world share a limited amount of.
+  struct Budget {
+    std::size_t left, limit;
+    std::string_view what;
+  };
 
   void read_globals();
   void define(const Statement& statement);
@@ -47,6 +54,8 @@ class WorldLoader {
   /// The shape of a model from its bitmap and its `block` entities.
   void read_body(const Properties& properties, const ModelType& type, Shape shape, ModelDesc& model);
   const Loops* load_bitmap(const Properties& properties);
+  /// Macros and bitmaps make much of little text: a fault when the world has no room for `amount` more.
+  void spend(Budget& budget, std::size_t amount, SourceLine where);
   /// The type of a model; null, and a fault, when it has none or the world is full.
   const ModelType* type_of(const Instance& entity);
   void fail_unknown_type(const Instance& entity);
@@ -64,6 +73,7 @@ class WorldLoader {
   std::set<std::string_view> plain_types_;  // warned of
   bool has_window_ = false;
   std::size_t fields_ = 0;
+  Budget corners_, beams_;
   int depth_ = 1;  // of the model being loaded
 };
 
@@ -230,8 +240,10 @@ std::vector<Instance> WorldLoader::load_parts(const Instance& entity, const Mode
       vocabulary_.check(block ? Vocabulary::kBlock : Vocabulary::kSensor, "", properties);
       if (block) {
         shape.prisms.push_back(read_block(properties));
+        spend(corners_, shape.prisms.back().points.size(), child->where);
       } else {
         model.sensors.push_back(read_sensor(properties, scene_.models.size()));
+        spend(beams_, model.sensors.back().samples, child->where);
       }
     }
   }
@@ -249,7 +261,11 @@ void WorldLoader::read_body(const Properties& properties, const ModelType& type,
                             ModelDesc& model) {
   const Loops* loops = load_bitmap(properties);
   if (state_.error || !(model.size.x > 0) || !(model.size.y > 0)) return;
-  if (loops) shape.contours = *loops;
+  if (loops) {
+    for (const auto& loop : *loops) spend(corners_, loop.size(), properties.where("bitmap"));
+    if (state_.error) return;
+    shape.contours = *loops;
+  }
   fit_shape(shape, model.size, state_, model);
   const bool boundary = properties.flag("boundary", false);
   const bool replaced = loops || boundary || !shape.prisms.empty() || properties.flag("noblocks", false);
@@ -281,9 +297,22 @@ const WorldLoader::Loops* WorldLoader::load_bitmap(const Properties& properties)
     state_.fail(where, "bitmap " + path + " " + bitmap.error().text);
     return nullptr;
   }
-  Loops loops = trace_contours(*bitmap);
-  if (loops.empty()) state_.warn(where, "bitmap " + path + " has no dark pixel, so it is no body");
-  return &bitmaps_.emplace(std::move(path), std::move(loops)).first->second;
+  Result<Loops> loops = trace_contours(*bitmap, limits_.corners);
+  if (!loops) {
+    state_.fail(where, "bitmap " + path + " " + loops.error().text);
+    return nullptr;
+  }
+  if (loops->empty()) state_.warn(where, "bitmap " + path + " has no dark pixel, so it is no body");
+  return &bitmaps_.emplace(std::move(path), std::move(*loops)).first->second;
+}
+
+void WorldLoader::spend(Budget& budget, std::size_t amount, SourceLine where) {
+  if (amount > budget.left) {
+    state_.fail(where, "the world holds more than " + std::to_string(budget.limit) + " " +
+                           std::string(budget.what));
+    return;
+  }
+  budget.left -= amount;
 }
 
 }  // namespace

@@ -21,6 +21,8 @@ struct WorldLimits {
   std::size_t models = limits::kEntities;
   std::size_t fields = limits::kExpandedFields;
   std::size_t pixels = limits::kBitmapPixels;
+  std::size_t corners = limits::kCorners;
+  std::size_t beams = limits::kBeams;
 };
 
 /// The same for a text that was read from `path`; included files and bitmaps come from `files`.

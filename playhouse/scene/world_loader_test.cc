@@ -38,6 +38,12 @@ std::string error_of(const std::string& text, Files others = {}) {
   return scene ? "no error" : scene.error().line();
 }
 
+std::string repeated(const std::string& text, int times) {
+  std::string all;
+  for (int i = 0; i < times; ++i) all += text;
+  return all;
+}
+
 std::vector<std::string> names_of(const SceneDesc& scene) {
   std::vector<std::string> names;
   for (const ModelDesc& model : scene.models) names.push_back(model.name);
@@ -191,6 +197,24 @@ TEST(WorldMacros, a_few_lines_cannot_expand_without_bound) {
   const auto fields = load(wide + ")\nm( m( ) m( ) m( ) )", {}, {.fields = 350});
   ASSERT_FALSE(fields.ok());
   EXPECT_THAT(fields.error().line(), HasSubstr("more than 350 properties"));
+}
+
+TEST(WorldMacros, a_few_lines_cannot_make_bodies_and_beams_without_bound) {
+  const WorldLimits limits{.corners = 100, .beams = 1000};
+  const auto fault = [&limits](const std::string& text) {
+    const Result<SceneDesc> scene =
+        load(text, {{"w/plan", "P1 4 4 1010 0101 1010 0101"}}, limits);
+    return scene ? "none" : scene.error().line();
+  };
+  const std::string triangle = "block( points 3 point[0] [0 0] point[1] [1 0] point[2] [0 1] )";
+  EXPECT_EQ(fault("define t model( " + triangle + triangle + ")\nt( ) t( ) t( ) t( )"), "none");
+  EXPECT_EQ(fault("define t model( " + triangle + triangle + ")\n" + repeated("t( )\n", 17)),
+            "w/t.world:1: the world holds more than 100 corners of bodies");
+  EXPECT_EQ(fault("define m model( bitmap \"plan\" )\nm( ) m( ) m( )\n m( )"),
+            "w/t.world:1: the world holds more than 100 corners of bodies");
+  EXPECT_EQ(fault("define r ranger( sensor( samples 300 ) )\nr( ) r( ) r( )"), "none");
+  EXPECT_EQ(fault("define r ranger( sensor( samples 300 ) )\nr( ) r( ) r( )\nr( )"),
+            "w/t.world:1: the world holds more than 1000 beams of rangers");
 }
 
 // ---- names
