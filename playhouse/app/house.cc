@@ -149,7 +149,7 @@ Result<void> House::open_page() {
   if (!serving_.web) return {};
   const web_server::WebOptions options{
       .bind = serving_.bind, .port = *serving_.web, .page = web_server::page_files()};
-  web_ = std::make_unique<web_server::WebServer>(loop_, options, simulation(), simulation().world());
+  web_ = std::make_unique<web_server::WebServer>(web_loop_, options, simulation(), simulation().world());
   const Result<std::uint16_t> port = web_->listen();
   if (!port) return port.error();
   web_port_ = *port;
@@ -184,11 +184,14 @@ Outcome House::run() {
   const bool shows_progress = isatty(STDERR_FILENO) == 1;
   if (shows_progress) progress_ = loop_.after(kProgressSeconds, [this] { show_progress(); });
   std::thread io([this] { loop_.run(); });
+  std::thread web([this] { web_loop_.run(); });
   const auto start = std::chrono::steady_clock::now();
   simulation().run();
   const double wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   loop_.stop();
+  web_loop_.stop();
   io.join();
+  web.join();
   if (shows_progress) fmt::print(stderr, "\n");
   return outcome(wall_time);
 }

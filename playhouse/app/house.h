@@ -2,7 +2,7 @@
 
 /// House: one simulated world with its devices on Player's ports and a page on the web. Builds the object
 /// tree from a world file or a .cfg file, runs it until it ends, and says how it went. Threads: the caller of
-/// run() is the tick thread; the io thread lives inside run().
+/// run() is the tick thread; the io thread and the web thread live inside run().
 
 #include <atomic>
 #include <functional>
@@ -96,6 +96,8 @@ class House final : private drivers::Surroundings {
   std::optional<scene::CfgFile> cfg_;
   scene::SceneDesc scene_;
   net::IoLoop loop_;
+  net::IoLoop
+      web_loop_;  // of its own, so that drawing a large world for many viewers delays no Player client
   std::unique_ptr<drivers::Site> site_;  // with the simulation
   std::vector<std::unique_ptr<device::Driver>> drivers_;
   std::unique_ptr<server::Server> server_;

@@ -271,7 +271,7 @@ class WebServer::Impl final : public net::HttpService,
   const std::shared_ptr<const std::string> scene_;
   std::vector<std::vector<world::ModelRow>> sensing_;  // per top-level row
 
-  // io thread
+  // web thread
   std::unique_ptr<net::Listener> listener_;
   std::vector<std::unique_ptr<WebViewer>> viewers_;
   std::set<std::uint32_t> selected_, subscribed_;  // top-level rows: wanted, and asked of the world

@@ -3,7 +3,8 @@
 /// WebServer: the page at http://bind:port/ and its viewers. Serves the built page from memory, sends every
 /// viewer the scene and then changes only (replicate), and carries out what viewers ask for through
 /// world::Control. Costs nothing while nobody watches. docs/viewer.md, docs/viewer-protocol.md. Threads:
-/// show() is for the tick thread, all else for the io thread or for before the loop runs.
+/// show() is for the tick thread, all else for the thread of the loop (the web thread) or for before it
+/// runs.
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #pragma once
 
-/// WebViewer: one page's socket and what it was sent. Thread: io.
+/// WebViewer: one page's socket and what it was sent. Thread: web.
 
 #include <chrono>
 #include <cstdint>
