@@ -33,8 +33,10 @@ std::string DeviceEntry::name() const {
 
 Result<Address> parse_address(std::string_view text) {
   Address address;
-  const std::size_t colon = text.rfind(':');
-  const std::string_view host = text.substr(0, colon);
+  const std::size_t bracket = text.starts_with('[') ? text.find(']') : std::string_view::npos;
+  const bool ipv6 = bracket != std::string_view::npos;  // "[::1]:6665"
+  const std::size_t colon = ipv6 ? text.find(':', bracket) : text.rfind(':');
+  const std::string_view host = ipv6 ? text.substr(1, bracket - 1) : text.substr(0, colon);
   if (!host.empty()) address.host = host;
   if (colon == std::string_view::npos) return address;
   const std::string_view port = text.substr(colon + 1);

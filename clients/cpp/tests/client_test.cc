@@ -56,6 +56,11 @@ TEST(Address, DefaultsWhatIsMissingAndRefusesWhatIsNone) {
   EXPECT_EQ(parse_address("robot")->port, kDefaultPort);
   EXPECT_EQ(parse_address(":7000")->host, "localhost");
   EXPECT_EQ(parse_address(":7000")->port, 7000);
+  EXPECT_EQ(parse_address("[::1]:7000")->host, "::1");
+  EXPECT_EQ(parse_address("[::1]:7000")->port, 7000);
+  EXPECT_EQ(parse_address("[fe80::2]")->host, "fe80::2");
+  EXPECT_EQ(parse_address("[fe80::2]")->port, kDefaultPort);
+  EXPECT_FALSE(parse_address("[::1]:port"));
   EXPECT_FALSE(parse_address("robot:port"));
   EXPECT_FALSE(parse_address("robot:0"));
   EXPECT_FALSE(parse_address("robot:66666"));

@@ -224,11 +224,18 @@ class Client:
         return count
 
 
-def connect(address: str = "localhost", *, mode: Mode = Mode.PULL, timeout: float = 5.0) -> Client:
-    """Connects to "host", "host:port" or ":port"."""
+def _split(address: str) -> Tuple[str, str]:
+    """Host and port of an address; an IPv6 host is in brackets."""
+    if address.startswith("["):
+        host, _, rest = address[1:].partition("]")
+        return host, rest[1:] if rest else str(DEFAULT_PORT)
     host, colon, port = address.rpartition(":")
-    if not colon:
-        host, port = address, str(DEFAULT_PORT)
+    return (host, port) if colon else (address, str(DEFAULT_PORT))
+
+
+def connect(address: str = "localhost", *, mode: Mode = Mode.PULL, timeout: float = 5.0) -> Client:
+    """Connects to "host", "host:port", ":port" or "[::1]:port"."""
+    host, port = _split(address)
     if not port.isdigit() or not 0 < int(port) < 65536:
         raise ConnectionLost(f'"{address}" is not HOST or HOST:PORT')
     return Client(host or "localhost", int(port), mode=mode, timeout=timeout)

@@ -51,6 +51,12 @@ class Connecting(unittest.TestCase):
             with connect(server.address, mode=Mode.PUSH) as client:
                 self.assertEqual(client.banner, "Player v.3.1")
 
+    def test_an_ipv6_address_is_in_brackets(self) -> None:
+        with self.assertRaisesRegex(ConnectionLost, r"::1:1: cannot connect"):
+            connect("[::1]:1")
+        with self.assertRaisesRegex(ConnectionLost, "is not HOST or HOST:PORT"):
+            connect("[::1]:")
+
     def test_an_address_that_is_none(self) -> None:
         with self.assertRaisesRegex(ConnectionLost, "is not HOST or HOST:PORT"):
             connect("localhost:port")

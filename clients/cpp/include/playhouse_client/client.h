@@ -49,7 +49,7 @@ struct DeviceEntry {
 class Client {
  public:
   static Result<Client> connect(const std::string& host, std::uint16_t port, const Options& options = {});
-  /// `address` is "host", "host:port" or ":port"; what is missing is localhost and 6665.
+  /// `address` is "host", "host:port", ":port" or "[::1]:port"; what is missing is localhost and 6665.
   static Result<Client> connect(std::string_view address, const Options& options = {});
 
   Client(Client&&) noexcept = default;
@@ -92,7 +92,7 @@ class Client {
   std::shared_ptr<Session> session_;
 };
 
-/// "host:port" and its parts with their defaults, or an error that says what is wrong.
+/// "host:port" or "[ipv6]:port" and its parts with their defaults, or an error that says what is wrong.
 struct Address {
   std::string host = "localhost";
   std::uint16_t port = kDefaultPort;
