@@ -24,6 +24,9 @@ Clock::time_point wall_time(double seconds) {
 /// While paused, the world is shown again this often. [s]
 constexpr double kPausedShow = 0.1;
 
+/// A clock cannot wait for ever: at a tiny speed the next tick is due after the end of its numbers. [s]
+constexpr double kLongestWait = 3600;
+
 /// Ticks until `duration` has been simulated: the first tick at or after it.
 std::uint64_t ticks_in(double duration, double interval) {
   if (!std::isfinite(duration) || duration / interval >= 1e18)
@@ -74,13 +77,14 @@ bool Simulation::wait_for_tick() {
   const double now = wall_now();
   const double due = waits_for_resume ? now + kPausedShow : now_.steps > 0 ? now : pacer_.due().value_or(now);
   if (due <= now) return true;
+  const double until = std::min(due, now + kLongestWait);
   bool rang = false;
   {
     std::unique_lock lock(mutex_);
-    rang = bell_.wait_until(lock, wall_time(due), [this] { return rung_.load(); });
+    rang = bell_.wait_until(lock, wall_time(until), [this] { return rung_.load(); });
   }
   if (waits_for_resume && !rang) tell_listeners();
-  return !rang && !waits_for_resume;
+  return !rang && !waits_for_resume && until == due;
 }
 
 void Simulation::tick() {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <thread>
 
@@ -78,6 +79,27 @@ TEST(Simulation, refuses_speeds_that_make_no_sense) {
   EXPECT_EQ(still.simulation.pace().speed, 0);
   still.simulation.set_speed(2);
   EXPECT_EQ(still.simulation.pace().speed, 2);
+}
+
+TEST(Simulation, a_tiny_speed_is_slow_and_not_fast) {
+  const scene::SceneDesc scene = testing::scene_of(kRobot);
+  Simulation simulation(std::make_unique<StillEngine>(scene), {.speed = 1e-300, .duration = 10});
+  std::atomic<bool> ended = false;
+  std::thread ticks([&] {
+    simulation.run();
+    ended = true;
+  });
+  // A clock that overflows has ticked on, or has ended the run, long before these are through.
+  std::atomic<int> looks = 0;
+  while (looks < 100 && !ended) {
+    const int before = looks;
+    simulation.post([&](world::World&) { ++looks; });
+    while (looks == before && !ended) std::this_thread::yield();
+  }
+  simulation.stop();
+  ticks.join();
+  EXPECT_EQ(looks, 100);
+  EXPECT_LE(simulation.world().tick(), 1u) << "the first is due at once";
 }
 
 TEST(Simulation, what_still_waits_at_the_end_is_refused) {
