@@ -5,6 +5,7 @@
 /// Rows are dense and keep the order of the scene's models. Thread: the tick thread, between steps.
 /// Frames: W world, P parent, M model, B body (M moved by the origin), O odometry.
 
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -106,8 +107,8 @@ class World {
   const scene::ModelDesc& desc(ModelRow row) const { return scene_->models[row.index]; }
   std::uint64_t seed() const { return seed_; }
   std::uint64_t tick() const { return tick_; }
-  /// Simulated time. [s]
-  double time() const { return static_cast<double>(tick_) * scene_->interval; }
+  /// Simulated time, the number nearest to whole microseconds: 6.3, not 6.300000000000001. [s]
+  double time() const { return std::round(static_cast<double>(tick_) * scene_->interval * 1e6) / 1e6; }
 
   /// Look-up by name or default name; none if there is no such model. The last of equal names wins.
   ModelRow find(std::string_view name) const;
