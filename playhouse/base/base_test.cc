@@ -15,6 +15,9 @@ TEST(NearestWord, finds_a_slip_and_refuses_a_stranger) {
   constexpr std::array<std::string_view, 3> words = {"position", "ranger", "fiducial"};
   EXPECT_EQ(nearest_word("positoin", words), "position");
   EXPECT_EQ(nearest_word("zzzzzz", words), "");
+  constexpr std::array<std::string_view, 2> short_words = {"ir", "-h"};
+  EXPECT_EQ(nearest_word("6", short_words), "") << "two slips, one letter";
+  EXPECT_EQ(nearest_word("it", short_words), "ir");
   EXPECT_EQ(did_you_mean("rangr", words), " (did you mean \"ranger\"?)");
 }
 

@@ -28,7 +28,8 @@ std::string_view nearest_word(std::string_view word, std::span<const std::string
   constexpr std::size_t kLongestWord = 64;  // longer input is no typing slip, and the table would be large
   if (word.size() > kLongestWord) return {};
   std::string_view best;
-  std::size_t best_distance = std::max<std::size_t>(2, word.size() / 3) + 1;
+  // No more slips than letters: nobody who typed "6" meant "ir".
+  std::size_t best_distance = std::min(std::max<std::size_t>(2, word.size() / 3), word.size()) + 1;
   for (std::string_view candidate : candidates) {
     const std::size_t distance = edit_distance(word, candidate);
     if (distance < best_distance) {

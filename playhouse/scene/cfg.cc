@@ -186,7 +186,9 @@ Result<CfgFile> CfgLoader::load() {
     if (const auto added = add_section(statement.section); !added) return added.error();
   }
   if (cfg_.drivers.empty())
-    return Error{cfg_.path, "has no driver ( ... ) section, so there is nothing to serve"};
+    return Error{
+        cfg_.path,
+        "has no driver ( ... ) section, so there is nothing to serve (a world file is for playhouse run)"};
   return std::move(cfg_);
 }
 

@@ -138,7 +138,8 @@ TEST(Cfg, what_has_no_effect_is_a_warning) {
 TEST(Cfg, faults_of_a_file_are_one_line_with_the_place) {
   const std::string good = "driver ( name \"d\" provides [ \"gps:0\" ] )\n";
   EXPECT_EQ(error_of("# nothing\n"),
-            "dir/t.cfg: has no driver ( ... ) section, so there is nothing to serve");
+            "dir/t.cfg: has no driver ( ... ) section, so there is nothing to serve (a world file is for "
+            "playhouse run)");
   EXPECT_THAT(error_of("driver ( provides \"gps:0\" )"), HasSubstr("dir/t.cfg:1: a driver needs a name"));
   EXPECT_THAT(error_of("\ndriver ( name \"d\" )"), HasSubstr("dir/t.cfg:2: driver \"d\" needs the devices"));
   EXPECT_THAT(error_of(good + good),
@@ -161,7 +162,8 @@ TEST(Cfg, faults_of_a_file_are_one_line_with_the_place) {
   EXPECT_THAT(error_of("driver ( a \"x\n\" )"), HasSubstr("dir/t.cfg:1: string without its closing quote"));
   EXPECT_THAT(error_of("include \"gone.inc\""),
               HasSubstr("dir/t.cfg:1: included file dir/gone.inc cannot be opened"));
-  EXPECT_THAT(error_of("unit_length \"dm\""), HasSubstr("dir/t.cfg:1: unit_length \"dm\" is no unit"));
+  EXPECT_THAT(error_of("unit_length \"dm\""),
+              HasSubstr("dir/t.cfg:1: unit_length is one of \"m\", \"cm\", \"mm\", found \"dm\""));
   EXPECT_THAT(error_of("interface ( name \"foo\" code 128 )"), HasSubstr("an interface needs plugin"));
   EXPECT_THAT(error_of("define driver driver ( )\ndriver ( )"), HasSubstr("based on itself"));
 }

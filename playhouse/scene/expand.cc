@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "playhouse/base/in_quotes.h"
 #include "playhouse/base/limits.h"
 #include "playhouse/base/nearest_word.h"
 
@@ -79,15 +80,17 @@ Result<Units> read_units(const Document& document, const FieldSet& fields) {
     if (!field) return {};
     const std::string_view name = field->values.empty() ? std::string_view{} : field->values.front().text;
     std::vector<std::string_view> names;
+    std::string choices;
     for (const Unit& unit : units) {
       if (unit.name == name) {
         factor = unit.factor;
         return {};
       }
       names.push_back(unit.name);
+      choices += (choices.empty() ? "\"" : ", \"") + std::string(unit.name) + "\"";
     }
-    return document.error(field->where, std::string(key) + " \"" + std::string(name) + "\" is no unit" +
-                                            did_you_mean(name, names));
+    return document.error(field->where, std::string(key) + " is one of " + choices + ", found " +
+                                            in_quotes(name) + did_you_mean(name, names));
   };
   Units units;
   if (const auto length = read("unit_length", kLengths, units.length); !length) return length.error();

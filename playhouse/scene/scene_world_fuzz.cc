@@ -16,7 +16,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
                      {"w/self.inc", "include \"self.inc\""},
                      {"w/plan", "P1 4 3 1111 1001 1101"},
                      {"w/data", split < size ? text.substr(split + 1) : ""}});
-  const WorldLimits limits{.models = 2000, .fields = 100000, .pixels = 1 << 16, .corners = 1 << 18, .beams = 1 << 20};
+  const WorldLimits limits{
+      .models = 2000, .fields = 100000, .pixels = 1 << 16, .corners = 1 << 18, .beams = 1 << 20};
   const auto scene = load_world_text(text.substr(0, split), "w/t.world", files, limits);
   if (!scene && scene.error().text.empty()) std::abort();
   if (scene) {

@@ -41,6 +41,7 @@ constexpr OldType kOldTypes[] = {
     {"audio", "Stage 4 has no audio; any model has say \"text\""},
     {"speech", "any model has say \"text\""},
     {"player", "leave it out; devices are named in the configuration file"},
+    {"driver", "this is a configuration file, for playhouse serve"},
     {"truth", "leave it out; every model's pose is known by its name"},
 };
 

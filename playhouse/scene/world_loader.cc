@@ -308,8 +308,8 @@ const WorldLoader::Loops* WorldLoader::load_bitmap(const Properties& properties)
 
 void WorldLoader::spend(Budget& budget, std::size_t amount, SourceLine where) {
   if (amount > budget.left) {
-    state_.fail(where, "the world holds more than " + std::to_string(budget.limit) + " " +
-                           std::string(budget.what));
+    state_.fail(where,
+                "the world holds more than " + std::to_string(budget.limit) + " " + std::string(budget.what));
     return;
   }
   budget.left -= amount;

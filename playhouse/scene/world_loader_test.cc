@@ -202,8 +202,7 @@ TEST(WorldMacros, a_few_lines_cannot_expand_without_bound) {
 TEST(WorldMacros, a_few_lines_cannot_make_bodies_and_beams_without_bound) {
   const WorldLimits limits{.corners = 100, .beams = 1000};
   const auto fault = [&limits](const std::string& text) {
-    const Result<SceneDesc> scene =
-        load(text, {{"w/plan", "P1 4 4 1010 0101 1010 0101"}}, limits);
+    const Result<SceneDesc> scene = load(text, {{"w/plan", "P1 4 4 1010 0101 1010 0101"}}, limits);
     return scene ? "none" : scene.error().line();
   };
   const std::string triangle = "block( points 3 point[0] [0 0] point[1] [1 0] point[2] [0 1] )";
@@ -522,7 +521,8 @@ TEST(WorldGlobals, world_properties_may_stand_anywhere) {
   EXPECT_THAT(error_of("interval_sim 0"), HasSubstr("above 0"));
   EXPECT_THAT(error_of("resolution 0"), HasSubstr("above 0"));
   EXPECT_EQ(error_of("unit_angle \"degree\""),
-            "w/t.world:1: unit_angle \"degree\" is no unit (did you mean \"degrees\"?)");
+            "w/t.world:1: unit_angle is one of \"degrees\", \"radians\", found \"degree\" (did you mean "
+            "\"degrees\"?)");
 }
 
 TEST(WorldGlobals, the_first_window_counts) {

@@ -29,8 +29,11 @@ Result<void> open_world(const scene::CfgSection& section, Site& site) {
   }
   if (!has_world) return Error{section.at(), "the first driver \"stage\" needs a worldfile"};
   const Result<void> opened = site.open_world(path);
-  if (!opened && opened.error().where.empty()) return Error{section.at("worldfile"), opened.error().text};
-  return opened;
+  if (opened) return opened;
+  // A fault inside the world has its own line; one of the whole world is where the world is named.
+  const Error& fault = opened.error();
+  if (fault.where.empty()) return Error{section.at("worldfile"), fault.text};
+  return fault.where == path ? Error{section.at("worldfile"), "world file " + fault.line()} : fault;
 }
 
 /// The model that the section's devices belong to; none when it names none.
