@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <vector>
 
+#include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
 
 namespace playhouse::app {
@@ -39,22 +41,44 @@ struct Raw {
   bool headless = false, fast = false;
 };
 
+/// Whether `text` is a whole number that fits: CLI11 takes -1 for the largest number, and cuts off larger
+/// ones.
+template <typename Number>
+bool is_whole(const std::string& text, Number least = 0, Number most = std::numeric_limits<Number>::max()) {
+  Number value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size() && value >= least && value <= most;
+}
+
+std::string check_port(const std::string& text) {
+  return is_whole<std::uint16_t>(text) ? "" : "a port from 0 to 65535 is wanted, not " + in_quotes(text);
+}
+
 std::string check_web(const std::string& text) {
-  if (text == "off") return {};
-  std::uint16_t port = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), port);
-  if (error == std::errc() && end == text.data() + text.size()) return {};
-  return "a port or \"off\" is wanted, not \"" + text + "\"";
+  if (text == "off" || is_whole<std::uint16_t>(text)) return {};
+  return "a port or \"off\" is wanted, not " + in_quotes(text);
+}
+
+template <typename Number>
+std::string check_count(const std::string& text) {
+  if (is_whole<Number>(text)) return {};
+  return fmt::format("a whole number from 0 to {} is wanted, not {}", std::numeric_limits<Number>::max(),
+                     in_quotes(text));
+}
+
+std::string check_workers(const std::string& text) {
+  return is_whole<unsigned>(text, 1, 1024) ? "" : "a number from 1 to 1024 is wanted, not " + in_quotes(text);
 }
 
 std::string check_not_negative(const std::string& text) {
   double value = 0;
   if (CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value >= 0) return {};
-  return "a number that is not negative is wanted, not \"" + text + "\"";
+  return "a number that is not negative is wanted, not " + in_quotes(text);
 }
 
 void add_serving(CLI::App& app, Raw& raw, Serving& serving) {
   app.add_option("--port", serving.port, "port for Player clients; 0: any free one, printed")
+      ->check(check_port)
       ->capture_default_str();
   app.add_option("--web", raw.web, "port of the web page, or off; 0: any free one, printed (8080)")
       ->check(check_web);
@@ -69,9 +93,11 @@ void add_running(CLI::App& app, Raw& raw, Running& running) {
       ->excludes(fast);
   app.add_option("--duration", running.duration, "simulated seconds, then end (the file's quit_time)")
       ->check(check_not_negative);
-  app.add_option("--seed", running.seed, "seed of all random numbers")->capture_default_str();
+  app.add_option("--seed", running.seed, "seed of all random numbers")
+      ->check(check_count<std::uint64_t>)
+      ->capture_default_str();
   app.add_option("--workers", running.workers, "threads that compute; the result does not depend on it")
-      ->check(CLI::Range(1u, 1024u))
+      ->check(check_workers)
       ->capture_default_str();
   app.add_flag("--paused", running.paused, "wait to be resumed by a viewer or a client");
   app.add_flag("--json", running.json, "print the result as the last line of standard output");
@@ -94,7 +120,8 @@ void add_commands(CLI::App& app, Raw& raw) {
   CLI::App* watch = app.add_subcommand("watch", "print a device's data as JSON lines");
   watch->add_option("HOST[:PORT]", raw.watch.server, "the server")->required();
   watch->add_option("INTERFACE:INDEX", raw.watch.device, "the device, e.g. laser:0")->required();
-  watch->add_option("--count", raw.watch.count, "end after so many messages");
+  watch->add_option("--count", raw.watch.count, "end after so many messages")
+      ->check(check_count<std::uint64_t>);
 
   CLI::App* drive = app.add_subcommand("drive", "drive a robot by the keyboard");
   drive->add_option("HOST[:PORT]", raw.drive.server, "the server")->required();
@@ -105,12 +132,15 @@ void add_commands(CLI::App& app, Raw& raw) {
 
   CLI::App* bench = app.add_subcommand("bench", "measure: sonar, laser, cave or server");
   bench->add_option("SCENARIO", raw.bench.scenario, "sonar, laser, cave or server")->required();
-  bench->add_option("--robots", raw.bench.robots, "how many (the scenario's own number)");
+  bench->add_option("--robots", raw.bench.robots, "how many (the scenario's own number)")
+      ->check(check_count<std::uint32_t>);
   bench->add_option("--duration", raw.bench.duration, "simulated seconds (the scenario's own)")
       ->check(check_not_negative);
-  bench->add_option("--seed", raw.bench.seed, "seed of all random numbers")->capture_default_str();
+  bench->add_option("--seed", raw.bench.seed, "seed of all random numbers")
+      ->check(check_count<std::uint64_t>)
+      ->capture_default_str();
   bench->add_option("--workers", raw.bench.workers, "threads that compute")
-      ->check(CLI::Range(1u, 1024u))
+      ->check(check_workers)
       ->capture_default_str();
 }
 
@@ -150,11 +180,14 @@ Result<void> check_words(const CLI::App& app, std::span<const char* const> words
   const std::vector<std::string> names = flag_names(*scope);
   const std::vector<std::string_view> candidates(names.begin(), names.end());
   for (const std::string_view word : words.subspan(next)) {
+    if (word == "--") break;  // what follows is no option
     if (!looks_like_flag(word)) continue;
     const std::string_view flag = word.substr(0, word.find('='));
-    if (std::ranges::find(candidates, flag) == candidates.end()) {
-      return Error{"", fmt::format("unknown option {}{}", flag, did_you_mean(flag, candidates))};
-    }
+    if (std::ranges::find(candidates, flag) != candidates.end()) continue;
+    const bool is_letter = flag.size() == 2;  // -p: every other letter would be near
+    return Error{"", fmt::format("unknown option {}{}", flag,
+                                 is_letter ? "; playhouse COMMAND --help lists them"
+                                           : did_you_mean(flag, candidates))};
   }
   return {};
 }
@@ -199,9 +232,12 @@ Result<CommandLine> parse_command_line(std::span<const char* const> words) {
     app.parse(reversed);
   } catch (const CLI::CallForHelp&) {
     const std::vector<CLI::App*> commands = app.get_subcommands();
-    return CommandLine(Answer{commands.empty() ? app.help() : commands.front()->help()});
+    return CommandLine(Answer{commands.empty() ? app.help() : commands.front()->help(app.get_name())});
   } catch (const CLI::CallForVersion& version) {
     return CommandLine(Answer{std::string(version.what()) + "\n"});
+  } catch (const CLI::ArgumentMismatch& error) {
+    const std::string_view text = error.what();  // "--port: 1 required UINT missing"
+    return Error{"", fmt::format("{} wants a value", text.substr(0, text.find(':')))};
   } catch (const CLI::ParseError& error) {
     return Error{"", error.what()};
   }

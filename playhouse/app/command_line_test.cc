@@ -80,11 +80,29 @@ TEST(CommandLine, wrong_values_are_refused_and_named) {
   EXPECT_THAT(fault({"run", "w", "--duration", "nan"}), HasSubstr("--duration"));
   EXPECT_THAT(fault({"run", "w", "--workers", "0"}), HasSubstr("--workers"));
   EXPECT_THAT(fault({"run"}), HasSubstr("WORLD"));
+  EXPECT_EQ(fault({"run", "w", "--port", "-1"}), "--port: a port from 0 to 65535 is wanted, not \"-1\"");
+  EXPECT_EQ(fault({"run", "w", "--duration"}), "--duration wants a value");
+}
+
+TEST(CommandLine, a_whole_number_that_does_not_fit_is_refused) {
+  for (const char* text : {"-1", "99999999999999999999999", "1.5", "1e3", ""}) {
+    EXPECT_THAT(fault({"run", "w", "--seed", text}), HasSubstr("--seed: a whole number")) << text;
+    EXPECT_THAT(fault({"watch", "localhost", "laser:0", "--count", text}), HasSubstr("--count")) << text;
+    EXPECT_THAT(fault({"bench", "laser", "--robots", text}), HasSubstr("--robots")) << text;
+  }
+  EXPECT_EQ(parsed<RunOptions>({"run", "w", "--seed", "18446744073709551615"}).running.seed,
+            18446744073709551615u);
+}
+
+TEST(CommandLine, a_letter_has_no_nearest_option_and_two_dashes_end_the_options) {
+  EXPECT_EQ(fault({"run", "-p", "3", "w"}), "unknown option -p; playhouse COMMAND --help lists them");
+  EXPECT_EQ(parsed<RunOptions>({"run", "--paused", "--", "-w.world"}).world, "-w.world");
 }
 
 TEST(CommandLine, help_has_examples_and_version_has_the_number) {
   EXPECT_THAT(parsed<Answer>({"--help"}).text, HasSubstr("playhouse run worlds/cave.world"));
   EXPECT_THAT(parsed<Answer>({"run", "--help"}).text, HasSubstr("--duration"));
+  EXPECT_THAT(parsed<Answer>({"run", "--help"}).text, HasSubstr("playhouse run [OPTIONS] WORLD"));
   EXPECT_THAT(parsed<Answer>({"--version"}).text, HasSubstr(PLAYHOUSE_VERSION));
 }
 

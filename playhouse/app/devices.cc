@@ -6,17 +6,22 @@
 
 namespace playhouse::app {
 
+namespace {
+
+int fail(const Error& error, Exit code = kFailed) {
+  log::error("{}", error.line());
+  return code;
+}
+
+}  // namespace
+
 int devices(const DevicesOptions& options) {
-  Result<client::Client> client = client::Client::connect(options.server);
-  if (!client) {
-    log::error("{}", client.error().line());
-    return kFailed;
-  }
+  const Result<client::Address> server = client::parse_address(options.server);
+  if (!server) return fail(server.error(), kUsage);
+  Result<client::Client> client = client::Client::connect(server->host, server->port);
+  if (!client) return fail(client.error());
   const Result<std::vector<client::DeviceEntry>> devices = client->devices();
-  if (!devices) {
-    log::error("{}", devices.error().line());
-    return kFailed;
-  }
+  if (!devices) return fail(devices.error());
   for (const client::DeviceEntry& device : *devices) fmt::print("{:<20} {}\n", device.name(), device.driver);
   return kDone;
 }

@@ -104,8 +104,11 @@ int drive(const DriveOptions& options) {
   const Result<DeviceName> name = parse_device_name(options.device);
   if (!name) return fail(name.error(), kUsage);
   if (name->interf != p2d::kCode) return fail({"", "drive wants a position2d device"}, kUsage);
+  const Result<client::Address> server = client::parse_address(options.server);
+  if (!server) return fail(server.error(), kUsage);
   const Interrupt interrupt;
-  Result<client::Client> client = client::Client::connect(options.server, {.mode = client::Mode::kPush});
+  Result<client::Client> client =
+      client::Client::connect(server->host, server->port, {.mode = client::Mode::kPush});
   if (!client) return fail(client.error());
   Result<client::Device> robot = client::Device::open(*client, name->interf, name->index);
   if (!robot) return fail(robot.error());

@@ -175,8 +175,10 @@ void House::catch_signals() {
 }
 
 void House::show_progress() {
-  fmt::print(stderr, "\r{:.1f} s simulated, {:.2f}x real time, {} clients ", simulation().time(),
-             simulation().pace().real_time_factor, server_->status().sessions);
+  const std::string line =
+      fmt::format("\r{:.1f} s simulated, {:.2f}x real time, {} clients ", simulation().time(),
+                  simulation().pace().real_time_factor, server_->status().sessions);
+  std::fputs(line.c_str(), stderr);  // fmt::print would throw when the terminal is gone
   progress_ = loop_.after(kProgressSeconds, [this] { show_progress(); });
 }
 
@@ -192,7 +194,7 @@ Outcome House::run() {
   web_loop_.stop();
   io.join();
   web.join();
-  if (shows_progress) fmt::print(stderr, "\n");
+  if (shows_progress) std::fputs("\n", stderr);
   return outcome(wall_time);
 }
 

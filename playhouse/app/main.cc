@@ -11,6 +11,7 @@
 #include "playhouse/app/command_line.h"
 #include "playhouse/app/commands.h"
 #include "playhouse/app/player_link.h"
+#include "playhouse/app/standard_streams.h"
 #include "playhouse/base/log.h"
 
 namespace playhouse::app {
@@ -52,10 +53,16 @@ int start(int argc, const char* const* argv) {
 }  // namespace playhouse::app
 
 int main(int argc, char** argv) {
+  using namespace playhouse::app;
+  keep_standard_streams();
+  int code = kDone;
   try {
-    return playhouse::app::start(argc, argv);
-  } catch (const std::exception& error) {  // memory, threads: nothing else throws
-    std::fprintf(stderr, "playhouse: %s\n", error.what());
-    return playhouse::app::kFailed;
+    code = start(argc, argv);
+  } catch (const std::exception& error) {  // memory, threads, and standard output: nothing else throws
+    if (std::ferror(stdout) == 0) {
+      std::fprintf(stderr, "playhouse: %s\n", error.what());
+      return kFailed;
+    }
   }
+  return finish_output(code);
 }

@@ -47,7 +47,8 @@ Result<void> set_option(char option, std::string_view value, PlayerOptions& opti
     options.log_file = value;
   } else if (option == 'p' && !parse_number(value, options.port)) {
     return Error{"", fmt::format("-p wants a port, not \"{}\"", value)};
-  } else if (option == 'd' && !parse_number(value, options.level)) {
+  } else if (option == 'd' &&
+             (!parse_number(value, options.level) || options.level < 0 || options.level > 9)) {
     return Error{"", fmt::format("-d wants a level from 0 to 9, not \"{}\"", value)};
   }
   return {};
@@ -73,6 +74,8 @@ Result<PlayerOptions> parse(std::span<const char* const> words) {
       if (!attached && i + 1 == words.size()) return Error{"", fmt::format("-{} wants a value", option)};
       const std::string_view value = attached ? word.substr(2) : std::string_view(words[++i]);
       if (const Result<void> set = set_option(option, value, options); !set) return set.error();
+    } else if (word == "-s") {
+      return Error{"", "-s is not supported: leave running in the background to a service manager, or to &"};
     } else {
       return Error{"", fmt::format("unknown option {}", word)};
     }
@@ -80,11 +83,16 @@ Result<PlayerOptions> parse(std::span<const char* const> words) {
   return options;
 }
 
-void open_log(const PlayerOptions& options) {
+Result<void> open_log(const PlayerOptions& options) {
   log::open(options.level);
-  if (options.log_file.empty()) return;
-  auto file = std::make_shared<spdlog::sinks::basic_file_sink_mt>(options.log_file);
-  spdlog::default_logger()->sinks().push_back(std::move(file));
+  if (options.log_file.empty()) return {};
+  try {
+    auto file = std::make_shared<spdlog::sinks::basic_file_sink_mt>(options.log_file);
+    spdlog::default_logger()->sinks().push_back(std::move(file));
+  } catch (const spdlog::spdlog_ex&) {
+    return Error{options.log_file, "the log file cannot be written"};
+  }
+  return {};
 }
 
 /// Player ends with 255 for files and ports that cannot be used.
@@ -101,7 +109,10 @@ int player_link(std::span<const char* const> words) {
     fmt::print(stderr, "{}", kHelp);
     return kPlayerUsage;
   }
-  open_log(*options);
+  if (const Result<void> opened = open_log(*options); !opened) {
+    log::error("{}", opened.error().line());
+    return kPlayerUsage;
+  }
   House house({.port = options->port, .web = std::nullopt, .bind = "0.0.0.0"}, {}, QuitTime::kIgnored);
   const int code = open_house(
       house, [&] { return house.read_cfg(options->file); }, {},

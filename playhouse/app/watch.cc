@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
 
@@ -50,6 +51,13 @@ Result<void> print_data(client::Client& client, client::Device& device, std::uin
   return {};
 }
 
+bool sends_data(std::uint16_t interf) {
+  const wire::InterfaceDef* known = wire::find_interface(interf);
+  return known != nullptr && std::ranges::any_of(known->messages, [](const wire::MessageDef& message) {
+           return message.type == wire::MessageType::kData;
+         });
+}
+
 int fail(const Error& error, Exit code = kFailed) {
   log::error("{}", error.line());
   return code;
@@ -60,8 +68,13 @@ int fail(const Error& error, Exit code = kFailed) {
 int watch(const WatchOptions& options) {
   const Result<DeviceName> name = parse_device_name(options.device);
   if (!name) return fail(name.error(), kUsage);
+  if (!sends_data(name->interf))
+    return fail({"", "a device of this interface sends no data to watch"}, kUsage);
+  const Result<client::Address> server = client::parse_address(options.server);
+  if (!server) return fail(server.error(), kUsage);
   const Interrupt interrupt;
-  Result<client::Client> client = client::Client::connect(options.server, {.mode = client::Mode::kPush});
+  Result<client::Client> client =
+      client::Client::connect(server->host, server->port, {.mode = client::Mode::kPush});
   if (!client) return fail(client.error());
   Result<client::Device> device = client::Device::open(*client, name->interf, name->index);
   if (!device) return fail(device.error());

@@ -72,6 +72,48 @@ class Faults(HouseTest):
     def test_an_unknown_interface_gets_the_nearest_one(self):
         self.check_fault(2, 'did you mean "laser"?', "watch", "localhost", "lazer:0")
 
+    def test_a_server_that_is_no_address_is_a_wrong_command_line(self):
+        for command in (["devices"], ["watch", "laser:0"], ["drive", "position2d:0"]):
+            self.check_fault(2, "HOST:PORT", command[0], "localhost:port", *command[1:])
+
+    def test_an_interface_without_data_cannot_be_watched(self):
+        self.check_fault(2, "no data", "watch", "localhost", "simulation:0")
+
+    def test_a_world_and_a_configuration_are_told_apart(self):
+        cfg = self.write("test.cfg", 'driver( name "stage" provides ["simulation:0"] worldfile "test.world" )\n')
+        self.check_fault(2, "playhouse serve", "run", cfg, "--headless", "--port", "0")
+        self.check_fault(2, "playhouse run", "serve", self.world(), "--headless", "--port", "0")
+
+    def test_a_world_that_a_configuration_misses_is_named_with_the_line(self):
+        cfg = self.write("test.cfg", '\ndriver( name "stage" provides ["simulation:0"] worldfile "gone.world" )\n')
+        self.check_fault(2, "test.cfg:2: world file", "serve", cfg, "--headless", "--port", "0")
+
+
+class StandardStreams(HouseTest):
+    """A result that nobody got is a failed run; what nobody wanted to hear is not."""
+
+    def shell(self, redirections: str) -> subprocess.CompletedProcess:
+        command = f'"{PROGRAM}" run "{self.world()}" --port 0 --headless --fast --duration 1 --json {redirections}'
+        return subprocess.run(["bash", "-c", command], capture_output=True, text=True, timeout=PATIENCE)
+
+    def test_a_full_disk_is_a_failure(self):
+        done = self.shell("> /dev/full")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("standard output cannot be written", done.stderr)
+
+    def test_a_reader_that_left_is_none(self):
+        done = self.shell("| true; exit ${PIPESTATUS[0]}")
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_closed_streams_are_none(self):
+        self.assertEqual(self.shell(">&-").returncode, 0)
+        done = self.shell("<&- 2>&-")
+        self.assertEqual((done.returncode, json.loads(done.stdout)["ticks"]), (0, 10))
+
+    def test_a_log_that_cannot_be_written_is_none(self):
+        done = self.shell("2> /dev/full")
+        self.assertEqual((done.returncode, json.loads(done.stdout)["ticks"]), (0, 10))
+
 
 class Texts(unittest.TestCase):
     def test_help_and_version_go_to_standard_output(self):
@@ -219,6 +261,13 @@ class PlayerLink(HouseTest):
     def test_help_and_faults_end_with_players_code(self):
         for arguments in (["-h"], [], ["-x", self.cfg], ["-p"], [self.folder / "nosuch.cfg"]):
             self.assertEqual(finish(*arguments, program=str(self.player)).returncode, 255, arguments)
+
+    def test_what_it_cannot_do_it_says(self):
+        for arguments, expected in ((["-s", self.cfg], "-s is not supported"), (["-d", 10, self.cfg], "from 0 to 9"),
+                                    (["-l", "/proc/none/log", self.cfg], "/proc/none/log")):
+            done = finish(*arguments, program=str(self.player))
+            self.assertEqual(done.returncode, 255, arguments)
+            self.assertIn(expected, done.stderr)
 
     def test_the_program_has_a_player_link_beside_it(self):
         link = Path(PROGRAM).parent / "player"
