@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { Motion, turn } from './motion';
 import { Replica } from './protocol/replica';
 import type { Model, Scene } from './protocol/scene';
-import { outlinesOf, smoothed } from './view/shapes';
+import { drawnLoops, outlinesOf, smoothed } from './view/shapes';
 
 function model(name: string, parent: number, x_mm: number): Model {
   return { name, type: 'model', kind: 'plain', parent, start: [x_mm, 0, 0, 0, 0, 0], size: [1, 1, 1] };
@@ -87,6 +87,20 @@ describe('smoothed', () => {
     expect(drawn.length).toBeLessThan(stairs.length / 2);
     expect(drawn.slice(0, 2)).toEqual([0, 0]);
     for (let i = 0; i < drawn.length; i += 2) expect(Math.min(...stairs.map((_, j) => (j % 2 ? 99 : Math.hypot(stairs[j] - drawn[i], stairs[j + 1] - drawn[i + 1]))))).toBeLessThan(2);
+  });
+
+  it('leaves walls of a single pixel where they are: their two sides would cross', () => {
+    // Up a stair of long steps, one pixel wide, and back down on its other side.
+    const there: number[] = [];
+    const back: number[] = [];
+    for (let k = 0; k < 8; ++k) {
+      there.push(k * 5, k, k * 5 + 5, k);
+      back.unshift(k * 5 - 1, k + 1, k * 5 + 4, k + 1);
+    }
+    const thin = [...there, 40, 8, ...back];
+    expect(drawnLoops({ z: [0, 1], loops: [thin] })).toEqual([thin]);
+    const wide = [...there, 40, 40, 0, 40];
+    expect(drawnLoops({ z: [0, 1], loops: [wide] })).not.toEqual([wide]);
   });
 
   it('leaves polygons alone', () => {

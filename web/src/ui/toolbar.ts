@@ -22,8 +22,21 @@ const kLayers: [keyof Layers, string, string][] = [
   ['grid', 'Grid', 'G'],
 ];
 
+const kNarrow = window.matchMedia('(max-width: 720px)');
+
 function speedText(speed: number): string {
+  if (kNarrow.matches) return speed === 0 ? 'fastest' : `${speed}×`;
   return speed === 0 ? 'as fast as possible' : `${speed}× real time`;
+}
+
+/** Whether the choices of a select are unfolded; older browsers cannot tell. */
+function isOpen(select: HTMLSelectElement): boolean {
+  return CSS.supports('selector(:open)') && select.matches(':open');
+}
+
+/** A world that has no name of its own is called by its file's path; people know the file. */
+function worldTitle(name: string): string {
+  return name.endsWith('.world') ? name.slice(name.lastIndexOf('/') + 1, -'.world'.length) : name;
 }
 
 /** The bar at the top: what world, how it runs, how it is looked at. */
@@ -69,8 +82,10 @@ export class Toolbar {
   }
 
   showWorld(name: string): void {
-    setText(this.world, name);
-    document.title = `${name} · Playhouse`;
+    const short = worldTitle(name);
+    setText(this.world, short);
+    this.world.title = name;
+    document.title = `${short} · Playhouse`;
   }
 
   showPaused(paused: boolean): void {
@@ -81,7 +96,7 @@ export class Toolbar {
   }
 
   showSpeed(speed: number): void {
-    if (document.activeElement === this.speeds && this.speeds.matches(':open')) return;
+    if (isOpen(this.speeds)) return;
     const rounded = Number(speed.toPrecision(6));
     if (this.speeds.value === String(rounded) && this.speeds.options.length > 0) return;
     const all = kSpeeds.includes(rounded) ? kSpeeds : [rounded, ...kSpeeds];

@@ -7,6 +7,8 @@ import type { Theme } from './theme';
 
 const kConeSteps = 6;
 const kSensorsManyMost = 1500; // beyond, cones are plain triangles
+const kLayersMost = 1; // scans on top of each other; beyond, they get fainter, so that robots stay visible
+const kRoom = 8; // m, of floor around them
 const kGap = 0.4; // m: a longer step between two beams is no surface
 
 /** A sensor's place in the world at this moment. */
@@ -35,12 +37,39 @@ export function bearingOf(sensor: Sensor, k: number): number {
   return sensor.samples < 2 ? 0 : -sensor.fov / 2 + (k * sensor.fov) / (sensor.samples - 1);
 }
 
+/** How much floor scans cover, and how often. */
+class Cover {
+  private area = 0; // m^2, of all scans
+  private left = Infinity;
+  private right = -Infinity;
+  private low = Infinity;
+  private high = -Infinity;
+
+  add(at: SensorPose, sensor: Sensor, beams: Uint16Array): void {
+    const unit = sensor.range[1] / 65535;
+    let squares = 0;
+    for (const beam of beams) squares += beam * beam;
+    this.area += ((squares / beams.length) * unit * unit * sensor.fov) / 2;
+    this.left = Math.min(this.left, at.x);
+    this.right = Math.max(this.right, at.x);
+    this.low = Math.min(this.low, at.y);
+    this.high = Math.max(this.high, at.y);
+  }
+
+  /** On average, between the outermost sensors; a few robots close together are not a crowd. */
+  layers(): number {
+    const floor = (this.right - this.left + kRoom) * (this.high - this.low + kRoom);
+    return this.area > 0 ? this.area / floor : 0;
+  }
+}
+
 /** Laser scans as filled fans, outlined where they met something; sonar pings as cones. */
 export class Fans {
   readonly group = new Group();
   private readonly fill = new Painted('triangles', 2);
   private readonly outline = new Painted('lines', 3);
   private readonly colors: Float32Array[] = [];
+  private fade = 1; // of this frame's paint; from how much floor the last frame's scans covered
 
   constructor(
     private readonly scene: Scene,
@@ -55,13 +84,16 @@ export class Fans {
   draw(): void {
     this.fill.begin();
     this.outline.begin();
+    const cover = new Cover();
     const steps = this.replica.scans.size > kSensorsManyMost ? 1 : kConeSteps;
     for (const [row, beams] of this.replica.scans) {
       const { model, sensor } = this.replica.sensors[row];
       const at = sensorPose(this.motion, model, this.scene.models[model].origin, sensor);
       if (sensor.samples < 2) this.cone(at, sensor, beams[0], this.colors[row], steps);
       else this.fan(at, sensor, beams, this.colors[row]);
+      cover.add(at, sensor, beams);
     }
+    this.fade = Math.min(1, kLayersMost / cover.layers());
     this.fill.end();
     this.outline.end();
   }
@@ -73,7 +105,7 @@ export class Fans {
 
   private fan(at: SensorPose, sensor: Sensor, beams: Uint16Array, color: Float32Array): void {
     const unit = sensor.range[1] / 65535;
-    const alpha = color[3];
+    const alpha = color[3] * this.fade;
     let px = at.x;
     let py = at.y;
     for (let k = 0; k < beams.length; ++k) {
@@ -85,7 +117,7 @@ export class Fans {
         this.fill.corner(px, py, at.z, color, alpha);
         this.fill.corner(x, y, at.z, color, alpha);
         if (Math.max(beams[k], beams[k - 1]) < 65535 && Math.abs(beams[k] - beams[k - 1]) * unit < kGap) {
-          this.line(px, py, x, y, at.z, color, 0.75);
+          this.line(px, py, x, y, at.z, color, 0.75 * this.fade);
         }
       }
       px = x;
@@ -96,7 +128,7 @@ export class Fans {
   private cone(at: SensorPose, sensor: Sensor, beam: number, color: Float32Array, steps: number): void {
     const range = (beam * sensor.range[1]) / 65535;
     // A ping that heard nothing says little; it is drawn fainter.
-    const alpha = beam === 65535 ? color[3] * 0.45 : color[3];
+    const alpha = (beam === 65535 ? color[3] * 0.45 : color[3]) * this.fade;
     let px = 0;
     let py = 0;
     for (let k = 0; k <= steps; ++k) {
@@ -107,7 +139,7 @@ export class Fans {
         this.fill.corner(at.x, at.y, at.z, color, alpha);
         this.fill.corner(px, py, at.z, color, alpha);
         this.fill.corner(x, y, at.z, color, alpha);
-        if (beam !== 65535 && steps > 1) this.line(px, py, x, y, at.z, color, 0.55);
+        if (beam !== 65535 && steps > 1) this.line(px, py, x, y, at.z, color, 0.55 * this.fade);
       }
       px = x;
       py = y;

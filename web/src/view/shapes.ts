@@ -6,13 +6,14 @@ type Loop = number[]; // x, y, x, y, ...
 
 const kUprightsMost = 40; // corners
 const kStairsLeast = 12; // corners
+const kThinMost = 2.5; // pixels: walls as thin as that would cross themselves when their sides are moved
 const kStepMost = 6; // pixels: a longer edge is a wall, not a step
 
 /** A shape of the scene as one geometry in the body's frame; null when it encloses nothing. */
 export function geometryOf(solids: Solid[]): BufferGeometry | null {
   const parts: BufferGeometry[] = [];
   for (const solid of solids) {
-    const outlines = outlinesOf(solid.loops.map(smoothed));
+    const outlines = outlinesOf(drawnLoops(solid));
     if (outlines.length === 0) continue;
     const depth = Math.max(solid.z[1] - solid.z[0], 1e-3);
     const part = new ExtrudeGeometry(outlines, { depth, bevelEnabled: false });
@@ -24,8 +25,9 @@ export function geometryOf(solids: Solid[]): BufferGeometry | null {
 /** The outlines of a shape as pairs of points: the rims, and the uprights of corners where there are few. */
 export function edgesOf(solids: Solid[]): BufferGeometry {
   const points: number[] = [];
-  for (const { z, loops } of solids) {
-    for (const loop of loops.map(smoothed)) {
+  for (const solid of solids) {
+    const z = solid.z;
+    for (const loop of drawnLoops(solid)) {
       const uprights = loop.length <= kUprightsMost * 2;
       for (let i = 0, j = loop.length - 2; i < loop.length; j = i, i += 2) {
         points.push(loop[j], loop[j + 1], z[1], loop[i], loop[i + 1], z[1]);
@@ -36,6 +38,20 @@ export function edgesOf(solids: Solid[]): BufferGeometry {
     }
   }
   return new BufferGeometry().setAttribute('position', new BufferAttribute(new Float32Array(points), 3));
+}
+
+/** The loops of a solid as they are drawn. */
+export function drawnLoops(solid: Solid): Loop[] {
+  return isThin(solid.loops) ? solid.loops : solid.loops.map(smoothed);
+}
+
+/** Whether a traced bitmap is a plan of lines, hardly a pixel wide: its area over half its outline is the mean width. */
+function isThin(loops: Loop[]): boolean {
+  const pixel = Math.min(...loops.map((loop) => stairsPixel(loop) || Infinity));
+  if (!Number.isFinite(pixel)) return false;
+  const area = loops.reduce((sum, loop) => sum + areaOf(loop), 0);
+  const outline = loops.reduce((sum, loop) => sum + perimeterOf(loop), 0);
+  return Math.abs(area) / (outline / 2) < kThinMost * pixel;
 }
 
 /**
@@ -129,6 +145,12 @@ export function outlinesOf(loops: Loop[]): Shape[] {
   });
   for (const [hole, owner] of holes) shapes.get(owner)?.holes.push(trace(new Path(), usable[hole]));
   return [...shapes.values()];
+}
+
+function perimeterOf(loop: Loop): number {
+  let sum = 0;
+  for (let i = 0, j = loop.length - 2; i < loop.length; j = i, i += 2) sum += Math.hypot(loop[i] - loop[j], loop[i + 1] - loop[j + 1]);
+  return sum;
 }
 
 export function areaOf(loop: Loop): number {
