@@ -7,18 +7,20 @@
 ///
 ///   packet (little-endian; varint: 7 bits a byte, low first, top bit says "more"; zz: zigzag varint)
 ///   +------+-------+--------------+-------------+-----------+-----------+
-///   | u8 1 | flags | varint frame | varint tick | f32 speed | f32 rtf   |   flags: 1 paused, 2 rows are
-///   waiting,
-///   +------+-------+--------------+-------------+-----------+-----------+          4 too many beams in view
-///   | models    : (u8 mask, zz row step, changed fields)*  u8 0         |   row step: row - row of the item
-///   before | positions : (u8 mask, zz row step, changed fields)*  u8 0         |   (first: from 0) | scans
-///   : (u8 1, zz row step, u16 beams...)                     |   tag 2: no data any more, nothing follows |
-///   or (u8 2, zz row step)                   u8 0         | | findings  : (u8 1, zz row step, varint n, hit
-///   * n)                | |             or (u8 2, zz row step)                   u8 0         |
+///   | u8 1 | flags | varint frame | varint tick | f32 speed | f32 rtf   |
+///   +------+-------+--------------+-------------+-----------+-----------+
+///   | models    : (u8 mask, zz row step, changed fields)*  u8 0         |
+///   | positions : (u8 mask, zz row step, changed fields)*  u8 0         |
+///   | scans     : (u8 1, zz row step, u16 beams...)                     |
+///   |             or (u8 2, zz row step)                   u8 0         |
+///   | findings  : (u8 1, zz row step, varint n, hit * n)                |
+///   |             or (u8 2, zz row step)                   u8 0         |
 ///   +-------------------------------------------------------------------+
-///   model fields, by mask bit: 1 x, 2 y, 4 z (zz difference, mm), 8 heading (zz difference mod 2^16), 16 u8
-///   state,
-///                              32 u32 colour
+///   flags: 1 paused, 2 rows are waiting, 4 too many beams in view
+///   row step: row - row of the item before (first: from 0)
+///   u8 2 in scans and findings: no data any more, nothing follows
+///   model fields, by mask bit: 1 x, 2 y, 4 z (zz difference, mm), 8 heading (zz difference mod 2^16),
+///                              16 u8 state, 32 u32 colour
 ///   position fields: 1 vx, 2 vy, 4 va, 8 ox, 16 oy (zz difference), 32 odometry heading (as above)
 ///   hit: varint target row, zz id, varint range mm, u16 bearing, u16 heading
 ///
