@@ -7,12 +7,13 @@ PLAYER_PORT ?= 6665
 WEB_PORT ?= 8080
 WORLD ?= worlds/cave.world
 
-.PHONY: help setup setup-test build demo test fuzzers fuzz bench clean web
+.PHONY: help setup setup-test build demo test tsan fuzzers fuzz bench clean web
 
 help:
 	@echo "make build   the release program, build/playhouse"
 	@echo "make demo    the same, then $(WORLD) with a web page on $(WEB_PORT) and Player clients on $(PLAYER_PORT)"
 	@echo "make test    every test: unit, law, compat, end to end, browser, fuzz smoke"
+	@echo "make tsan    the tests again with the thread sanitizer: races"
 	@echo "make bench   the benchmarks, one JSON line each"
 	@echo "make fuzz    one minute of each fuzzer (FUZZ_SECONDS=60)"
 	@echo "make clean   remove build/ and web/dist"
@@ -62,6 +63,9 @@ fuzzers: setup-test
 
 test: setup-test build fuzzers
 	@tools/test.sh
+
+tsan: setup-test
+	@tools/tsan.sh
 
 fuzz: fuzzers
 	@tools/fuzz.sh $${FUZZ_SECONDS:-60}
