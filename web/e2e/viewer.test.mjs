@@ -173,6 +173,20 @@ test('the page works on a phone', async () => {
   await phone.page.close();
 });
 
+test('a browser that cannot draw is told why', async () => {
+  const poor = await browser.newPage();
+  await poor.addInitScript(() => {
+    HTMLCanvasElement.prototype.getContext = () => null;
+  });
+  const errors = [];
+  poor.on('pageerror', (error) => errors.push(error.message));
+  await poor.goto(program.page);
+  await poor.waitForFunction(() => !document.querySelector('#lost').hidden);
+  assert.match(await poor.locator('#lost').textContent(), /no WebGL 2/);
+  assert.deepEqual(errors, []);
+  await poor.close();
+});
+
 test('the page says so when the program is gone, and comes back with it', async () => {
   await page.waitForTimeout(1500);
   await page.screenshot({ path: join(results, 'viewer.png') });

@@ -238,5 +238,17 @@ function margins(): Margins {
   };
 }
 
-const page = new Page();
-Object.defineProperty(window, 'playhouse', { get: () => page.inspect() });
+/** In place of the page, where the browser cannot draw it. */
+function sayWhyNot(): void {
+  for (const id of ['bar', 'robots', 'clock']) byId(id).hidden = true;
+  const banner = byId('lost');
+  banner.textContent = 'This browser has no WebGL 2, so it cannot draw the world. Switch its graphics acceleration on, or take another browser.';
+  banner.hidden = false;
+}
+
+if (document.createElement('canvas').getContext('webgl2')) {
+  const page = new Page();
+  Object.defineProperty(window, 'playhouse', { get: () => page.inspect() });
+} else {
+  sayWhyNot();
+}
