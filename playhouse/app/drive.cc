@@ -111,7 +111,8 @@ int drive(const DriveOptions& options) {
       client::Client::connect(server->host, server->port, {.mode = client::Mode::kPush});
   if (!client) return fail(client.error());
   Result<client::Device> robot = client::Device::open(*client, name->interf, name->index);
-  if (!robot) return fail(robot.error());
+  if (!robot)
+    return fail({robot.error().where, robot.error().text + "; playhouse devices lists what there is"});
   fmt::print("w a s d or arrows drive, space stops, + and - change the speed, q ends\n");
   std::fflush(stdout);
   if (const Result<void> done = drive_by_keys(*client, *robot, interrupt); !done) return fail(done.error());

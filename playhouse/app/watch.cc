@@ -77,7 +77,8 @@ int watch(const WatchOptions& options) {
       client::Client::connect(server->host, server->port, {.mode = client::Mode::kPush});
   if (!client) return fail(client.error());
   Result<client::Device> device = client::Device::open(*client, name->interf, name->index);
-  if (!device) return fail(device.error());
+  if (!device)
+    return fail({device.error().where, device.error().text + "; playhouse devices lists what there is"});
   if (const Result<void> printed = print_data(*client, *device, options.count, interrupt); !printed) {
     return fail(printed.error());
   }

@@ -43,13 +43,20 @@ Error unknown(const std::string& where, const std::string& name,
   for (const std::filesystem::path& folder : folders) {
     std::error_code ignored;
     for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
-      if (entry.path().extension() == ".so") words.push_back(entry.path().stem().string());
+      if (entry.path().extension() == ".so" && entry.is_regular_file(ignored))
+        words.push_back(entry.path().stem().string());
     }
   }
   // Folders list their files in any order.
   std::sort(words.begin() + kBuiltIns.size(), words.end());
   const std::vector<std::string_view> candidates(words.begin(), words.end());
-  return {where, "no controller \"" + name + "\"" + did_you_mean(name, candidates)};
+  const std::string nearest = did_you_mean(name, candidates);
+  if (!nearest.empty()) return {where, "no controller \"" + name + "\"" + nearest};
+  std::string places;
+  for (const std::filesystem::path& folder : folders)
+    places += (places.empty() ? "" : ", ") + folder.string();
+  return {where,
+          "no controller \"" + name + "\": it is not built in, and " + name + ".so is not in " + places};
 }
 
 std::vector<std::string> split(const std::string& line) {
