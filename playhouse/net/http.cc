@@ -140,14 +140,18 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
 
 Result<std::unique_ptr<Listener>> listen_http(IoLoop& loop, const std::string& bind, std::uint16_t port,
                                               HttpService& service) {
-  // The listener and each connection own the counter; a connection over the limit is closed at once.
+  // The listener and each connection own the counter; a connection over the limit is closed at once, and told
+  // when it begins: a flood of connections must not become one of log lines.
   auto places = std::make_shared<int>(0);
   return listen_tcp(
-      loop.impl(), bind, port, [&service, places](asio::ip::tcp::socket socket, std::string peer) {
+      loop.impl(), bind, port,
+      [&service, places, full = false](asio::ip::tcp::socket socket, std::string peer) mutable {
         if (static_cast<std::size_t>(places.use_count()) > limits::kHttpConnections) {
-          log::warn("web: {} turned away, {} connections are open", peer, limits::kHttpConnections);
+          if (!std::exchange(full, true))
+            log::warn("web: {} turned away, {} connections are open", peer, limits::kHttpConnections);
           return;
         }
+        full = false;
         std::make_shared<HttpConnection>(std::move(socket), std::move(peer), service, places)->read();
       });
 }

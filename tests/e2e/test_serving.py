@@ -1,7 +1,9 @@
 """Clients and a running world: everything between a client's bytes and a simulated robot."""
 
+import contextlib
 import os
 import signal
+import socket
 import struct
 import subprocess
 import sys
@@ -207,6 +209,20 @@ class Stalled(HouseTest):
                 reader.send(PLAYER, 0, REQ, 4)
                 reader.next_data(POSITION2D, 0)
             self.assertIsNone(house.process.poll())
+
+
+class Crowded(HouseTest):
+    def test_a_flood_of_web_connections_is_one_line_of_the_log(self):
+        with House("run", self.world(), "--port", 0, "--web", 0) as house, contextlib.ExitStack() as crowd:
+            port = int(house.wait_for_line(r"^web page: http://127\.0\.0\.1:(\d+)/$").group(1))
+            peers = [crowd.enter_context(socket.create_connection(("127.0.0.1", port), PATIENCE)) for _ in range(300)]
+            peers[-1].settimeout(PATIENCE)
+            try:
+                self.assertEqual(peers[-1].recv(1), b"")
+            except ConnectionResetError:
+                pass    # closed all the same
+            self.assertEqual(house.end(), 143)
+            self.assertEqual(house.log().count("turned away"), 1, house.log())
 
 
 class Configured(HouseTest):
