@@ -176,7 +176,7 @@ void House::catch_signals() {
 
 void House::show_progress() {
   const std::string line =
-      fmt::format("\r{:.1f} s simulated, {:.2f}x real time, {} clients ", simulation().time(),
+      fmt::format("\r\x1b[K{:.1f} s simulated, {:.2f}x real time, {} clients ", simulation().time(),
                   simulation().pace().real_time_factor, server_->status().sessions);
   std::fputs(line.c_str(), stderr);  // fmt::print would throw when the terminal is gone
   progress_ = loop_.after(kProgressSeconds, [this] { show_progress(); });
@@ -194,7 +194,7 @@ Outcome House::run() {
   web_loop_.stop();
   io.join();
   web.join();
-  if (shows_progress) std::fputs("\n", stderr);
+  if (shows_progress) std::fputs("\r\x1b[K", stderr);
   return outcome(wall_time);
 }
 

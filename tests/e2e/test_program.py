@@ -3,6 +3,7 @@
 import json
 import os
 import pty
+import re
 import shutil
 import signal
 import socket
@@ -163,6 +164,33 @@ class Ending(HouseTest):
         world = self.world("speedup 0\nposition( name \"r0\" )\n")
         done = finish("run", world, "--port", 0, "--headless", "--duration", "1", "--json")
         self.assertGreater(json.loads(done.stdout)["wall_time"], 0.85)
+
+
+class Terminal(HouseTest):
+    """The progress line, and log lines in between."""
+
+    def test_a_log_line_takes_the_place_of_the_progress_line(self):
+        ours, its = pty.openpty()
+        self.addCleanup(os.close, ours)
+        process = subprocess.Popen([PROGRAM, "run", str(self.world()), "--port", "0", "--headless"], stdin=its, stdout=its,
+                                   stderr=its)
+        os.close(its)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        shown = self.read_until(ours, b"", rb"Player clients: 127\.0\.0\.1:(\d+)\r\n")
+        port = int(re.search(rb"clients: [\d.]+:(\d+)", shown).group(1))
+        shown = self.read_until(ours, shown, b"s simulated.*clients ")
+        with Client(port) as client:
+            client.request(99, 0, 1)
+            shown = self.read_until(ours, shown, b"no such device.*s simulated")
+        self.assertRegex(shown, b"\r\x1b\\[K[^\r]*warning")
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.wait(PATIENCE), 130)
+
+    def read_until(self, terminal: int, shown: bytes, pattern: bytes) -> bytes:
+        while not re.search(pattern, shown, re.DOTALL):
+            shown += os.read(terminal, 4096)
+        return shown
 
 
 class Tools(HouseTest):
