@@ -24,6 +24,7 @@ endif()
 
 add_library(playhouse_flags INTERFACE)
 target_include_directories(playhouse_flags INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_features(playhouse_flags INTERFACE cxx_std_20)  # for projects that take this one in as a part
 # Results must not depend on the optimiser: no fused multiply-add, no fast-math.
 target_compile_options(playhouse_flags INTERFACE -Wall -Wextra -Wconversion -Wno-sign-conversion -ffp-contract=off)
 target_compile_definitions(playhouse_flags INTERFACE PLAYHOUSE_VERSION="${PROJECT_VERSION}")
