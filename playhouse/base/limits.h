@@ -20,8 +20,8 @@ inline constexpr std::size_t kSessions = 4096;
 inline constexpr std::size_t kSessionQueueMessages = 1024;        // data waiting for one client
 inline constexpr std::size_t kSessionQueueBytes = 64u << 20;      // the same in bytes, headers included
 inline constexpr std::size_t kSessionRules = 256;                 // replace rules of one client
-inline constexpr std::size_t kSessionAnswers = 4096;              // answers owed to one client; its further requests wait
-inline constexpr std::size_t kRequestQueue = 4096;                // requests waiting for a tick
+inline constexpr std::size_t kSessionAnswers = 1024;              // answers owed to one client; its further requests wait
+inline constexpr std::size_t kRequestQueue = 16384;               // requests of all clients waiting for a tick
 inline constexpr std::size_t kSubscriptions = 8192;               // devices one client may hold open
 inline constexpr std::size_t kOutboxBytes = 64u << 20;            // data the io thread has not taken yet
 
@@ -52,5 +52,6 @@ inline constexpr int kRangerSamples = 1 << 16;                    // beams of on
 inline constexpr std::size_t kBeams = 1u << 26;                   // of all sensors of a world
 
 static_assert(kBodyBytes + kHeaderBytes == kMessageBytes);
+static_assert(kSessionAnswers * 8 <= kRequestQueue, "one client alone must not fill the queue of all");
 
 }  // namespace playhouse::limits

@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::size_t kWriteBytes = 256u
                                     << 10;  // of one gathered write; the rest stays where it can be replaced
+constexpr double kLastAnswers = 5;          // s; a client that said goodbye waits so long for them
 
 double wall_clock() {
   return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
@@ -80,6 +81,8 @@ class Server::Impl {
    private:
     void pump();
     bool drop_if_broken();
+    void say_goodbye();
+    void remove();
 
     Impl& server_;
     const std::uint32_t serial_;
@@ -87,6 +90,7 @@ class Server::Impl {
     Session session_;
     std::vector<net::SharedBytes> parts_;
     bool paused_ = false;
+    std::unique_ptr<net::Timer> goodbye_;  // set once the peer will send no more
   };
 
   void accept(std::uint32_t robot, std::unique_ptr<net::Connection> connection);
@@ -124,6 +128,7 @@ void Server::Impl::Client::drained() {
 }
 
 void Server::Impl::Client::advance() {
+  if (goodbye_) return say_goodbye();
   pump();
   if (paused_ && session_.wants_bytes()) {
     session_.work_on();
@@ -136,24 +141,34 @@ void Server::Impl::Client::advance() {
   pause ? connection_->pause() : connection_->resume();
 }
 
+// The peer may have shut down its half alone, to read the answers to what it asked.
 void Server::Impl::Client::closed(const std::string& why) {
+  log::debug("{}: {}", session_.peer(), why);
   session_.finish_input();
   server_.deliver_outbox();
+  goodbye_ = server_.network_.after(kLastAnswers, [this] { remove(); });
+  say_goodbye();
+}
+
+void Server::Impl::Client::say_goodbye() {
   parts_.clear();
   session_.take(parts_, limits::kSessionQueueBytes);
   if (!parts_.empty()) connection_->send(parts_);
-  log::debug("{}: {}", session_.peer(), why);
-  connection_->close_after_flush();
-  server_.remove(serial_);
+  session_.leave();
+  if (!session_.waits_for_answers()) remove();
 }
 
 bool Server::Impl::Client::drop_if_broken() {
   if (session_.broken().empty()) return false;
   log::warn("{}: closed: {}", session_.peer(), session_.broken());
   ++server_.broken_;
+  remove();
+  return true;
+}
+
+void Server::Impl::Client::remove() {
   connection_->close_after_flush();
   server_.remove(serial_);
-  return true;
 }
 
 // With a write under way, `drained` comes back here.

@@ -337,6 +337,33 @@ TEST_F(ServerTest, still_answers_a_client_that_has_finished_sending) {
   EXPECT_TRUE(client.peer.closed());
 }
 
+TEST_F(ServerTest, waits_for_drivers_to_answer_a_client_that_has_finished_sending) {
+  wheels.holds_requests = true;
+  TestClient client(network, kPort);
+  client.send(open_request(kWheels, 0));
+  client.send(request(kWheels, position2d::kReqGetGeom, {}, 7));
+  client.peer.finish();
+  EXPECT_EQ(outline(client.read()), "ACK 3");
+  EXPECT_EQ(wheels.stops, 1) << "a robot does not run for a client that has gone";
+  EXPECT_FALSE(client.peer.closed());
+  wheels.held[0].ack(Bytes(72));
+  EXPECT_EQ(outline(client.read()), "ACK 1");
+  EXPECT_TRUE(client.peer.closed());
+  EXPECT_EQ(server.status().sessions, 0u);
+}
+
+TEST_F(ServerTest, does_not_wait_for_ever_for_an_answer_to_a_client_that_has_finished_sending) {
+  wheels.holds_requests = true;
+  TestClient client(network, kPort);
+  client.send(request(kWheels, position2d::kReqGetGeom));
+  client.peer.finish();
+  network.run_for(60);
+  EXPECT_TRUE(client.peer.closed());
+  wheels.held[0].ack();
+  network.run();
+  EXPECT_EQ(server.status().sessions, 0u);
+}
+
 TEST_F(ServerTest, closes_the_devices_of_a_client_that_vanishes) {
   TestClient client(network, kPort), other(network, kPort);
   client.ask(open_request(kWheels, 0));
@@ -430,6 +457,17 @@ TEST_F(ServerTest, goes_on_with_a_client_whose_answers_come_late_or_are_not_want
   wheels.held.clear();
   network.run();
   EXPECT_EQ(wheels.held.size(), 10u);
+}
+
+TEST_F(ServerTest, counts_long_requests_for_more) {
+  network.piece_bytes = 1u << 20;
+  wheels.holds_requests = true;
+  TestClient client(network, kPort);
+  const Bytes long_name = wire::encode(wire::StrpropReq{std::string(8u << 20, 'x'), ""});
+  for (int i = 0; i < 20; ++i) client.send(request(kWheels, wire::kReqGetStrprop, long_name));
+  network.run();
+  EXPECT_LT(wheels.held.size(), 10u) << "64 MiB and a bit";
+  wheels.held.clear();
 }
 
 TEST_F(ServerTest, survives_garbage_of_every_seed) {

@@ -52,10 +52,7 @@ Session::Session(Switchboard& board, std::uint32_t serial, std::uint32_t robot, 
       answer_limit_(limits::kSessionAnswers) {}
 
 Session::~Session() {
-  for (const auto& [device, opened] : open_) {
-    board_.fanout.leave(device, *this);
-    board_.devices.close(device);
-  }
+  leave();
   if (commands_dropped_ > 1) log::warn("{}: {} commands were dropped in all", peer_, commands_dropped_);
   if (queue_.dropped() > 0) log::warn("{}: {} data messages were dropped in all", peer_, queue_.dropped());
 }
@@ -78,10 +75,18 @@ void Session::finish_input() {
   process();
 }
 
+void Session::leave() {
+  for (const auto& [device, opened] : std::exchange(open_, {})) {
+    board_.fanout.leave(device, *this);
+    board_.devices.close(device);
+  }
+}
+
 std::size_t Session::owed_answers() const {
-  // Long answers count for more, so that the limit holds in bytes too.
+  // Long requests and answers count for more, so that the limit holds in bytes too.
   constexpr std::size_t kShare = limits::kSessionQueueBytes / limits::kSessionAnswers;
-  return pending_.size() + std::max(queue_.answers_waiting(), queue_.answer_bytes_waiting() / kShare);
+  return std::max(pending_.size(), pending_bytes_ / kShare) +
+         std::max(queue_.answers_waiting(), queue_.answer_bytes_waiting() / kShare);
 }
 
 void Session::process() {
@@ -128,7 +133,7 @@ void Session::command(const wire::Header& header, Body body) {
   }
   const auto type = static_cast<std::uint8_t>(header.type);
   if (!board_.devices[device].driver->command({device, type, header.subtype, body})) {
-    drop_command(header, Fault::kUnsupported, "the device has no such command");
+    drop_command(header, Fault::kUnsupported, "the device has no such command, or not with these values");
   }
 }
 
@@ -146,6 +151,7 @@ void Session::request(const wire::Header& header, Body body) {
 
   const std::uint32_t number = next_request_++;
   pending_[number] = {header};
+  pending_bytes_ += header.size;
   const auto type = static_cast<std::uint8_t>(header.type);
   board_.devices[device].driver->request({device, type, header.subtype, body},
                                          device::Replier(*board_.outlet, make_ticket(serial_, number)));
@@ -193,6 +199,7 @@ void Session::answer(std::uint32_t number, bool ack, std::span<const std::byte> 
   if (found == pending_.end()) return;  // answered before
   const wire::Header header = found->second.header;
   pending_.erase(found);
+  pending_bytes_ -= header.size;
   if (body.size() > limits::kBodyBytes)
     return refuse(header, Fault::kLimit, "the answer is over the limit of a body");
   reply(header, ack, body);

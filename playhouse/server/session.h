@@ -32,7 +32,7 @@ class Session final : public Reader {
   /// `serial` numbers the sessions of a server, never reused; `robot` is the port the client came in by;
   /// `peer` is for log lines.
   Session(Switchboard& board, std::uint32_t serial, std::uint32_t robot, std::string peer);
-  /// Closes every device the session had open.
+  /// As leave().
   ~Session() override;
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
@@ -43,6 +43,10 @@ class Session final : public Reader {
   void work_on();
   /// No more bytes will come: carries out all that did.
   void finish_input();
+  /// Closes every device the session has open.
+  void leave();
+  /// Some driver has not answered yet.
+  bool waits_for_answers() const { return !pending_.empty(); }
   /// False while input waits for answers to go out: the connection should pause.
   bool wants_bytes() const { return owed_answers() < answer_limit_; }
   /// Why the session has to be closed; empty while it need not.
@@ -118,6 +122,7 @@ class Session final : public Reader {
   OutQueue queue_;
   std::map<device::DeviceId, OpenDevice> open_;
   std::map<std::uint32_t, PendingRequest> pending_;
+  std::size_t pending_bytes_ = 0;  // of the requests in pending_
   std::uint32_t next_request_ = 0;
   std::size_t answer_limit_;
   std::string broken_;
