@@ -81,7 +81,8 @@ class Driver {
   virtual Result<void> start(DeviceId device) = 0;
   virtual void stop(DeviceId device) = 0;
 
-  /// A new command replaces the old one. False: this device has no such command (the server logs it once).
+  /// A new command replaces the old one. False: this device has no such command, or cannot do what it says (the server
+  /// logs it once).
   virtual bool command(const Message& message) = 0;
 
   /// Answer now or later, once; returning without keeping the replier means NACK.

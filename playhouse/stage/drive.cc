@@ -81,6 +81,16 @@ Twist accelerate(const scene::PositionDesc& desc, const Twist& velocity, const T
           velocity.a + dt * std::clamp(command.a, bounds[3].min, bounds[3].max)};
 }
 
+/// A car steers no harder than on its way to a goal, and the other way round when it drives backwards.
+Twist follow_heading(const scene::PositionDesc& desc, const Twist& command, double heading_O, double dt) {
+  const double error = geom::normalize(command.a - heading_O);
+  if (desc.drive == Drive::kCar) {
+    const double steering = std::clamp(error, -kSteering, kSteering);
+    return car(command.x, command.x < 0 ? -steering : steering, desc.wheelbase);
+  }
+  return {command.x, 0, 0, approach(error, kTurn, dt)};
+}
+
 Twist within(const scene::Bounds* bounds, const Twist& velocity) {
   return {std::clamp(velocity.x, bounds[0].min, bounds[0].max),
           std::clamp(velocity.y, bounds[1].min, bounds[1].max), 0,
@@ -103,6 +113,9 @@ Twist velocity_of(const world::World& world, std::size_t robot) {
       break;
     case world::ControlMode::kAcceleration:
       wanted = accelerate(desc, positions.velocity[robot], positions.command[robot], dt);
+      break;
+    case world::ControlMode::kHeading:
+      wanted = follow_heading(desc, positions.command[robot], positions.X_OM[robot].a, dt);
       break;
   }
   return within(desc.velocity_bounds, wanted);

@@ -292,6 +292,54 @@ TEST(Motion, a_goal_is_in_the_frame_of_what_the_robot_believes) {
   EXPECT_NEAR(world.models.X_WM[0].y, 2, 1e-3);
 }
 
+TEST(Motion, every_drive_keeps_a_heading_forwards_and_backwards) {
+  for (const scene::Drive drive : {scene::Drive::kDiff, scene::Drive::kOmni, scene::Drive::kCar}) {
+    for (const double speed : {0.5, -0.5}) {
+      scene::SceneDesc scene;
+      scene.models.push_back(robot("r", {0, 0, 0, 3}, {0.2, 0.2, 0.2}, drive));
+      scene.models[0].position->wheelbase = 0.3;
+      const auto engine = engine_of(scene);
+      world::World& world = engine->world();
+      ASSERT_TRUE(world::command_heading(world, {0}, speed, -2.5));  // the short way round leads past pi
+      for (int tick = 0; tick < 100; ++tick) engine->step();
+      EXPECT_NEAR(world.models.X_WM[0].a, -2.5, 0.01);
+      EXPECT_NEAR(world.positions.velocity[0].x, speed, 1e-3);
+    }
+  }
+}
+
+TEST(Motion, a_robot_that_another_one_carries_moves_with_it_and_by_itself) {
+  scene::SceneDesc scene;
+  scene.models.push_back(robot("ship", {1, 0, 0, geom::kPi / 2}, {2, 1, 0.2}));
+  scene.models.push_back(robot("boat", {0.5, 0, 0.2, 0}, {0.2, 0.2, 0.2}));
+  scene.models.push_back(robot("duck", {0, 0, 0.2, 0}, {0.1, 0.1, 0.1}));
+  scene.models[1].parent = 0;
+  scene.models[2].parent = 1;
+  scene.models[0].position->velocity = {0.5, 0, 0, 0};
+  scene.models[1].position->velocity = {-0.2, 0, 0, 0};
+  scene.models[2].position->velocity = {0, 0, 0, 0.3};
+  std::vector<std::uint64_t> hashes;
+  for (const unsigned workers : {1u, 2u, 4u}) {
+    const auto engine = engine_of(scene, workers);
+    for (int tick = 0; tick < 10; ++tick) engine->step();
+    const world::World& world = engine->world();
+    EXPECT_NEAR(world.models.X_WM[0].y, 0.5, 1e-9);
+    EXPECT_NEAR(world.models.X_PM[1].x, 0.3, 1e-9);
+    EXPECT_NEAR(world.models.X_PM[2].a, 0.3, 1e-9);
+    Pose expected = world.models.X_WM[0];
+    for (std::uint32_t row = 1; row < 3; ++row) {
+      expected = geom::compose(expected, world.models.X_PM[row]);
+      EXPECT_NEAR(world.models.X_WM[row].x, expected.x, 1e-9);
+      EXPECT_NEAR(world.models.X_WM[row].y, expected.y, 1e-9);
+      EXPECT_NEAR(world.models.X_WM[row].a, expected.a, 1e-9);
+      EXPECT_NEAR(world.positions.X_OM[row].y, expected.y, 1e-9) << "gps";
+      EXPECT_EQ(world.positions.stall[row], 0);
+    }
+    hashes.push_back(world.hash());
+  }
+  EXPECT_EQ(hashes, std::vector<std::uint64_t>(3, hashes[0]));
+}
+
 TEST(Engine, the_hash_is_the_same_for_any_number_of_workers) {
   for (const testing::Sensing sensing : {testing::Sensing::kSonar, testing::Sensing::kLaser}) {
     const scene::SceneDesc scene = testing::crowd(300, sensing);

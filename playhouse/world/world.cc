@@ -224,6 +224,13 @@ bool command_position(World& world, PositionRow robot, const geom::Pose& goal_O)
   return true;
 }
 
+bool command_heading(World& world, PositionRow robot, double speed, double heading_O) {
+  if (!finite(speed, 0, 0, heading_O)) return false;
+  world.positions.mode[robot.index] = ControlMode::kHeading;
+  world.positions.command[robot.index] = {speed, 0, 0, geom::normalize(heading_O)};
+  return true;
+}
+
 bool command_acceleration(World& world, PositionRow robot, const geom::Twist& acceleration) {
   if (!finite(acceleration.x, acceleration.y, acceleration.z, acceleration.a)) return false;
   if (drive_of(world, robot).drive == scene::Drive::kCar) return false;
@@ -247,6 +254,16 @@ bool set_pose(World& world, ModelRow model, const geom::Pose& X_PM) {
   place_tree(world, model);
   world.teleported.push_back(model);
   return true;
+}
+
+void return_to_start(World& world) {
+  const World start(world.scene(), world.seed());
+  for (std::uint32_t row = 0; row < world.models.size(); ++row) {
+    if (world.models.X_PM[row] != start.models.X_PM[row]) world.teleported.push_back({row});
+  }
+  world.models.X_PM = start.models.X_PM;
+  world.models.X_WM = start.models.X_WM;
+  world.positions = start.positions;
 }
 
 void set_fiducial_return(World& world, ModelRow model, std::int32_t id) {

@@ -44,14 +44,15 @@ struct Models {
   std::size_t size() const { return X_PM.size(); }
 };
 
-enum class ControlMode : std::uint8_t { kVelocity, kPosition, kAcceleration };
+enum class ControlMode : std::uint8_t { kVelocity, kPosition, kAcceleration, kHeading };
 
 /// Models that drive (position). A command stays in force until the next one replaces it.
 struct Positions {
   std::vector<ModelRow> model;
   std::vector<ControlMode> mode;                // written by: the command functions
   std::vector<geom::Twist> command;             // kVelocity [m/s, rad/s], car: a is the steering angle [rad];
-                                                // kAcceleration [m/s^2, rad/s^2]
+                                                // kAcceleration [m/s^2, rad/s^2]; kHeading: x is the speed [m/s],
+                                                // a the heading to keep, in the frame of X_OM [rad]
   std::vector<geom::Pose> goal;                 // kPosition: target in the frame of X_OM
   std::vector<geom::Twist> velocity;            // in the body frame, after bounds [m/s, rad/s]  written by: act
   std::vector<geom::Pose> X_OM;                 // what the robot believes (gps or odometry)     written by: move
@@ -151,12 +152,17 @@ void place_tree(World& world, ModelRow model);
 
 bool command_velocity(World& world, PositionRow robot, const geom::Twist& velocity);
 bool command_position(World& world, PositionRow robot, const geom::Pose& goal_O);
+/// Drives at `speed` and turns to `heading_O` meanwhile. [m/s, rad]
+bool command_heading(World& world, PositionRow robot, double speed, double heading_O);
 /// A car has no acceleration mode: false.
 bool command_acceleration(World& world, PositionRow robot, const geom::Twist& acceleration);
 /// The robot believes from now on that it is at X_OM.
 bool set_odometry(World& world, PositionRow robot, const geom::Pose& X_OM);
 /// Puts a model somewhere in its parent's frame, without any collision check; children follow.
 bool set_pose(World& world, ModelRow model, const geom::Pose& X_PM);
+/// Puts every model where the scene has it; robots do and believe what they did at the start. Time goes on, and
+/// what controllers remember, colours and subscriptions stay.
+void return_to_start(World& world);
 void set_fiducial_return(World& world, ModelRow model, std::int32_t id);
 void set_color(World& world, ModelRow model, const scene::Color& color);
 /// Sensors measure and robots move only while subscribed (or alwayson). Calls are counted.

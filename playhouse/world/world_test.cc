@@ -106,6 +106,27 @@ TEST(World, refuses_numbers_that_are_not_finite) {
   EXPECT_EQ(world.hash(), before);
 }
 
+TEST(World, returns_to_its_start_but_keeps_its_time_and_users) {
+  const scene::SceneDesc scene = small_scene();
+  World world(scene, 1);
+  const std::uint64_t start = world.hash();
+  subscribe(world, {0});
+  world.tick_ = 7;
+  ASSERT_TRUE(set_pose(world, {0}, {5, 5, 0, 1}));
+  ASSERT_TRUE(set_pose(world, {1}, {0.2, 0, 0.2, 1}));
+  ASSERT_TRUE(command_velocity(world, {0}, {1, 0, 0, 1}));
+  ASSERT_TRUE(set_odometry(world, {0}, {9, 9, 0, 0}));
+  world.positions.motor_on[0] = 0;
+  world.teleported.clear();
+  return_to_start(world);
+  EXPECT_EQ(world.teleported, (std::vector<ModelRow>{{0}, {1}}));
+  EXPECT_EQ(world.tick(), 7u);
+  EXPECT_EQ(world.models.subscribers[0], 1u);
+  unsubscribe(world, {0});
+  world.tick_ = 0;
+  EXPECT_EQ(world.hash(), start);
+}
+
 TEST(World, the_last_unsubscribe_stops_the_robot) {
   const scene::SceneDesc scene = small_scene();
   World world(scene, 1);

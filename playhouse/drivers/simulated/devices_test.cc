@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <numbers>
 
 #include "playhouse/drivers/simulated/device_factory.h"
@@ -143,6 +144,20 @@ TEST_F(Position2dDevice, velocities_goals_and_car_commands_reach_the_robot) {
   EXPECT_EQ(positions.goal[0].xy(), (geom::Vec2{4, 5}));
   command(p2d::kCmdCar, p2d::CmdCar{0.7, 0.1});
   EXPECT_EQ(positions.command[0], (geom::Twist{0.7, 0, 0, 0.1}));
+  command(p2d::kCmdVelHead, p2d::CmdVelHead{0.4, 1.5});
+  EXPECT_EQ(positions.mode[0], world::ControlMode::kHeading);
+  EXPECT_EQ(positions.command[0], (geom::Twist{0.4, 0, 0, 1.5}));
+}
+
+TEST_F(Position2dDevice, refuses_commands_that_are_no_numbers) {
+  open(p2d::kCode, "r0");
+  command(p2d::kCmdVel, p2d::CmdVel{{0.3, 0, 0}, 1});
+  for (const double nothing : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+    const std::vector<std::byte> body = wire::encode(p2d::CmdVel{{nothing, 0, 0}, 1});
+    EXPECT_FALSE(driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), p2d::kCmdVel, body}));
+  }
+  still_.run(1);
+  EXPECT_EQ(still_.world().positions.command[0].x, 0.3);
 }
 
 TEST_F(Position2dDevice,
@@ -372,6 +387,20 @@ TEST_F(SimulationInterface, properties_are_colour_time_name_and_model) {
   EXPECT_FALSE(
       ask_with(sim::kReqGetProperty, sim::PropertyReq{wire::c_string("r0"), wire::c_string("weight"), 0, ""})
           .ack);
+}
+
+TEST_F(SimulationInterface, reset_puts_everything_back_to_the_start) {
+  open(sim::kCode, "");
+  const world::ModelRow robot = still_.world().find("r0");
+  const geom::Pose start = still_.world().models.X_WM[robot.index];
+  EXPECT_TRUE(
+      ask_with(sim::kReqSetPose2d, sim::Pose2dReq{wire::c_string("r0"), wire::Pose2d{-6, -5, 0.5}}).ack);
+  still_.run(3);
+  EXPECT_TRUE(driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), sim::kCmdReset, {}}));
+  still_.run(1);
+  EXPECT_EQ(still_.world().models.X_WM[robot.index], start);
+  EXPECT_EQ(still_.world().tick(), 4u) << "clients want times that grow";
+  EXPECT_FALSE(driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), sim::kCmdSave, {}}));
 }
 
 TEST_F(SimulationInterface, pause_pauses_and_resumes) {

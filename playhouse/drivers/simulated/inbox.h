@@ -18,11 +18,12 @@ namespace playhouse::drivers {
 
 /// What a robot's wheels are told. A newer one replaces an older one that the tick has not taken yet.
 struct PositionCommand {
-  enum class Kind : std::uint8_t { kVelocity, kGoal };
+  enum class Kind : std::uint8_t { kVelocity, kGoal, kHeading };
   world::PositionRow robot;
   Kind kind = Kind::kVelocity;
-  std::array<double, 3>
-      value{};  // kVelocity: x, y [m/s], heading [rad/s]; kGoal: x, y [m], heading [rad] in X_OM's frame
+  /// kVelocity: x, y [m/s], turn [rad/s]; kGoal: x, y [m], heading [rad] in X_OM's frame; kHeading: speed
+  /// [m/s], nothing, heading [rad] in X_OM's frame. Finite.
+  std::array<double, 3> value{};
 };
 
 using Change = std::function<void(world::World&)>;

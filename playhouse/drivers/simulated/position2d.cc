@@ -1,5 +1,8 @@
 #include "playhouse/drivers/simulated/position2d.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "playhouse/base/log.h"
 #include "playhouse/drivers/simulated/shapes.h"
 #include "playhouse/wire/generated/position2d.h"
@@ -19,31 +22,43 @@ Position2d::Position2d(Simulation& simulation, world::ModelRow model)
 
 std::span<const Served> Position2d::served() const {
   static constexpr Served kServed[] = {
-      {MessageType::kCmd, p2d::kCmdVel},        {MessageType::kCmd, p2d::kCmdPos},
-      {MessageType::kCmd, p2d::kCmdCar},        {MessageType::kReq, p2d::kReqGetGeom},
-      {MessageType::kReq, p2d::kReqMotorPower}, {MessageType::kReq, p2d::kReqPositionMode},
-      {MessageType::kReq, p2d::kReqSetOdom},    {MessageType::kReq, p2d::kReqResetOdom},
+      {MessageType::kCmd, p2d::kCmdVel},          {MessageType::kCmd, p2d::kCmdPos},
+      {MessageType::kCmd, p2d::kCmdCar},          {MessageType::kCmd, p2d::kCmdVelHead},
+      {MessageType::kReq, p2d::kReqGetGeom},      {MessageType::kReq, p2d::kReqMotorPower},
+      {MessageType::kReq, p2d::kReqPositionMode}, {MessageType::kReq, p2d::kReqSetOdom},
+      {MessageType::kReq, p2d::kReqResetOdom},
   };
   return kServed;
 }
 
-void Position2d::command(const device::Message& message) {
-  PositionCommand command{.robot = robot_};
-  if (message.subtype == p2d::kCmdVel) {
-    const auto value = wire::decode<p2d::CmdVel>(message.body);
-    if (!value) return;
-    command.value = {value->vel.px, value->vel.py, value->vel.pa};
-  } else if (message.subtype == p2d::kCmdPos) {
-    const auto value = wire::decode<p2d::CmdPos>(message.body);
-    if (!value) return;
-    command.kind = PositionCommand::Kind::kGoal;
-    command.value = {value->pos.px, value->pos.py, value->pos.pa};
-  } else {
-    const auto value = wire::decode<p2d::CmdCar>(message.body);
-    if (!value) return;
-    command.value = {value->velocity, 0, value->angle};
+bool Position2d::command(const device::Message& message) {
+  const std::optional<PositionCommand> command = meaning(message);
+  if (!command || !std::ranges::all_of(command->value, [](double part) { return std::isfinite(part); }))
+    return false;
+  simulation().command(*command);
+  return true;
+}
+
+std::optional<PositionCommand> Position2d::meaning(const device::Message& message) const {
+  using Kind = PositionCommand::Kind;
+  switch (message.subtype) {
+    case p2d::kCmdVel:
+      if (const auto value = wire::decode<p2d::CmdVel>(message.body))
+        return PositionCommand{robot_, Kind::kVelocity, {value->vel.px, value->vel.py, value->vel.pa}};
+      return std::nullopt;
+    case p2d::kCmdPos:
+      if (const auto value = wire::decode<p2d::CmdPos>(message.body))
+        return PositionCommand{robot_, Kind::kGoal, {value->pos.px, value->pos.py, value->pos.pa}};
+      return std::nullopt;
+    case p2d::kCmdCar:
+      if (const auto value = wire::decode<p2d::CmdCar>(message.body))
+        return PositionCommand{robot_, Kind::kVelocity, {value->velocity, 0, value->angle}};
+      return std::nullopt;
+    default:  // VEL_HEAD
+      if (const auto value = wire::decode<p2d::CmdVelHead>(message.body))
+        return PositionCommand{robot_, Kind::kHeading, {value->velocity, 0, value->angle}};
+      return std::nullopt;
   }
-  simulation().command(command);
 }
 
 void Position2d::request(const device::Message& message, device::Replier replier) {

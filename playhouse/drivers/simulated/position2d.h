@@ -13,12 +13,13 @@ class Position2d final : public SimulatedDevice {
 
   world::PositionRow robot() const override { return robot_; }
   std::span<const Served> served() const override;
-  void command(const device::Message& message) override;
+  bool command(const device::Message& message) override;
   void request(const device::Message& message, device::Replier replier) override;
   void emit(const world::World& world, std::vector<device::Publication>& out) override;
   void closed(world::World& world) override;
 
  private:
+  std::optional<PositionCommand> meaning(const device::Message& message) const;
   void set_odometry(const geom::Pose& X_OM, device::Replier replier);
 
   world::PositionRow robot_;

@@ -42,7 +42,8 @@ class SimulatedDevice : public Source {
 
   // Io thread. Only messages of served() arrive.
   virtual std::span<const Served> served() const = 0;
-  virtual void command(const device::Message& message) { static_cast<void>(message); }
+  /// False: it can't be carried out.
+  virtual bool command(const device::Message& message) { return static_cast<void>(message), false; }
   virtual void request(const device::Message& message, device::Replier replier) = 0;
 
   void emit(const world::World& world, std::vector<device::Publication>& out) override {

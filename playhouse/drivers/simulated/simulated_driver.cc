@@ -40,8 +40,7 @@ void SimulatedDriver::stop(device::DeviceId id) {
 
 bool SimulatedDriver::command(const device::Message& message) {
   if (!capable(message.device, message.type, message.subtype)) return false;
-  at(message.device).command(message);
-  return true;
+  return at(message.device).command(message);
 }
 
 void SimulatedDriver::request(const device::Message& message, device::Replier replier) {

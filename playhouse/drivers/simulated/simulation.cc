@@ -43,6 +43,9 @@ void apply(world::World& world, const PositionCommand& command) {
     case PositionCommand::Kind::kGoal:
       world::command_position(world, command.robot, {x, y, 0, a});
       return;
+    case PositionCommand::Kind::kHeading:
+      world::command_heading(world, command.robot, x, a);
+      return;
   }
 }
 

@@ -39,21 +39,23 @@ bool SimulationDevice::move(world::World& world, const std::string& name, geom::
 
 std::span<const Served> SimulationDevice::served() const {
   static constexpr Served kServed[] = {
-      {MessageType::kCmd, sim::kCmdPause},       {MessageType::kReq, sim::kReqGetPose2d},
-      {MessageType::kReq, sim::kReqSetPose2d},   {MessageType::kReq, sim::kReqGetPose3d},
-      {MessageType::kReq, sim::kReqSetPose3d},   {MessageType::kReq, sim::kReqGetProperty},
-      {MessageType::kReq, sim::kReqSetProperty},
+      {MessageType::kCmd, sim::kCmdPause},       {MessageType::kCmd, sim::kCmdReset},
+      {MessageType::kReq, sim::kReqGetPose2d},   {MessageType::kReq, sim::kReqSetPose2d},
+      {MessageType::kReq, sim::kReqGetPose3d},   {MessageType::kReq, sim::kReqSetPose3d},
+      {MessageType::kReq, sim::kReqGetProperty}, {MessageType::kReq, sim::kReqSetProperty},
   };
   return kServed;
 }
 
-/// The one served command, PAUSE, has no payload: it pauses a running world and resumes a paused one.
-void SimulationDevice::command(const device::Message&) {
+/// PAUSE has no payload: it pauses a running world and resumes a paused one.
+bool SimulationDevice::command(const device::Message& message) {
+  if (message.subtype == sim::kCmdReset) return simulation().post(world::return_to_start);
   if (simulation().pace().paused) {
     simulation().resume();
   } else {
     simulation().pause();
   }
+  return true;
 }
 
 void SimulationDevice::request(const device::Message& message, device::Replier replier) {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The whole world as interface simulation: poses and properties of models by name, and pausing
+/// The whole world as interface simulation: poses and properties of models by name, pausing and starting over
 /// (docs/drivers.md).
 
 #include <functional>
@@ -17,7 +17,7 @@ class SimulationDevice final : public SimulatedDevice {
   explicit SimulationDevice(Simulation& simulation) : SimulatedDevice(simulation, {}) {}
 
   std::span<const Served> served() const override;
-  void command(const device::Message& message) override;
+  bool command(const device::Message& message) override;
   void request(const device::Message& message, device::Replier replier) override;
 
  private:
