@@ -185,6 +185,37 @@ TEST(Snapshot, captures_sensors_only_of_robots_in_view_or_selected) {
   EXPECT_EQ(snapshot.scans[3].sensor, 6u);
 }
 
+TEST(Snapshot, holds_no_more_beams_than_the_limit_and_those_of_selected_robots_first) {
+  constexpr std::uint32_t kBeams = 60000;
+  constexpr std::uint32_t kScanners = 6;  // 4 fit
+  scene::SceneDesc scene;
+  for (std::uint32_t k = 0; k < kScanners; ++k) {
+    scene::ModelDesc& model = scene.models.emplace_back();
+    model.name = model.alias = "s" + std::to_string(k);
+    model.kind = scene::ModelKind::kRanger;
+    model.alwayson = true;
+    model.sensors.resize(1);
+    model.sensors[0].samples = kBeams;
+  }
+  world::World world(scene, 1);
+  world.rangers.measured_tick.assign(kScanners, 1);
+  const Layout layout(world);
+  Snapshot snapshot;
+  Interest interest;
+  interest.view = {-1, -1, 1, 1};
+  capture(world, {}, layout, interest, snapshot);
+  EXPECT_EQ(snapshot.scans.size(), 4u);
+  EXPECT_TRUE(snapshot.beams_full);
+  interest.selected = {5};
+  capture(world, {}, layout, interest, snapshot);
+  ASSERT_EQ(snapshot.scans.size(), 4u);
+  EXPECT_EQ(snapshot.scans.back().sensor, 5u);
+  interest.selected = {0, 1, 2, 3, 4, 5};
+  capture(world, {}, layout, interest, snapshot);
+  EXPECT_LE(snapshot.beams.size(), limits::kSnapshotBeams);
+  EXPECT_TRUE(snapshot.beams_full);
+}
+
 TEST(Quantization, keeps_millimetres_and_turns_and_survives_what_is_no_number) {
   EXPECT_EQ(quantize(1.2344, 1000), 1234);
   EXPECT_EQ(quantize(-1.2346, 1000), -1235);

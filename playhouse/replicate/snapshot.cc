@@ -36,19 +36,19 @@ class Capture {
     out_.beams.clear();
     out_.beams_full = false;
     if (nothing_to_sense()) return;
-    std::size_t room = limits::kSnapshotBeams;
-    room -= std::min(room, selected_beams());  // kept for the selected robots
+    std::size_t room_of_selected = std::min(limits::kSnapshotBeams, selected_beams());
+    std::size_t room_of_others = limits::kSnapshotBeams - room_of_selected;
     for (std::uint32_t row = 0; row < layout_.sensors.size(); ++row) {
       const SensorLayout& sensor = layout_.sensors[row];
       if (!runs(sensor.model) || world_.rangers.measured_tick[sensor.ranger] == 0) continue;
-      if (!selected(sensor.model)) {
-        if (!in_view(sensor.model)) continue;
-        if (sensor.beam_count > room) {
-          out_.beams_full = true;
-          continue;
-        }
-        room -= sensor.beam_count;
+      const bool is_selected = selected(sensor.model);
+      if (!is_selected && !in_view(sensor.model)) continue;
+      std::size_t& room = is_selected ? room_of_selected : room_of_others;
+      if (sensor.beam_count > room) {
+        out_.beams_full = true;
+        continue;
       }
+      room -= sensor.beam_count;
       copy_scan(row, sensor);
     }
   }
