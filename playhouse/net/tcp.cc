@@ -40,7 +40,8 @@ class TcpStream : public std::enable_shared_from_this<TcpStream> {
     if (writing_.empty()) write_queued();
   }
 
-  void pause() { paused_ = true; }
+  // A peer that is lost is read to its end: nothing that goes out could ever end the pause.
+  void pause() { paused_ = !write_failed_; }
 
   void resume() {
     if (!std::exchange(paused_, false)) return;
