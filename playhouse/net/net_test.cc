@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <netinet/in.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -7,6 +8,7 @@
 #include <cstring>
 #include <thread>
 
+#include "playhouse/base/log.h"
 #include "playhouse/net/io_loop.h"
 #include "playhouse/net/simulated.h"
 
@@ -198,6 +200,47 @@ TEST(Tcp, delivers_what_was_sent_before_a_reset_even_when_writing_fails_first) {
     return !log.end.empty();
   }));
   EXPECT_EQ(log.bytes, "stop the robot");
+}
+
+TEST(Tcp, reads_a_lost_peer_to_its_end_although_its_owner_pauses) {
+  IoLoop loop;
+  Log log;
+  auto listener = loop.listen("127.0.0.1", 0, into(log));
+  Client client((*listener)->port());
+  ASSERT_TRUE(serve_until(loop, [&] { return log.connection != nullptr; }));
+  log.on_received = [&] { log.connection->pause(); };
+  client.send(std::string(200000, 'x'));
+  client.reset();
+  log.connection->send(std::vector{shared("data nobody reads")});
+  EXPECT_TRUE(serve_until(loop, [&] { return !log.end.empty(); }));
+}
+
+TEST(Tcp, goes_on_accepting_once_there_are_descriptors_again) {
+  IoLoop loop;
+  Log log;
+  auto listener = loop.listen("127.0.0.1", 0, into(log));
+  Client first((*listener)->port());
+  ASSERT_TRUE(serve_until(loop, [&] { return log.connection != nullptr; }));
+
+  // The sanitizer wants a pipe the first time it looks at the parts of a logger.
+  log::warn("port {}: the next line is due: {}", (*listener)->port(), std::string("no descriptors"));
+  rlimit normal{};
+  ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &normal), 0);
+  const int unused = socket(AF_INET, SOCK_STREAM, 0);  // the lowest descriptor that is free
+  close(unused);
+  const rlimit none_left{static_cast<rlim_t>(unused) + 1, normal.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &none_left), 0);
+  Client second((*listener)->port());  // takes the last one
+  EXPECT_TRUE(second.connected) << "in the backlog";
+  first.send("still served");
+  EXPECT_TRUE(serve_until(loop, [&] { return log.bytes == "still served"; }));
+  const std::unique_ptr<Connection> old = std::move(log.connection);
+  second.send("patient");
+  for (int i = 0; i < 50; ++i) loop.poll();
+  EXPECT_EQ(log.connection, nullptr);
+
+  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &normal), 0);
+  EXPECT_TRUE(serve_until(loop, [&] { return log.bytes == "still servedpatient"; }));
 }
 
 TEST(Tcp, keeps_what_a_stalled_peer_does_not_read_in_flight) {

@@ -156,13 +156,12 @@ class WebServer::Impl final : public net::HttpService,
       return Error{"", "pages from " + request.origin + " may not control this program"};
     }
     if (viewers_.size() < limits::kViewers) return {};
-    if (status_.viewers_refused++ == 0) {
-      log::warn("web: {} refused: {} viewers is the limit (told once)", request.peer, limits::kViewers);
-    }
-    return Error{"", "there are as many viewers as this program serves"};
+    return too_many(request.peer);
   }
 
   void upgraded(std::unique_ptr<net::WebSocket> socket, const net::HttpRequest&) override {
+    // Of many handshakes at once, others may have taken the last places meanwhile.
+    if (viewers_.size() >= limits::kViewers) return socket->close(too_many(socket->peer()).text);
     viewers_.push_back(std::make_unique<WebViewer>(std::move(socket), layout_, *this));
     log::info("web: {} watches ({} now)", viewers_.back()->peer(), viewers_.size());
     watched_ = viewers_.size();
@@ -184,6 +183,12 @@ class WebServer::Impl final : public net::HttpService,
       interest_changed();
     }
     return {};
+  }
+
+  Error too_many(const std::string& peer) {
+    if (status_.viewers_refused++ == 0)
+      log::warn("web: {} refused: {} viewers is the limit (told once)", peer, limits::kViewers);
+    return {"", "there are as many viewers as this program serves"};
   }
 
   Result<void> move(const replicate::Drag& drag) {

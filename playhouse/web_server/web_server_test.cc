@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <functional>
+#include <future>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -104,10 +105,16 @@ class Client {
   }
 
   bool upgrade(const std::string& more = "") {
+    ask_to_upgrade(more);
+    return upgraded();
+  }
+  void ask_to_upgrade(const std::string& more = "") {
     send(
         "GET /live HTTP/1.1\r\nHost: 127.0.0.1\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
         "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n" +
         more + "\r\n");
+  }
+  bool upgraded() {
     if (!read_until([](const std::string& text) { return text.find("\r\n\r\n") != std::string::npos; }))
       return false;
     const bool switched = in.starts_with("HTTP/1.1 101");
@@ -326,6 +333,34 @@ TEST_F(WebServerTest, pages_of_other_sites_are_refused) {
       "Connection: Upgrade\r\nSec-WebSocket-Version: 13\r\nSec-WebSocket-Key: "
       "dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n");
   EXPECT_TRUE(answer.starts_with("HTTP/1.1 403")) << answer;
+}
+
+TEST_F(WebServerTest, a_viewer_over_the_limit_is_refused_until_another_leaves) {
+  std::vector<std::unique_ptr<Client>> viewers;
+  for (std::size_t k = 0; k < limits::kViewers; ++k) {
+    viewers.push_back(std::make_unique<Client>(port_));
+    ASSERT_TRUE(viewers.back()->upgrade());
+  }
+  Client late(port_);
+  EXPECT_FALSE(late.upgrade());
+  EXPECT_TRUE(late.ended() || late.in.find("as many viewers") != std::string::npos);
+  viewers.pop_back();
+  EXPECT_TRUE(turn_until([this] { return Client(port_).upgrade(); }));
+}
+
+TEST_F(WebServerTest, viewers_who_come_all_at_once_are_no_more_than_the_limit) {
+  constexpr std::size_t kCrowd = limits::kViewers + 20;
+  std::promise<void> all_have_asked;
+  loop_.post([asked = all_have_asked.get_future().share()] { asked.wait(); });
+  std::vector<std::unique_ptr<Client>> crowd;
+  for (std::size_t k = 0; k < kCrowd; ++k) {
+    crowd.push_back(std::make_unique<Client>(port_));
+    crowd.back()->ask_to_upgrade();
+  }
+  all_have_asked.set_value();
+  std::size_t watching = 0;
+  for (const auto& viewer : crowd) watching += viewer->upgraded() && viewer->message()[0] == 1;
+  EXPECT_EQ(watching, limits::kViewers);
 }
 
 TEST_F(WebServerTest, a_viewer_that_does_not_acknowledge_gets_four_packets_and_others_go_on) {
