@@ -9,6 +9,7 @@
 #include "playhouse/server/test_client.h"
 #include "playhouse/wire/generated/laser.h"
 #include "playhouse/wire/generated/position2d.h"
+#include "playhouse/wire/messages.h"
 
 namespace playhouse::server {
 namespace {
@@ -215,6 +216,53 @@ TEST_F(ServerTest, answers_nack_to_every_request_that_cannot_be_served) {
   EXPECT_TRUE(nack(player_request(wire::player::kReqNameservice, Bytes(12), 5)));
   EXPECT_TRUE(nack(player_request(wire::player::kReqDev, Bytes(3), 5)));
   EXPECT_TRUE(nack(message(wire::MessageType::kCmd, wire::player::kCode, 0, 3, {}, 5)));
+  EXPECT_EQ(server.status().sessions, 1u);
+}
+
+/// Bytes of the shortest body that decodes: zeros, so every array is empty.
+std::size_t shortest_body(const wire::MessageDef& def) {
+  std::size_t size = 4;
+  while (!def.check(Bytes(size)).empty()) size += 4;
+  return size;
+}
+
+TEST_F(ServerTest, lets_no_body_of_a_wrong_size_through_to_any_driver_of_any_interface) {
+  constexpr std::uint16_t kIndex = 9;
+  FakeDriver driver;
+  TestClient client(network, kPort);
+  std::size_t messages = 0;
+  // What the driver got and what the client heard, for a body of zeros or of ones.
+  const auto send = [&](const wire::MessageDef& def, std::uint16_t interf, const Bytes& body) {
+    const std::size_t before = driver.commands.size() + static_cast<std::size_t>(driver.requests);
+    const auto replies = client.ask(message(def.type, interf, kIndex, def.subtype, body, 5));
+    if (def.type == wire::MessageType::kReq) {
+      EXPECT_EQ(outline(replies), "NACK " + std::to_string(def.subtype)) << def.name << " " << body.size();
+    } else {
+      EXPECT_TRUE(replies.empty()) << def.name << " " << body.size();
+    }
+    return driver.commands.size() + static_cast<std::size_t>(driver.requests) > before;
+  };
+  for (const wire::InterfaceDef& interf : wire::interfaces()) {
+    if (interf.code == wire::player::kCode) continue;
+    ASSERT_TRUE(server.add_device({kPort, interf.code, kIndex}, driver));
+    for (const wire::MessageDef& def : interf.messages) {
+      if (!def.has_payload || def.type == wire::MessageType::kData) continue;
+      ++messages;
+      const std::size_t size = shortest_body(def);
+      EXPECT_EQ(send(def, interf.code, {}), def.type == wire::MessageType::kReq) << def.name;
+      for (const std::size_t wrong : {std::size_t{1}, std::max(size - 4, std::size_t{2}), size - 1})
+        EXPECT_FALSE(send(def, interf.code, Bytes(wrong))) << def.name << " " << wrong;
+      EXPECT_TRUE(send(def, interf.code, Bytes(size))) << def.name;
+      EXPECT_TRUE(send(def, interf.code, Bytes(size + 5))) << def.name;
+      const Bytes ones(size + 8, std::byte{0xff});  // every count is 4294967295
+      EXPECT_EQ(send(def, interf.code, ones), def.check(ones).empty()) << def.name;
+    }
+    for (const wire::MessageType type : {wire::MessageType::kData, wire::MessageType::kAck,
+                                         wire::MessageType::kNack, wire::MessageType::kSynch}) {
+      EXPECT_TRUE(client.ask(message(type, interf.code, kIndex, 1, Bytes(100))).empty());
+    }
+  }
+  EXPECT_GT(messages, 100u);
   EXPECT_EQ(server.status().sessions, 1u);
 }
 

@@ -1,8 +1,10 @@
 """Sessions recorded between original Player clients and the original server, played against this one: every request
 must get an answer of the recorded type, subtype and size. What we do better on purpose is listed in IMPROVED."""
 
+import random
 import struct
 import sys
+import time
 import unittest
 from pathlib import Path
 
@@ -40,6 +42,9 @@ class RecordedSessions(unittest.TestCase):
         cls.addClassCleanup(cls.house.__exit__)
         cls.port = cls.house.port()
 
+    def say(self, client: Client, raw: bytes):
+        client.socket.sendall(raw)
+
     def play(self, name: str):
         """Sends the client's half message by message; gives back what was recorded and what came."""
         ours: list[Message] = []
@@ -47,7 +52,7 @@ class RecordedSessions(unittest.TestCase):
             recorded = (CAPTURES / f"{name}.s2c").read_bytes()
             self.assertEqual(len(client.banner), 32)
             for message, raw in messages((CAPTURES / f"{name}.c2s").read_bytes()):
-                client.socket.sendall(raw)
+                self.say(client, raw)
                 if message.type != REQ:
                     continue
                 self.read_answer(client, message, ours)
@@ -75,6 +80,22 @@ class RecordedSessions(unittest.TestCase):
             if improved and theirs[3:] == improved[0] and mine[3:] in improved[:2]:
                 theirs = mine
             self.assertEqual(theirs, mine, f"answer {number} of {name}")
+
+
+class RecordedSessionsInCrumbs(RecordedSessions):
+    """The same over a line that delivers a few bytes at a time, and at odd times."""
+
+    def setUp(self):
+        self.draw = random.Random(self.id())
+
+    def say(self, client: Client, raw: bytes):
+        at = 0
+        while at < len(raw):
+            size = self.draw.choice([1, 1, 1, 2, 3, 7, 40, 41])
+            client.socket.sendall(raw[at:at + size])
+            at += size
+            if self.draw.random() < 0.1:
+                time.sleep(self.draw.uniform(0, 0.004))
 
 
 def add_test(path: Path):
