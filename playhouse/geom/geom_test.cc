@@ -35,6 +35,17 @@ RC_GTEST_PROP(Trig, normalize_keeps_the_direction, ()) {
   RC_ASSERT(std::fabs(std::cos(turned) - std::cos(angle)) < 1e-9);
 }
 
+TEST(Trig, normalize_ends_in_range_for_every_number) {
+  for (const double angle : {1e6, 4e9, 1e18, 1e300, 1.7e308}) {
+    for (const double turned : {normalize(angle), normalize(-angle)}) {
+      EXPECT_GT(turned, -kPi) << angle;
+      EXPECT_LE(turned, kPi) << angle;
+    }
+  }
+  EXPECT_NEAR(normalize(1e6) - normalize(999999.5), 0.5, 1e-9) << "across the seam";
+  EXPECT_TRUE(std::isnan(normalize(std::nan(""))));
+}
+
 TEST(Pose, compose_with_the_inverse_is_the_identity) {
   const Pose X_AB{1.5, -2.0, 0.3, 2.4};
   const Pose X_AA = compose(X_AB, inverse(X_AB));

@@ -81,7 +81,10 @@ double atan2(double y, double x) {
 
 double normalize(double angle) {
   if (angle > -kPi && angle <= kPi) return angle;
-  const double turned = angle - kTwoPi * std::floor((angle + kPi) / kTwoPi);
+  // A client may say any number; of many turns the product below is no longer near the angle.
+  constexpr double kManyTurns = 1e6;
+  const double turned = std::fabs(angle) < kManyTurns ? angle - kTwoPi * std::floor((angle + kPi) / kTwoPi)
+                                                      : std::remainder(angle, kTwoPi);
   return turned <= -kPi ? turned + kTwoPi : turned;
 }
 
