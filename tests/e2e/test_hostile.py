@@ -1,0 +1,184 @@
+"""Clients that stall, flood, vanish or talk nonsense, against a running world. The program must go on serving the
+others, answer every request once, and end cleanly: the sanitizers of the dev build look for the rest."""
+
+import random
+import signal
+import socket
+import struct
+import time
+import unittest
+
+from house import (ACK, CMD, DATA, LASER, NACK, PATIENCE, PLAYER, POSITION2D, RANGER, REQ, SIMULATION, SONAR, Client,
+                   HouseTest, frame, text)
+
+DEVICES = [(SIMULATION, 0), (POSITION2D, 0), (RANGER, 0), (LASER, 0), (RANGER, 1), (SONAR, 0), (POSITION2D, 1)]
+GET_GEOM = frame(POSITION2D, 0, REQ, 1)
+
+
+def open_frame(interf, index, access=1) -> bytes:
+    return frame(PLAYER, 0, REQ, 3, struct.pack(">IIIIIII", 0, 0, interf, index, access, 0, 0))
+
+
+def velocity_of(state) -> float:
+    return struct.unpack(">d", state.body[24:32])[0]
+
+
+def reset(client: Client):
+    """Closes so that the server sees a reset."""
+    client.socket.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
+    client.close()
+
+
+class Hostile(HouseTest):
+    def setUp(self):
+        super().setUp()
+        self.house = self.enterContext(self.run_house())
+        self.port = self.house.port()
+        self.witness = self.client()
+        self.witness.open(POSITION2D, 0)
+
+    def tearDown(self):
+        self.assert_served()
+        self.assertEqual(self.house.end(), 128 + signal.SIGTERM, self.house.log())
+
+    def client(self) -> Client:
+        client = Client(self.port)
+        self.addCleanup(client.close)
+        return client
+
+    def assert_served(self):
+        self.witness.data.clear()
+        self.assertEqual(self.witness.request(POSITION2D, 0, 1).type, ACK)
+        self.witness.next_data(POSITION2D, 0)
+
+    def test_half_a_header_may_take_its_time(self):
+        slow = self.client()
+        slow.socket.sendall(GET_GEOM[:20])
+        for _ in range(3):
+            self.assert_served()
+        slow.socket.sendall(GET_GEOM[20:])
+        self.assertEqual(slow.receive().type, ACK)
+
+    def test_an_announced_body_that_never_comes_holds_up_nobody(self):
+        slow = self.client()
+        slow.socket.sendall(frame(POSITION2D, 0, CMD, 1, bytes(28))[:-1])
+        self.assert_served()
+        slow.close()
+
+    def test_a_client_that_asks_without_reading_holds_up_itself(self):
+        flooder = self.client()
+        flooder.socket.setblocking(False)
+        flood, sent, end = GET_GEOM * 1000, 0, time.monotonic() + 1
+        while time.monotonic() < end:
+            try:
+                sent += flooder.socket.send(flood[sent % 40:])      # goes on where the last one was cut
+            except BlockingIOError:
+                self.assert_served()
+        self.assertGreater(sent, 40 * 1024, "more than the server is willing to owe")
+        flooder.socket.settimeout(PATIENCE)
+        for _ in range(sent // 40):
+            self.assertEqual(flooder.receive().type, ACK)
+        if sent % 40:
+            flooder.socket.sendall(GET_GEOM[sent % 40:])
+            self.assertEqual(flooder.receive().type, ACK)
+
+    def test_a_flooder_that_vanishes_leaves_nothing_behind(self):
+        flooder = self.client()
+        flooder.socket.settimeout(0.5)
+        try:
+            while True:
+                flooder.socket.sendall((GET_GEOM + frame(PLAYER, 0, REQ, 1)) * 1000)
+        except TimeoutError:
+            reset(flooder)
+        self.assert_served()
+
+    def test_who_shuts_down_its_sending_half_gets_its_answers_and_then_the_end(self):
+        for _ in range(20):
+            with Client(self.port) as client:
+                client.send(SIMULATION, 0, REQ, 1, text("r0") + bytes(24))      # answered by the tick
+                client.socket.shutdown(socket.SHUT_WR)
+                answer = client.receive()
+                self.assertEqual((answer.type, answer.subtype), (ACK, 1))
+                self.assertRaises(ConnectionError, client.receive)
+
+    def test_a_command_counts_although_its_client_goes_at_once(self):
+        for number, go in enumerate([Client.close, reset] * 5):
+            speed = 0.05 + number / 100
+            client = Client(self.port)
+            client.drive(0, speed)
+            go(client)
+            while abs(velocity_of(self.witness.next_data(POSITION2D, 0)) - speed) > 1e-9:
+                pass
+
+    def test_requests_and_commands_need_no_open(self):
+        client = self.client()
+        for interf, index in DEVICES[1:]:
+            self.assertEqual(client.request(interf, index, 1).type, ACK, interf)
+        client.drive(0, 0.25)
+        while velocity_of(self.witness.next_data(POSITION2D, 0)) != 0.25:
+            pass
+        self.assertEqual(client.data, [])
+
+    def test_two_hundred_clients_come_and_go_at_random(self):
+        draw = random.Random(1)
+        clients = []
+        for _ in range(700):
+            clients.append(self.visitor(draw))
+            while len(clients) > draw.randint(150, 220):
+                self.leave(draw, clients.pop(draw.randrange(len(clients))))
+        self.assert_served()
+        for client in clients:
+            self.leave(draw, client)
+        self.assertEqual(len(self.client().devices()), 11)
+
+    def visitor(self, draw) -> Client:
+        client = Client(self.port)
+        said = b"".join(open_frame(*draw.choice(DEVICES), draw.choice([1, ord("r"), ord("w"), 2]))
+                        for _ in range(draw.randint(0, 4)))
+        if draw.random() < 0.5:
+            said += frame(PLAYER, 0, REQ, 5, struct.pack(">I", 2)) + frame(PLAYER, 0, REQ, 4)
+        said += frame(POSITION2D, 1, CMD, 1, struct.pack(">dddI", draw.uniform(-1, 1), 0, draw.uniform(-1, 1), 1))
+        said += frame(SIMULATION, 0, REQ, 3, text("r1") + bytes(56))
+        client.socket.sendall(said[:draw.choice([len(said), draw.randint(0, len(said))])])
+        return client
+
+    def leave(self, draw, client: Client):
+        draw.choice([Client.close, reset, lambda c: c.socket.shutdown(socket.SHUT_WR)])(client)
+        client.close()
+
+    def test_numbers_beyond_all_measure_are_no_end_of_the_world(self):
+        client = self.client()
+        for interf, index in DEVICES:
+            client.open(interf, index)
+        for number in (4e9, 1e18, 1e300, -1.7e308, float("inf"), float("nan")):
+            three = struct.pack(">ddd", number, -number, number)
+            self.assertIn(client.request(SIMULATION, 0, 2, text("r0") + three).type, (ACK, NACK))
+            self.assertIn(client.request(SIMULATION, 0, 4, text("r1") + three * 2 + bytes(8)).type, (ACK, NACK))
+            self.assertIn(client.request(POSITION2D, 1, 5, three).type, (ACK, NACK))     # SET_ODOM
+            for subtype, body in ((1, three + bytes(4)), (2, three * 2 + bytes(4)), (3, three[:16]), (4, three[:16])):
+                client.send(POSITION2D, 0, CMD, subtype, body)
+                client.send(POSITION2D, 1, CMD, subtype, body)
+                self.witness.next_data(POSITION2D, 0)
+        client.send(SIMULATION, 0, CMD, 2)                                               # RESET
+        self.assertEqual(client.pose("r0"), (0, 0, 0))
+
+    def test_nonsense_of_every_kind_is_answered_once_if_it_asks_and_never_otherwise(self):
+        draw = random.Random(2)
+        client = self.client()
+        for interf, index in DEVICES:
+            for subtype in [*range(0, 12), *range(246, 256)]:
+                for kind in (REQ, CMD, DATA, 0, 5, 7):
+                    if (interf, kind, subtype) == (SIMULATION, CMD, 1):
+                        continue                                                         # PAUSE, a sensible word
+                    size = draw.choice([0, 1, 4, 8, 23, 24, 28, 40, 200])
+                    body = draw.choice([bytes(size), b"\xff" * size, draw.randbytes(size)])
+                    client.send(interf, index, kind, subtype, body)
+        client.send(SIMULATION, 0, REQ, 1, text("r0") + bytes(24), seq=99)                # behind all the others
+        answers = []
+        while not answers or answers[-1].seq != 99:
+            answers.append(client.receive())
+        self.assertEqual(len([a for a in answers if a.type in (ACK, NACK)]), len(DEVICES) * 22 + 1)
+
+
+if __name__ == "__main__":
+    unittest.main()
