@@ -1,6 +1,8 @@
 #include "playhouse/geom/trig.h"
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 namespace playhouse::geom {
 namespace {
@@ -8,6 +10,12 @@ namespace {
 // pi/2 in two parts: the first has 33 significant bits, so n * kHalfPiHigh is exact for |n| < 2^20.
 constexpr double kHalfPiHigh = 1.57079632673412561417e+00;
 constexpr double kHalfPiLow = 6.07710050650619224932e-11;
+
+/// The whole number next to v, the even one of two; |v| < 2^51.
+double nearest_whole(double v) {
+  constexpr double kWhole = 6755399441055744;  // 1.5 * 2^52: nothing is left behind the point
+  return (v + kWhole) - kWhole;
+}
 
 /// sin on [-pi/4, pi/4]: Taylor to x^17, remainder below 1e-19.
 double sin_small(double x) {
@@ -60,15 +68,15 @@ double atan_unit(double x) {
 }  // namespace
 
 SinCos sincos(double angle) {
-  const double n = std::nearbyint(angle * (2.0 / kPi));
+  const double n = nearest_whole(angle * (2.0 / kPi));
   const double x = (angle - n * kHalfPiHigh) - n * kHalfPiLow;
-  const double s = sin_small(x), c = cos_small(x);
-  switch (static_cast<long long>(n) & 3) {
-    case 0: return {s, c};
-    case 1: return {c, -s};
-    case 2: return {-s, -c};
-    default: return {-c, s};
-  }
+  const double both[2] = {sin_small(x), cos_small(x)};
+  // Without branches: headings lie in any quadrant. sin: s, c, -s, -c; cos: c, -s, -c, s.
+  const auto quadrant = static_cast<std::uint64_t>(static_cast<std::int64_t>(n)) & 3;
+  const auto turned = [&](std::uint64_t which, std::uint64_t negative) {
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(both[which & 1]) ^ (negative & 2) << 62);
+  };
+  return {turned(quadrant, quadrant), turned(quadrant + 1, quadrant + 1)};
 }
 
 double atan2(double y, double x) {
