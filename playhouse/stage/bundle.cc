@@ -1,147 +1,199 @@
-/// Bundles: the single rays of a ranger, looked at together. Walls come first: what they hide need not be
-/// looked at.
+/// Bundles: the single rays of a ranger, looked at together. Bodies come first: they are found by a table, so
+/// the rays that go on to the walls, which is dearer, are short. Those wait for the rays of other rangers.
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
 #include "playhouse/stage/march.h"
+#include "playhouse/stage/polygon_hit.h"
 #include "playhouse/stage/sense_ranger.h"
 #include "playhouse/stage/vectors.h"
 
 namespace playhouse::stage {
 namespace {
 
-/// The rays of a bundle in W, as they get shorter.
-struct Rays {
-  double px[Bundle::kRays], py[Bundle::kRays], dx[Bundle::kRays], dy[Bundle::kRays];
-  double range[Bundle::kRays], intensity[Bundle::kRays];
-
-  Vec2 p(std::size_t k) const { return {px[k], py[k]}; }
-  Vec2 d(std::size_t k) const { return {dx[k], dy[k]}; }
-};
-
-PLAYHOUSE_VECTORS void put_rays(const Bundle& bundle, Vec2 p_WM, Rotation r, Rays& rays) {
-  const std::size_t count = bundle.rays();
+/// Adds the rays of a bundle.
+PLAYHOUSE_VECTORS void put_rays(const Bundle& bundle, const Pose& X_WM, Rotation r, std::size_t first_beam,
+                                Rays& rays) {
+  const std::size_t count = bundle.rays(), first = rays.count;
   const double *px = bundle.p.x.data(), *py = bundle.p.y.data(), *dx = bundle.d.x.data(),
                *dy = bundle.d.y.data();
   for (std::size_t k = 0; k < count; ++k) {
-    rays.px[k] = p_WM.x + (r.c * px[k] - r.s * py[k]);
-    rays.py[k] = p_WM.y + (r.s * px[k] + r.c * py[k]);
-    rays.dx[k] = r.c * dx[k] - r.s * dy[k];
-    rays.dy[k] = r.s * dx[k] + r.c * dy[k];
-    rays.range[k] = bundle.range_max[k];
-    rays.intensity[k] = 0;
+    rays.px[first + k] = X_WM.x + (r.c * px[k] - r.s * py[k]);
+    rays.py[first + k] = X_WM.y + (r.s * px[k] + r.c * py[k]);
+    rays.dx[first + k] = r.c * dx[k] - r.s * dy[k];
+    rays.dy[first + k] = r.s * dx[k] + r.c * dy[k];
+    rays.z[first + k] = X_WM.z + bundle.z[k];
+    rays.range[first + k] = bundle.range_max[k];
+    rays.intensity[first + k] = 0;
+    rays.beam[first + k] = first_beam + bundle.beam[k];
   }
+  rays.count += count;
+  rays.parts[rays.part_count++] = {X_WM.xy(), first, rays.count};
 }
 
-/// Keeps the nearer of what is known and the edge, for all rays.
-PLAYHOUSE_VECTORS void meet_edge(Vec2 a, Vec2 b, double seen, std::size_t count, Rays& rays) {
-  for (std::size_t k = 0; k < count; ++k) {
+/// Keeps the nearer of what is known and the edge, for the rays of a part.
+PLAYHOUSE_VECTORS void meet_edge(Vec2 a, Vec2 b, double seen, const Rays::Part& part, Rays& rays) {
+  for (std::size_t k = part.begin; k < part.end; ++k) {
     const double ax = a.x - rays.px[k], ay = a.y - rays.py[k], bx = b.x - rays.px[k], by = b.y - rays.py[k];
     const double s0 = rays.dx[k] * ay - rays.dy[k] * ax, s1 = rays.dx[k] * by - rays.dy[k] * bx;
     const double t = (ax * by - ay * bx) / (s1 - s0);
-    const bool met = ((s0 <= 0) & (s1 >= 0)) | ((s0 >= 0) & (s1 <= 0));
-    const bool nearer = met & (t >= 0) & (t < rays.range[k]);
+    const bool nearer = (s0 * s1 <= 0) & (t >= 0) & (t < rays.range[k]);
     rays.range[k] = nearer ? t : rays.range[k];
     rays.intensity[k] = nearer ? seen : rays.intensity[k];
   }
 }
 
-/// edge_hit() without branches.
-inline double quick_hit(Vec2 w0, Vec2 w1, Vec2 d) {
-  const double s0 = geom::cross(d, w0), s1 = geom::cross(d, w1);
-  const double t = geom::cross(w0, w1) / (s1 - s0);
-  const bool met = (((s0 <= 0) & (s1 >= 0)) | ((s0 >= 0) & (s1 <= 0))) & (t >= 0);
-  return met ? t : kMiss;
+/// A body that a ray may meet: its circle lies across the way.
+struct Meeting {
+  std::uint32_t place, ray;
+};
+constexpr std::size_t kMeetings = 256;
+
+/// Puts the places of bodies that rays may meet, by where they are in `meets`, into `place`, and which rays
+/// into `rays`; returns how many.
+PLAYHOUSE_VECTORS std::size_t find_bodies(const Bundle& bundle, const DiscIndex& index, Vec2 p_WM, Rotation r,
+                                          double z_low, double z_high, std::uint32_t* __restrict place,
+                                          std::uint16_t* __restrict rays) {
+  const double per_cell = 1.0 / bundle.cell, middle = bundle.half * per_cell + 1;
+  const double c = r.c * per_cell, s = r.s * per_cell, far = bundle.half * bundle.half;
+  const DiscIndex::Places& places = index.places();
+  const double *const from_x = places.x.data(), *const from_y = places.y.data();
+  const double *const z_min = places.z_min.data(), *const z_max = places.z_max.data();
+  const std::uint16_t* const meets = bundle.meets.data();
+  const Four number = {0, 1, 2, 3};
+  std::size_t count = 0;
+  index.runs(p_WM, bundle.reach, [&](std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t i = begin; i < end; i += kFour) {
+      Four x, y, low, high;
+      load(x, from_x + i);
+      load(y, from_y + i);
+      load(low, z_min + i);
+      load(high, z_max + i);
+      x -= p_WM.x;
+      y -= p_WM.y;
+      const auto matters =
+          (x * x + y * y < far) & (low <= z_high) & (high >= z_low) & (number < static_cast<double>(end - i));
+      const Four row = matters ? c * y - s * x + middle : 0, column = matters ? c * x + s * y + middle : 0;
+      const FourInts cell =
+          __builtin_convertvector(row, FourInts) * static_cast<std::int32_t>(Bundle::kSide) +
+          __builtin_convertvector(column, FourInts);
+      for (std::uint32_t lane = 0; lane < kFour; ++lane) {  // what does not matter is overwritten
+        place[count] = i + lane;
+        rays[count] = meets[static_cast<std::size_t>(cell[lane])];
+        count += rays[count] != 0;
+      }
+    }
+  });
+  return count;
 }
 
-/// Turns centres into the ranger's frame and finds their cells in `meets`.
-PLAYHOUSE_VECTORS void find_cells(const Bundle& bundle, Rotation r, std::size_t count, double* __restrict x,
-                                  double* __restrict y, std::int32_t* __restrict cell) {
-  constexpr double kLast = static_cast<double>(Bundle::kSide) - 1;
-  const double per_cell = 1.0 / bundle.cell, middle = bundle.half * per_cell + 1;
+PLAYHOUSE_INLINE void meet(const Space& space, const Meeting* meetings, std::size_t count, Rays& rays) {
   for (std::size_t i = 0; i < count; ++i) {
-    const double u = r.c * x[i] + r.s * y[i], v = r.c * y[i] - r.s * x[i];
-    x[i] = u;
-    y[i] = v;
-    double column = u * per_cell + middle, row = v * per_cell + middle;
-    column = column < 0 ? 0 : column > kLast ? kLast : column;
-    row = row < 0 ? 0 : row > kLast ? kLast : row;
-    cell[i] = static_cast<std::int32_t>(row) * static_cast<std::int32_t>(Bundle::kSide) +
-              static_cast<std::int32_t>(column);
+    const DiscIndex::Disc& disc = space.index.discs()[meetings[i].place];
+    const std::uint32_t k = meetings[i].ray;
+    const Vec2* const polygon = space.solids.p.data() + disc.first_vertex;
+    double t = entry(polygon, disc.vertices, rays.p(k), rays.d(k));
+    if (t < 0 || !disc.convex) t = polygon_hit_here(polygon, disc.vertices, rays.p(k), rays.d(k));
+    const bool nearer = t < rays.range[k];
+    rays.range[k] = nearer ? t : rays.range[k];
+    rays.intensity[k] = nearer ? static_cast<double>(disc.ranger_return) : rays.intensity[k];
   }
+}
+
+/// Keeps the nearer of what is known and the bodies at `place`, each for the rays that its bits name.
+PLAYHOUSE_VECTORS void meet_bodies(const Space& space, std::uint32_t own_root, const std::uint32_t* place,
+                                   const std::uint16_t* near, std::size_t count, std::size_t first,
+                                   bool heights, Rays& rays) {
+  Meeting meetings[kMeetings + Bundle::kRays];
+  std::size_t met = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const DiscIndex::Disc& disc = space.index.discs()[place[i]];
+    if (disc.root == own_root || disc.ranger_return < 0) continue;
+    const double radius = disc.radius + kMargin;
+    unsigned left = near[i];
+    do {  // without branches: nobody can foretell which circles are met
+      const auto k = static_cast<std::uint32_t>(first + static_cast<std::size_t>(std::countr_zero(left)));
+      meetings[met] = {place[i], k};
+      met += (std::fabs(geom::cross(rays.d(k), disc.center - rays.p(k))) <= radius) &
+             (!heights || (disc.z_min <= rays.z[k] && rays.z[k] <= disc.z_max));
+      left &= left - 1;
+    } while (left != 0);
+    if (met >= kMeetings) {
+      meet(space, meetings, met, rays);
+      met = 0;
+    }
+  }
+  meet(space, meetings, met, rays);
 }
 
 }  // namespace
 
+/// The rays of a part, one after the other, for those that cannot march.
+void RangerSense::meet_walls_alone(const Space& space, const View& view, const Rays::Part& part, Rays& rays) {
+  for (std::size_t k = part.begin; k < part.end; ++k) {
+    const Vec2 p = rays.p(k), d = rays.d(k);
+    space.walls.along(p, d, &rays.range[k], [&](const Walls::Edge& edge) {
+      const double t = edge_hit(edge.a - p, edge.b - p, d);
+      if (t >= rays.range[k] || !view.sees(space.solids, edge.solid) ||
+          !at_height(space.solids, edge.solid, rays.z[k]))
+        return;
+      rays.range[k] = t;
+      rays.intensity[k] = space.solids.ranger_return[edge.solid];
+    });
+  }
+}
+
+void RangerSense::meet_few_walls(const Space& space, const View& view, const Rays::Part& part, double reach,
+                                 Rays& rays) {
+  const geom::Box box = box_about(part.about, reach);
+  for (const Walls::Edge& edge : space.walls.few())
+    if (edge.reaches(box) && view.sees(space.solids, edge.solid) &&
+        at_height(space.solids, edge.solid, rays.z[part.begin]))
+      meet_edge(edge.a, edge.b, space.solids.ranger_return[edge.solid], part, rays);
+}
+
 void RangerSense::run_bundle(const Space& space, const View& view, const Bundle& bundle, Bench& bench) {
-  const Solids& solids = space.solids;
-  const Vec2 p_WM = view.X_WM.xy();
+  if (bench.rays.count + bundle.rays() > Rays::kMost) finish_rays(space, bench);
+  Rays& rays = bench.rays;
   const Rotation rotation = Rotation::of(view.X_WM.a);
-  Rays rays;
-  put_rays(bundle, p_WM, rotation, rays);
-  const auto keep = [&](std::size_t k, double t, std::uint32_t row) {
-    if (t >= rays.range[k] || !view.sees(solids, row) || !at_height(solids, row, view.X_WM.z + bundle.z[k]))
-      return;
-    rays.range[k] = t;
-    rays.intensity[k] = solids.ranger_return[row];
-  };
-
+  put_rays(bundle, view.X_WM, rotation, bench.first_beam, rays);
+  const Rays::Part part = rays.parts[rays.part_count - 1];
   const double z_low = view.X_WM.z + bundle.z_min, z_high = view.X_WM.z + bundle.z_max;
-  if (!space.walls.few().empty() && z_low == z_high) {  // each edge for all rays
-    const geom::Box box = box_about(p_WM, bundle.reach);
-    for (const Walls::Edge& edge : space.walls.few())
-      if (edge.reaches(box) && view.sees(solids, edge.solid) && at_height(solids, edge.solid, z_low))
-        meet_edge(edge.a, edge.b, solids.ranger_return[edge.solid], bundle.rays(), rays);
-  } else if (space.walls.edge_count() > 0) {
-    const auto try_edges = [&](std::size_t k, std::span<const Walls::Edge> edges) {
-      const Vec2 p = rays.p(k), d = rays.d(k);
-      double nearest = rays.range[k];
-      for (const Walls::Edge& edge : edges) nearest = std::min(nearest, quick_hit(edge.a - p, edge.b - p, d));
-      if (nearest >= rays.range[k]) return;  // by far most often; else find out which one it was
-      for (const Walls::Edge& edge : edges) keep(k, quick_hit(edge.a - p, edge.b - p, d), edge.solid);
-    };
-    if (bundle.reach < March::kFarthest * space.walls.torus().cell()) {
-      march_along(space.walls, bundle.rays(), p_WM, rays.px, rays.py, rays.dx, rays.dy, rays.range,
-                  try_edges);
-    } else {
-      for (std::size_t k = 0; k < bundle.rays(); ++k)
-        space.walls.along(rays.p(k), rays.d(k), &rays.range[k], [&](const Walls::Edge& edge) {
-          try_edges(k, {&edge, 1});
-        });
-    }
-  }
+  const std::size_t count = find_bodies(bundle, space.index, view.X_WM.xy(), rotation, z_low, z_high,
+                                        bench.place.data(), bench.met_by.data());
+  meet_bodies(space, view.root, bench.place.data(), bench.met_by.data(), count, part.begin, z_low != z_high,
+              rays);
 
-  const std::size_t count = bench.gather(space.index, {p_WM, bundle.reach, z_low, z_high});
-  find_cells(bundle, rotation, count, bench.x.data(), bench.y.data(), bench.cell.data());
-  std::size_t matter = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    bench.order[matter] = static_cast<std::uint32_t>(i);
-    matter += bundle.meets[static_cast<std::size_t>(bench.cell[i])] != 0;
-  }
-  for (std::size_t n = 0; n < matter; ++n) {
-    const std::size_t i = bench.order[n];
-    std::uint64_t near = bundle.meets[static_cast<std::size_t>(bench.cell[i])];
-    const DiscIndex::Disc& disc = space.index.discs()[bench.place[i]];
-    if (!view.sees(disc)) continue;
-    const double radius = disc.radius + kMargin;
-    for (; near != 0; near &= near - 1) {
-      const auto k = static_cast<std::size_t>(std::countr_zero(near));
-      const Vec2 d = bundle.d[k], to_disc = Vec2{bench.x[i], bench.y[i]} - bundle.p[k];
-      const double ahead = geom::dot(d, to_disc);
-      if ((std::fabs(geom::cross(d, to_disc)) > radius) | (ahead < -radius) |
-          (ahead - radius > rays.range[k]))
-        continue;
-      keep(k, polygon_hit(solids.p.data() + disc.first_vertex, disc.vertices, rays.p(k), rays.d(k)),
-           disc.row);
-    }
-  }
+  const Walls& walls = space.walls;
+  const bool no_walls = walls.clear_about(part.about) > bundle.reach;
+  const bool few = !walls.few().empty() && z_low == z_high;
+  if (!no_walls && !few && can_march(walls, view, bundle.reach))
+    return;  // later, with those of other rangers
+  if (!no_walls && few) meet_few_walls(space, view, part, bundle.reach, rays);
+  if (!no_walls && !few) meet_walls_alone(space, view, part, rays);
+  put_back(part, bench);
+  rays.count = part.begin;
+  --rays.part_count;
+}
 
-  for (std::size_t k = 0; k < bundle.rays(); ++k) {
-    bench.range[bundle.beam[k]] = rays.range[k];
-    bench.intensity[bundle.beam[k]] = rays.intensity[k];
+bool RangerSense::can_march(const Walls& walls, const View& view, double reach) {
+  return !view.is_wall && reach < kFarthestMarch * walls.torus().cell();
+}
+
+void RangerSense::put_back(const Rays::Part& part, Bench& bench) {
+  for (std::size_t k = part.begin; k < part.end; ++k) {
+    bench.range[bench.rays.beam[k]] = bench.rays.range[k];
+    bench.intensity[bench.rays.beam[k]] = bench.rays.intensity[k];
   }
+}
+
+void RangerSense::finish_rays(const Space& space, Bench& bench) {
+  if (bench.rays.count == 0) return;
+  march(space.walls, bench.rays);
+  put_back({{}, 0, bench.rays.count}, bench);
+  bench.rays.count = bench.rays.part_count = 0;
 }
 
 }  // namespace playhouse::stage

@@ -23,9 +23,14 @@ void DiscIndex::sort() {
   // Each entry c + 1 now holds the begin of cell c: shift back.
   for (std::size_t c = 0; c + 1 < first_.size(); ++c) first_[c] = first_[c + 1];
   first_.back() = static_cast<std::uint32_t>(discs_.size());
-  places_.resize(discs_.size());
-  for (std::size_t i = 0; i < discs_.size(); ++i)
-    places_[i] = {discs_[i].center, discs_[i].z_min, discs_[i].z_max};
+  for (std::vector<double>* column : {&places_.x, &places_.y, &places_.z_min, &places_.z_max})
+    column->resize(discs_.size() + kSpare);
+  for (std::size_t i = 0; i < discs_.size(); ++i) {
+    places_.x[i] = discs_[i].center.x;
+    places_.y[i] = discs_[i].center.y;
+    places_.z_min[i] = discs_[i].z_min;
+    places_.z_max[i] = discs_[i].z_max;
+  }
 }
 
 }  // namespace playhouse::stage

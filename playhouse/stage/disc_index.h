@@ -12,15 +12,16 @@ namespace playhouse::stage {
 
 class DiscIndex {
  public:
-  struct Disc {
-    geom::Vec2 center;  // m, in W
-    double radius;      // m
-    double z_min, z_max;
-    std::uint32_t row;   // of whatever was indexed
-    std::uint32_t root;  // model row of the top of its tree
+  struct alignas(64) Disc {
+    geom::Vec2 center;    // m, in W
+    double radius;        // m
+    double z_min, z_max;  // m
+    std::uint32_t row;    // of whatever was indexed
+    std::uint32_t root;   // model row of the top of its tree
     // Of a solid, so that who looks at it need not look it up.
     std::uint32_t first_vertex = 0, vertices = 0;
-    double ranger_return = 0;
+    float ranger_return = 0;
+    bool convex = false;
   };
 
   /// Sizes the cells for things of this mean radius.
@@ -44,12 +45,13 @@ class DiscIndex {
       if (first_[first] != first_[last + 1]) visit(first_[first], first_[last + 1]);
     });
   }
-  /// What is looked at for every disc near a place.
-  struct Place {
-    geom::Vec2 center;    // m, in W
-    double z_min, z_max;  // m
+  /// What is looked at for every disc near a place, as columns in the order of discs(); kSpare more rows may
+  /// be read.
+  struct Places {
+    std::vector<double> x, y, z_min, z_max;  // m, in W
   };
-  const Place* places() const { return places_.data(); }
+  static constexpr std::size_t kSpare = 4;
+  const Places& places() const { return places_; }
   const Disc* discs() const { return discs_.data(); }
 
   /// Calls visit(disc) for everything in cells that meet the box about p, widened by the largest radius. The
@@ -67,9 +69,9 @@ class DiscIndex {
   Torus torus_;
   double radius_max_ = 0;
   std::vector<Disc> unsorted_, discs_;  // discs_ by cell
-  std::vector<Place> places_;           // of discs_
-  std::vector<std::uint32_t> cell_;     // of unsorted_
-  std::vector<std::uint32_t> first_;    // first disc of a cell (cells + 1)
+  Places places_;
+  std::vector<std::uint32_t> cell_;   // of unsorted_
+  std::vector<std::uint32_t> first_;  // first disc of a cell (cells + 1)
 };
 
 }  // namespace playhouse::stage

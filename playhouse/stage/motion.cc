@@ -143,6 +143,7 @@ unsigned Motion::steps_of(const Surroundings& in, std::uint32_t tree) const {
 bool Motion::meets_wall(const Surroundings& in, std::size_t solid, const Outline& now,
                         const Outline& then) const {
   const double radius = in.solids.radius[solid];
+  if (in.walls.clear_about(then.center) > radius) return false;
   const geom::Box box = box_about(then.center, radius);
   bool met = false;
   in.walls.near(box, [&](const Walls::Edge& edge) {

@@ -71,10 +71,10 @@ void finish_bundle(Bundle& bundle, double body_radius) {
     for (std::size_t column = 0; column < Bundle::kCells; ++column) {
       const Vec2 middle{(static_cast<double>(column) + 0.5) * bundle.cell - bundle.half,
                         (static_cast<double>(row) + 0.5) * bundle.cell - bundle.half};
-      std::uint64_t& rays = bundle.meets[(row + 1) * Bundle::kSide + column + 1];
+      std::uint16_t& rays = bundle.meets[(row + 1) * Bundle::kSide + column + 1];
       for (std::size_t k = 0; k < bundle.rays(); ++k)
         if (distance_to_ray(middle, bundle.p[k], bundle.d[k], bundle.range_max[k]) <= near)
-          rays |= std::uint64_t{1} << k;
+          rays = static_cast<std::uint16_t>(rays | 1u << k);
     }
   }
 }

@@ -34,10 +34,10 @@ struct Points {
   Vec2 operator[](std::size_t i) const { return {x[i], y[i]}; }
 };
 
-/// Up to 64 single rays of one ranger, looked at together.
+/// Up to kRays single rays of one ranger, looked at together.
 struct Bundle {
-  static constexpr std::size_t kRays = 64;
-  static constexpr std::size_t kCells = 48;         // each way, of the square that matters
+  static constexpr std::size_t kRays = 16;
+  static constexpr std::size_t kCells = 96;         // each way, of the square that matters
   static constexpr std::size_t kSide = kCells + 2;  // with a rim of empty cells about it
 
   Points p, d;                       // origins [m] and unit vectors in M
@@ -47,7 +47,7 @@ struct Bundle {
   double z_min = 0, z_max = 0;       // m above M
   double reach = 0;                  // m from M that any ray gets
   double cell = 0, half = 0;         // m: the square is +-half about M
-  std::vector<std::uint64_t> meets;  // bit k of a cell: ray k may meet a body whose centre is there (kSide^2)
+  std::vector<std::uint16_t> meets;  // bit k of a cell: ray k may meet a body whose centre is there (kSide^2)
   std::size_t rays() const { return d.size(); }
 };
 

@@ -8,6 +8,8 @@
 #include <cstring>
 
 #include "playhouse/stage/bearing.h"
+#include "playhouse/stage/march.h"
+#include "playhouse/stage/polygon_hit.h"
 #include "playhouse/stage/sense_ranger.h"
 #include "playhouse/stage/vectors.h"
 
@@ -97,8 +99,8 @@ void project_edges(std::span<const Vec2> polygon, const Pose& X_WS, Rotation rot
 
 constexpr std::size_t kFacingCorners = 32;
 
-/// A body of up to kFacingCorners from outside, all within the beams first .. last: projects the edges that
-/// face the scanner, unless every beam has met something nearer than `nearest`.
+/// A convex body of up to kFacingCorners from outside, all within the beams first .. last: projects the edges
+/// that face the scanner, unless every beam has met something nearer than `nearest`.
 PLAYHOUSE_VECTORS void project_facing(const Row& row, const Vec2* __restrict polygon, std::size_t corners,
                                       Vec2 origin, Rotation r, double seen, double nearest, std::size_t first,
                                       std::size_t last) {
@@ -106,18 +108,62 @@ PLAYHOUSE_VECTORS void project_facing(const Row& row, const Vec2* __restrict pol
   for (std::size_t k = first; k <= last && hidden; ++k) hidden = row.range[k] <= nearest;
   if (hidden) return;
 
-  double u[kFacingCorners + 1], v[kFacingCorners + 1], area[kFacingCorners];
-  for (std::size_t i = 0; i < corners; ++i) {
-    const double dx = polygon[i].x - origin.x, dy = polygon[i].y - origin.y;
-    u[i] = r.c * dx + r.s * dy;
-    v[i] = r.c * dy - r.s * dx;
+  double u0[kFacingCorners], v0[kFacingCorners], u1[kFacingCorners], v1[kFacingCorners], area[kFacingCorners];
+  const Four number = Corners::kNumber, none = {0, 0, 0, 0};
+  std::size_t sides = 0;
+  for (std::size_t i = 0; i < corners; i += kFour, sides += kFour) {
+    const Corners w0(polygon + i, origin), w1(polygon + i + 1, origin);
+    const Four a0 = r.c * w0.u + r.s * w0.v, b0 = r.c * w0.v - r.s * w0.u;
+    const Four a1 = r.c * w1.u + r.s * w1.v, b1 = r.c * w1.v - r.s * w1.u;
+    store(u0 + i, a0);
+    store(v0 + i, b0);
+    store(u1 + i, a1);
+    store(v1 + i, b1);
+    store<Four>(area + i, number < static_cast<double>(corners - i) ? a1 * b0 - a0 * b1 : none);
   }
-  u[corners] = u[0];
-  v[corners] = v[0];
-  for (std::size_t i = 0; i < corners; ++i) area[i] = u[i] * v[i + 1] - u[i + 1] * v[i];
-  // From outside, the nearest edge along any beam faces the scanner: it goes clockwise about it.
-  for (std::size_t i = 0; i < corners; ++i)
-    if (area[i] < 0) project({u[i + 1], v[i + 1]}, {u[i], v[i]}, seen, row, first, last);
+  std::size_t facing[kFacingCorners], count = 0;  // edges that go clockwise about the scanner
+  for (std::size_t i = 0; i < sides; ++i) {
+    facing[count] = i;
+    count += area[i] > 0;
+  }
+  // A beam enters a convex body by one edge: one division serves all.
+  for (std::size_t k = first; k <= last; k += kFour) {
+    Four x, y, range, intensity, met_area = none, slope = none;
+    load(x, row.x + k);
+    load(y, row.y + k);
+    load(range, row.range + k);
+    load(intensity, row.intensity + k);
+    for (std::size_t n = 0; n < count; ++n) {
+      const std::size_t i = facing[n];
+      const Four s0 = x * v1[i] - y * u1[i], s1 = x * v0[i] - y * u0[i];
+      const auto enters = (s0 <= 0) & (s1 >= 0);
+      met_area = enters ? none + area[i] : met_area;
+      slope = enters ? s1 - s0 : slope;
+    }
+    const Four t = met_area / slope;
+    const auto nearer = t < range;
+    range = nearer ? t : range;
+    intensity = nearer ? none + seen : intensity;
+    store(row.range + k, range);
+    store(row.intensity + k, intensity);
+  }
+}
+
+/// Replaces the rays by beams from the first on.
+void put_beams(const Scan& scan, Vec2 p_WS, Rotation rotation, double z, std::size_t first, Rays& rays) {
+  rays.count = std::min(scan.count - first, Rays::kMost);
+  rays.parts[0] = {p_WS, 0, rays.count};
+  rays.part_count = 1;
+  for (std::size_t k = 0; k < rays.count; ++k) {
+    const Vec2 d = rotation * Vec2{scan.x[first + k], scan.y[first + k]};
+    rays.px[k] = p_WS.x;
+    rays.py[k] = p_WS.y;
+    rays.dx[k] = d.x;
+    rays.dy[k] = d.y;
+    rays.z[k] = z;
+    rays.range[k] = scan.range_max;
+    rays.intensity[k] = 0;
+  }
 }
 
 /// Turns centres into the scanner's frame and measures their distances and rough bearings.
@@ -141,7 +187,7 @@ std::size_t RangerSense::Bench::sort_by_distance(std::size_t count, double reach
   std::uint32_t first[kRings + 2] = {};
   const double per_ring = static_cast<double>(kRings) / reach;
   const double* const far = distance.data();
-  std::int32_t* const ring = cell.data();
+  std::int32_t* const ring = this->ring.data();
   for (std::size_t i = 0; i < count; ++i)
     ring[i] = static_cast<std::int32_t>(far[i] < reach ? far[i] * per_ring : static_cast<double>(kRings));
   for (std::size_t i = 0; i < count; ++i) ++first[ring[i] + 1];
@@ -157,7 +203,7 @@ void RangerSense::scan_bodies(const Space& space, const Pose& X_WS, double z, co
                               const Scan& scan, Bench& bench) {
   const Solids& solids = space.solids;
   const Rotation rotation = Rotation::of(X_WS.a);
-  const Row row(scan, bench.range.data(), bench.intensity.data());
+  const Row row(scan, bench.range.data() + bench.first_beam, bench.intensity.data() + bench.first_beam);
   const double radius_max = space.index.radius_max() + kMargin;
   Sector sector{X_WS.xy(), scan.range_max, z, z, {0, 0}, 0};
   if (scan.fov <= geom::kPi) {  // no beam points back, so none meets what is all behind
@@ -168,9 +214,17 @@ void RangerSense::scan_bodies(const Space& space, const Pose& X_WS, double z, co
   find_distances(rotation, near, bench.x.data(), bench.y.data(), bench.distance.data(), bench.bearing.data());
   const std::size_t count = bench.sort_by_distance(near, scan.range_max + radius_max);
 
+  constexpr std::size_t kAhead = 3;
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint32_t at = bench.order[i];
     const DiscIndex::Disc& disc = space.index.discs()[bench.place[at]];
+    if (i + kAhead < count) {
+      const Vec2* const soon =
+          solids.p.data() + space.index.discs()[bench.place[bench.order[i + kAhead]]].first_vertex;
+      __builtin_prefetch(soon);
+      __builtin_prefetch(soon + 4);
+      __builtin_prefetch(soon + 8);
+    }
     if (!view.sees(disc)) continue;
     const double distance = bench.distance[at], radius = disc.radius + kMargin;
     const double x = radius / distance;
@@ -178,7 +232,7 @@ void RangerSense::scan_bodies(const Space& space, const Pose& X_WS, double z, co
     const double from = bench.bearing[at] - spread, to = bench.bearing[at] + spread;
     const std::span<const Vec2> polygon(solids.p.data() + disc.first_vertex, disc.vertices);
     const bool in_front = (x < 1) & (row.half <= geom::kPi) & (from > -geom::kPi) & (to < geom::kPi);
-    if (!in_front || polygon.size() > kFacingCorners) {
+    if (!in_front || !disc.convex || polygon.size() > kFacingCorners) {
       project_edges(polygon, X_WS, rotation, disc.ranger_return, row);
     } else if (to >= -row.half && from <= row.half) {
       project_facing(row, polygon.data(), polygon.size(), X_WS.xy(), rotation, disc.ranger_return,
@@ -189,9 +243,9 @@ void RangerSense::scan_bodies(const Space& space, const Pose& X_WS, double z, co
 
 void RangerSense::scan_walls(const Space& space, const Pose& X_WS, double z, const View& view,
                              const Scan& scan, Bench& bench) {
-  if (space.walls.edge_count() == 0) return;
+  if (space.walls.clear_about(X_WS.xy()) > scan.range_max) return;
   const geom::Box box = box_about(X_WS.xy(), scan.range_max);
-  const Row row(scan, bench.range.data(), bench.intensity.data());
+  const Row row(scan, bench.range.data() + bench.first_beam, bench.intensity.data() + bench.first_beam);
   const auto hides = [&](std::uint32_t solid) {
     return view.sees(space.solids, solid) && at_height(space.solids, solid, z);
   };
@@ -206,7 +260,7 @@ void RangerSense::scan_walls(const Space& space, const Pose& X_WS, double z, con
       if (edge.reaches(box) && hides(edge.solid)) project_wall(edge);
     return;
   }
-  if (space.walls.count_near(box) <= 2 * scan.count) {
+  if (space.walls.count_near(box) <= scan.count) {
     ++bench.scans;
     space.walls.near(box, [&](const Walls::Edge& edge) {
       if (bench.stamp[edge.number] == bench.scans) return;
@@ -215,19 +269,22 @@ void RangerSense::scan_walls(const Space& space, const Pose& X_WS, double z, con
     });
     return;
   }
-  for (std::size_t k = 0; k < scan.count; ++k) {  // so many edges: following the beams is cheaper
-    const Vec2 d = rotation * Vec2{scan.x[k], scan.y[k]};
-    space.walls.along(X_WS.xy(), d, &row.range[k], [&](const Walls::Edge& edge) {
-      const double t = edge_hit(edge.a - X_WS.xy(), edge.b - X_WS.xy(), d);
-      if (t >= row.range[k] || !hides(edge.solid)) return;
-      row.range[k] = t;
-      row.intensity[k] = space.solids.ranger_return[edge.solid];
-    });
+  // So many edges: following the beams is cheaper.
+  Rays rays;
+  const bool marches = can_march(space.walls, view, scan.range_max);
+  for (std::size_t first = 0; first < scan.count; first += Rays::kMost) {
+    put_beams(scan, X_WS.xy(), rotation, z, first, rays);
+    if (marches)
+      march(space.walls, rays);
+    else
+      meet_walls_alone(space, view, rays.parts[0], rays);
+    std::copy_n(rays.range, rays.count, row.range + first);
+    std::copy_n(rays.intensity, rays.count, row.intensity + first);
   }
 }
 
 void RangerSense::run_scan(const Space& space, const View& view, const Scan& scan, Bench& bench) {
-  std::fill_n(bench.range.begin() + scan.first_beam, scan.count, scan.range_max);
+  std::fill_n(bench.range.begin() + bench.first_beam + scan.first_beam, scan.count, scan.range_max);
   const Pose X_WS = geom::compose(view.X_WM, scan.X_MS);
   const double z = view.X_WM.z + scan.z;
   scan_walls(space, X_WS, z, view, scan, bench);

@@ -27,21 +27,25 @@ RangerSense::RangerSense(const world::World& world, const Solids& solids, unsign
     body_radius = std::max(body_radius, solids.radius[row]);
   }
   kinds_ = make_ranger_kinds(world, body_radius);
+  is_wall_.assign(world.models.size(), 0);
+  for (std::size_t row = solids.moving; row < solids.size(); ++row) is_wall_[solids.root[row]] = 1;
   for (const world::ModelRow model : world.rangers.model)
     period_.push_back(ticks_of(world.desc(model).update_interval, world.scene().interval));
 
   Bench bench;
   std::size_t beams = 0;
   for (const RangerKind& kind : kinds_.kinds) beams = std::max<std::size_t>(beams, kind.beams);
-  bench.range.resize(beams + Scan::kSpare);
-  bench.intensity.resize(beams + Scan::kSpare);
+  bench_beams_ = std::max<std::size_t>(beams, 4 * Rays::kMost);
+  bench.range.resize(bench_beams_ + Scan::kSpare);
+  bench.intensity.resize(bench_beams_ + Scan::kSpare);
   bench.x.resize(solids.moving + 1);
   bench.y.resize(solids.moving + 1);
   bench.distance.resize(solids.moving + 1);
   bench.bearing.resize(solids.moving + 1);
   bench.place.resize(solids.moving + 1);
   bench.order.resize(solids.moving + 1);
-  bench.cell.resize(solids.moving + 1);
+  bench.ring.resize(solids.moving + 1);
+  bench.met_by.resize(solids.moving + 1);
   benches_.assign(workers, bench);
   due_.reserve(world.rangers.size());
 }
@@ -55,25 +59,45 @@ std::uint64_t RangerSense::sense(world::World& world, const Space& space, std::u
     if (world.models.subscribers[world.rangers.model[ranger].index] == 0) continue;
     if (tick - measured < period_[ranger]) continue;
     due_.push_back(ranger);
-    rays += kinds_.kinds[kinds_.of_ranger[ranger]].beams;
+    rays += beams(ranger);
   }
   for (Bench& bench : benches_) bench.stamp.resize(space.walls.edge_count(), 0);
   workers.run(due_.size(), 8, [&](std::size_t begin, std::size_t end) {
     Bench& bench = benches_[workers.current()];
-    for (std::size_t i = begin; i < end; ++i) {
-      measure(world, space, due_[i], tick, bench);
-      finish(world, due_[i], tick, bench);
+    while (begin < end) {
+      std::size_t next = begin, batch_beams = 0;
+      do batch_beams += beams(due_[next++]);
+      while (next < end && batch_beams + beams(due_[next]) <= bench_beams_);
+      measure_batch(world, space, {due_.data() + begin, next - begin}, tick, bench);
+      begin = next;
     }
   });
   return rays;
 }
 
+void RangerSense::measure_batch(world::World& world, const Space& space,
+                                std::span<const std::uint32_t> rangers, std::uint64_t tick,
+                                Bench& bench) const {
+  bench.first_beam = 0;
+  for (const std::uint32_t ranger : rangers) {
+    measure(world, space, ranger, tick, bench);
+    bench.first_beam += beams(ranger);
+  }
+  finish_rays(space, bench);
+  bench.first_beam = 0;
+  for (const std::uint32_t ranger : rangers) {
+    finish(world, ranger, tick, bench);
+    bench.first_beam += beams(ranger);
+  }
+}
+
 void RangerSense::measure(world::World& world, const Space& space, std::uint32_t ranger, std::uint64_t tick,
                           Bench& bench) const {
   const std::uint32_t model = world.rangers.model[ranger].index;
-  const View view{world.models.X_WM[model], world.models.root[model]};
+  const std::uint32_t root = world.models.root[model];
+  const View view{world.models.X_WM[model], root, is_wall_[root] != 0};
   const RangerKind& kind = kinds_.kinds[kinds_.of_ranger[ranger]];
-  std::fill_n(bench.intensity.begin(), kind.beams, 0.0);
+  std::fill_n(bench.intensity.begin() + bench.first_beam, kind.beams, 0.0);
   for (const Scan& scan : kind.scans) run_scan(space, view, scan, bench);
   for (const Bundle& bundle : kind.bundles) run_bundle(space, view, bundle, bench);
   for (const Jitter& jitter : kind.jitters) {
@@ -91,7 +115,7 @@ void RangerSense::finish(world::World& world, std::uint32_t ranger, std::uint64_
   world.rangers.measured_tick[ranger] = tick;
   if (kind.beams == 0) return;
   if (kind.noisy) {
-    double* range = bench.range.data();
+    double* range = bench.range.data() + bench.first_beam;
     for (std::uint32_t i = 0; i < world.rangers.sensor_count[ranger]; ++i) {
       const scene::RangerSensorDesc& sensor = world.desc(world.rangers.model[ranger]).sensors[i];
       Rng rng(world.seed(), tick, first_sensor + i, static_cast<std::uint64_t>(world::Stream::kRangeNoise));
@@ -102,17 +126,21 @@ void RangerSense::finish(world::World& world, std::uint32_t ranger, std::uint64_
   // The beams of a ranger's sensors are consecutive.
   float* const ranges = world.sensors.ranges.data() + world.sensors.first_beam[first_sensor];
   float* const intensities = world.sensors.intensities.data() + world.sensors.first_beam[first_sensor];
-  const double *range = bench.range.data(), *low = kind.range_min.data(), *high = kind.range_max.data();
+  const double *range = bench.range.data() + bench.first_beam,
+               *intensity = bench.intensity.data() + bench.first_beam, *low = kind.range_min.data(),
+               *high = kind.range_max.data();
   for (std::uint32_t k = 0; k < kind.beams; ++k) {
     const double above = range[k] < low[k] ? low[k] : range[k];
     ranges[k] = static_cast<float>(above > high[k] ? high[k] : above);
   }
-  for (std::uint32_t k = 0; k < kind.beams; ++k) intensities[k] = static_cast<float>(bench.intensity[k]);
+  for (std::uint32_t k = 0; k < kind.beams; ++k) intensities[k] = static_cast<float>(intensity[k]);
 }
 
 std::size_t RangerSense::Bench::gather(const DiscIndex& index, const Sector& sector) {
   std::size_t count = 0;
-  const DiscIndex::Place* const places = index.places();
+  const DiscIndex::Places& places = index.places();
+  const double *const from_x = places.x.data(), *const from_y = places.y.data();
+  const double *const z_min = places.z_min.data(), *const z_max = places.z_max.data();
   double *const to_x = x.data(), *const to_y = y.data();
   std::uint32_t* const to_place = place.data();
   const Sector s = sector;
@@ -120,11 +148,11 @@ std::size_t RangerSense::Bench::gather(const DiscIndex& index, const Sector& sec
   index.runs(s.p, s.reach, [&](std::uint32_t begin, std::uint32_t end) {
     std::size_t at = count;
     for (std::uint32_t i = begin; i < end; ++i) {  // without branches: what does not matter is overwritten
-      const double dx = places[i].center.x - s.p.x, dy = places[i].center.y - s.p.y;
+      const double dx = from_x[i] - s.p.x, dy = from_y[i] - s.p.y;
       to_x[at] = dx;
       to_y[at] = dy;
       to_place[at] = i;
-      at += (places[i].z_min <= s.z_high) & (places[i].z_max >= s.z_low) & (dx * dx + dy * dy <= far) &
+      at += (z_min[i] <= s.z_high) & (z_max[i] >= s.z_low) & (dx * dx + dy * dy <= far) &
             (dx * s.ahead.x + dy * s.ahead.y >= s.behind);
     }
     count = at;
@@ -138,9 +166,9 @@ void RangerSense::run_jitter(const Space& space, const View& view, const Jitter&
   const Rotation ahead = Rotation::of(X_WS.a + bearing);
   const Ray ray{X_WS.xy(), {ahead.c, ahead.s}, view.X_WM.z + jitter.z, jitter.range_max, view.root};
   const Hit hit = cast(space, ray, [&](std::uint32_t row) { return space.solids.ranger_return[row] >= 0; });
-  bench.range[jitter.beam] = hit.range;
+  bench.range[bench.first_beam + jitter.beam] = hit.range;
   if (hit.solid != world::ModelRow::kNone)
-    bench.intensity[jitter.beam] = space.solids.ranger_return[hit.solid];
+    bench.intensity[bench.first_beam + jitter.beam] = space.solids.ranger_return[hit.solid];
 }
 
 }  // namespace playhouse::stage

@@ -4,9 +4,10 @@
 /// the exact distance to the nearest outline at its height, whichever way it is found: scans project bodies
 /// onto beams, bundles look their rays up by where a body is, both walk the walls.
 
+#include <span>
 #include <vector>
 
-#include "playhouse/stage/ranger_kinds.h"
+#include "playhouse/stage/rays.h"
 #include "playhouse/stage/space.h"
 #include "playhouse/world/workers.h"
 
@@ -30,12 +31,15 @@ class RangerSense {
   };
   /// Scratch memory of one worker.
   struct Bench {
-    std::vector<double> range, intensity;  // of the ranger's beams
+    std::vector<double> range, intensity;  // beams of the rangers of a batch
+    std::size_t first_beam = 0;            // of the ranger that is measured
+    Rays rays;                             // still to go through the walls
     // Moving solids near the ranger: centres from it along W's axes, then along its own; places in the index.
     std::vector<double> x, y, distance, bearing;  // m, m, m, rad
     std::vector<std::uint32_t> place, order;
-    std::vector<std::int32_t> cell;
-    std::vector<std::uint64_t> stamp;  // last scan that saw a wall edge (edges)
+    std::vector<std::int32_t> ring;
+    std::vector<std::uint16_t> met_by;  // bit k: ray k of a bundle may meet it
+    std::vector<std::uint64_t> stamp;   // last scan that saw a wall edge (edges)
     std::uint64_t scans = 0;
 
     std::size_t gather(const DiscIndex& index, const Sector& sector);
@@ -43,6 +47,9 @@ class RangerSense {
   };
   struct View;
 
+  std::size_t beams(std::uint32_t ranger) const { return kinds_.kinds[kinds_.of_ranger[ranger]].beams; }
+  void measure_batch(world::World& world, const Space& space, std::span<const std::uint32_t> rangers,
+                     std::uint64_t tick, Bench& bench) const;
   void measure(world::World& world, const Space& space, std::uint32_t ranger, std::uint64_t tick,
                Bench& bench) const;
   void finish(world::World& world, std::uint32_t ranger, std::uint64_t tick, Bench& bench) const;
@@ -53,12 +60,20 @@ class RangerSense {
   static void scan_walls(const Space& space, const Pose& X_WS, double z, const View& view, const Scan& scan,
                          Bench& bench);
   static void run_bundle(const Space& space, const View& view, const Bundle& bundle, Bench& bench);
+  static void meet_few_walls(const Space& space, const View& view, const Rays::Part& part, double reach,
+                             Rays& rays);
+  static void meet_walls_alone(const Space& space, const View& view, const Rays::Part& part, Rays& rays);
+  static bool can_march(const Walls& walls, const View& view, double reach);
+  static void put_back(const Rays::Part& part, Bench& bench);
+  static void finish_rays(const Space& space, Bench& bench);
   static void run_jitter(const Space& space, const View& view, const Jitter& jitter, double bearing,
                          Bench& bench);
 
   RangerKinds kinds_;
+  std::vector<std::uint8_t> is_wall_;  // 1: of a tree that stands still (models)
   std::vector<std::uint64_t> period_;  // ticks between two scans (rangers)
   std::vector<std::uint32_t> due_;     // rangers of this tick
+  std::size_t bench_beams_ = 0;        // room for beams in a bench
   std::vector<Bench> benches_;         // one per worker
 };
 
@@ -66,6 +81,7 @@ class RangerSense {
 struct RangerSense::View {
   Pose X_WM;
   std::uint32_t root;
+  bool is_wall;  // of a tree that stands still: its own edges are among the walls
 
   bool sees(const Solids& solids, std::size_t row) const {
     return solids.root[row] != root && solids.ranger_return[row] >= 0;

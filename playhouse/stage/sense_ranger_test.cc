@@ -126,7 +126,11 @@ scene::SceneDesc any_scene() {
   if (*rc::gen::inRange(0, 2)) testing::add_arena(scene, in(2, 20));
   for (int i = 0; i < 4; ++i) {
     const int parent = static_cast<int>(scene.models.size());
-    scene.models.push_back(robot("r" + std::to_string(i), any_pose(6), {0.4, 0.3, 0.6}));
+    const bool stands = *rc::gen::inRange(0, 4) == 0;  // its own edges are among the walls
+    const std::string name = "r" + std::to_string(i);
+    const Pose X_WM = any_pose(6);
+    const geom::Size size{0.4, 0.3, 0.6};
+    scene.models.push_back(stands ? box(name, X_WM, size) : robot(name, X_WM, size));
     scene.models.back().X_MB = {0.1, 0.05, 0, 0.2};
     scene.models.push_back(
         ranger("s" + std::to_string(i), parent, {in(-0.2, 0.2), 0, in(0, 0.9), in(-3, 3)}));

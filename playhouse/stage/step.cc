@@ -43,7 +43,8 @@ void StageEngine::index() {
                            solids_.root[row],
                            vertex,
                            solids_.first_vertex[row + 1] - vertex - 1,
-                           solids_.ranger_return[row]};
+                           static_cast<float>(solids_.ranger_return[row]),
+                           solids_.convex[row] != 0};
   });
 }
 

@@ -20,6 +20,7 @@ class Torus {
   }
 
   double cell() const { return cell_; }
+  unsigned bits() const { return bits_; }
   std::size_t side() const { return std::size_t{1} << bits_; }
   std::size_t cells() const { return side() * side(); }
 

@@ -1,9 +1,11 @@
 #pragma once
 
-#include <cstddef>
-
 /// PLAYHOUSE_VECTORS: compiles a function a second time for processors with AVX2 and picks one when the
 /// program starts. Both give the same bits: nothing is fused or reordered, only done four at a time.
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
@@ -12,10 +14,25 @@
 #define PLAYHOUSE_VECTORS
 #endif
 
+/// For what functions with PLAYHOUSE_VECTORS are made of: becomes a part of each of their versions.
+#define PLAYHOUSE_INLINE inline __attribute__((always_inline))
+
 namespace playhouse::stage {
 
 /// Four numbers that are worked on together, on any processor.
 inline constexpr std::size_t kFour = 4;
 using Four = double __attribute__((vector_size(kFour * sizeof(double))));
+using FourInts = std::int32_t __attribute__((vector_size(kFour * sizeof(std::int32_t))));
+
+template <typename Vector, typename Number>
+PLAYHOUSE_INLINE void load(Vector& v, const Number* from) {
+  static_assert(sizeof v == kFour * sizeof(Number));
+  std::memcpy(&v, from, sizeof v);
+}
+template <typename Vector, typename Number>
+PLAYHOUSE_INLINE void store(Number* to, const Vector& v) {
+  static_assert(sizeof v == kFour * sizeof(Number));
+  std::memcpy(to, &v, sizeof v);
+}
 
 }  // namespace playhouse::stage

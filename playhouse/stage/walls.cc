@@ -1,6 +1,7 @@
 #include "playhouse/stage/walls.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace playhouse::stage {
 namespace {
@@ -70,33 +71,71 @@ Walls::Walls(const Solids& solids) {
 
   const double cell = cell_for(total_length, all.size());
   torus_ = Torus(cell, cells_for(all, total_length, cell));
-  first_.assign(torus_.cells() + 1, 0);
-  for (const Edge& edge : all) rasterise(edge, [&](std::size_t index) { ++first_[index + 1]; });
-  for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
-  edges_.resize(first_.back());
-  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-  for (const Edge& edge : all) rasterise(edge, [&](std::size_t index) { edges_[next[index]++] = edge; });
+  list(all, solids);
   measure_clearance();
   if (all.size() <= kFew) few_ = all;
+}
+
+/// Edges come solid by solid, so that a group of another solid's edges is never gone back to.
+void Walls::list(const std::vector<Edge>& edges, const Solids& solids) {
+  constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+  struct Last {
+    std::uint32_t solid = world::ModelRow::kNone, edges = 0;  // of the group that is being filled
+  };
+  // Calls visit(index, is_new) for each edge and each of its cells; is_new if it begins a group there.
+  const auto each = [&](const auto& visit) {
+    std::vector<Last> last(torus_.cells());
+    for (const Edge& edge : edges)
+      rasterise(edge, [&](std::size_t index) {
+        Last& group = last[index];
+        const bool is_new = group.solid != edge.solid || group.edges == kFour;
+        group = {edge.solid, is_new ? 1 : group.edges + 1};
+        visit(edge, index, is_new);
+      });
+  };
+  first_.assign(torus_.cells() + 1, 0);
+  each([&](const Edge&, std::size_t index, bool is_new) { first_[index + 1] += is_new; });
+  for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
+  groups_.resize(first_.back());
+  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+  each([&](const Edge& edge, std::size_t index, bool is_new) {
+    next[index] += is_new;
+    Group& group = groups_[next[index] - 1];
+    if (is_new) {
+      for (double* column : {group.ax, group.ay, group.bx, group.by}) std::fill_n(column, kFour, kNowhere);
+      group.z_min = solids.z_min[edge.solid];
+      group.z_max = solids.z_max[edge.solid];
+      group.ranger_return = solids.ranger_return[edge.solid];
+      group.solid = edge.solid;
+      group.count = 0;
+    }
+    const std::size_t i = group.count++;
+    group.ax[i] = edge.a.x;
+    group.ay[i] = edge.a.y;
+    group.bx[i] = edge.b.x;
+    group.by[i] = edge.b.y;
+    group.number[i] = edge.number;
+  });
 }
 
 /// A square is as large as the least of its three neighbours allows. The second time round sees what wraps.
 void Walls::measure_clearance() {
   const auto side = static_cast<std::int64_t>(torus_.side());
   const auto farthest = static_cast<int>(std::min<std::int64_t>(kFarthest, side / 2));
+  clearance_.assign(4 * torus_.cells(), static_cast<std::uint8_t>(farthest));
   for (unsigned quadrant = 0; quadrant < 4; ++quadrant) {
     const std::int64_t dx = quadrant & 1 ? -1 : 1, dy = quadrant & 2 ? -1 : 1;
-    std::vector<std::uint8_t>& clear = clearance_[quadrant];
-    clear.assign(torus_.cells(), static_cast<std::uint8_t>(farthest));
     for (std::int64_t i = 0; i < 2 * side; ++i) {
       const std::int64_t y = -i * dy;
       for (std::int64_t k = 0; k < 2 * side; ++k) {
         const std::int64_t x = -k * dx;
         const std::size_t index = torus_.index(x, y);
-        const int least = std::min({clear[torus_.index(x + dx, y)], clear[torus_.index(x, y + dy)],
-                                    clear[torus_.index(x + dx, y + dy)]});
+        const int least = std::min({clearance(quadrant, torus_.index(x + dx, y)),
+                                    clearance(quadrant, torus_.index(x, y + dy)),
+                                    clearance(quadrant, torus_.index(x + dx, y + dy))});
         const bool empty = first_[index] == first_[index + 1];
-        clear[index] = static_cast<std::uint8_t>(empty ? std::min(least + 1, farthest) : 0);
+        clearance_[4 * index + quadrant] =
+            static_cast<std::uint8_t>(empty ? std::min(least + 1, farthest) : 0);
       }
     }
   }

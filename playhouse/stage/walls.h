@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
 #include "playhouse/stage/bodies.h"
 #include "playhouse/stage/torus.h"
+#include "playhouse/stage/vectors.h"
 
 namespace playhouse::stage {
 
@@ -26,6 +28,18 @@ class Walls {
     }
   };
 
+  /// Up to four edges of one solid in one cell, as columns; what is left of the four is not a number.
+  struct Group {
+    double ax[kFour], ay[kFour], bx[kFour], by[kFour];  // m, in W
+    double z_min, z_max;                                // m, in W
+    double ranger_return;                               // of the solid
+    std::uint32_t solid;                                // row of Solids
+    std::uint32_t count;
+    std::uint32_t number[kFour];  // of the edges
+
+    Edge edge(std::size_t i) const { return {{ax[i], ay[i]}, {bx[i], by[i]}, solid, number[i]}; }
+  };
+
   Walls() = default;
   /// Edges of the solids from solids.moving on.
   explicit Walls(const Solids& solids);
@@ -39,11 +53,12 @@ class Walls {
   void near(const geom::Box& box, const Visit& visit) const {
     if (edge_count_ == 0) return;
     torus_.runs(box, [&](std::size_t first, std::size_t last) {
-      for (std::uint32_t i = first_[first]; i < first_[last + 1]; ++i) visit(edges_[i]);
+      for (std::uint32_t g = first_[first]; g < first_[last + 1]; ++g)
+        for (std::size_t i = 0; i < groups_[g].count; ++i) visit(groups_[g].edge(i));
     });
   }
 
-  /// How many listings near(box) would visit.
+  /// How many groups of edges near(box) would visit.
   std::size_t count_near(const geom::Box& box) const {
     std::size_t count = 0;
     if (edge_count_ == 0) return 0;
@@ -53,10 +68,17 @@ class Walls {
 
   /// Side, in cells, of the largest square without edges that has cell `index` of the torus at its corner and
   /// lies where rays of a quadrant go; 0 if the cell has edges. At most kFarthest.
-  int clearance(unsigned quadrant, std::size_t index) const { return clearance_[quadrant][index]; }
+  int clearance(unsigned quadrant, std::size_t index) const { return clearance_[4 * index + quadrant]; }
   static unsigned quadrant(Vec2 d) { return (d.x < 0 ? 1u : 0u) + (d.y < 0 ? 2u : 0u); }
-  std::span<const Edge> in_cell(std::size_t index) const {
-    return {edges_.data() + first_[index], first_[index + 1] - first_[index]};
+  /// No edge is nearer to p than this. [m]
+  double clear_about(Vec2 p) const {
+    if (edge_count_ == 0) return std::numeric_limits<double>::infinity();
+    const std::uint8_t* const here = &clearance_[4 * torus_.index(p)];
+    return (std::min({here[0], here[1], here[2], here[3]}) - 1) * torus_.cell();
+  }
+  const std::uint8_t* clearances() const { return clearance_.data(); }
+  std::span<const Group> in_cell(std::size_t index) const {
+    return {groups_.data() + first_[index], first_[index + 1] - first_[index]};
   }
 
   /// All edges once, where there are so few that trying each is cheaper than looking them up; else none.
@@ -74,14 +96,15 @@ class Walls {
   template <typename Visit>
   void rasterise(const Edge& edge, const Visit& visit) const;
 
+  void list(const std::vector<Edge>& edges, const Solids& solids);
   void measure_clearance();
 
   Torus torus_;
   std::size_t edge_count_ = 0;
-  std::vector<std::uint32_t> first_;        // (cells + 1)
-  std::vector<Edge> edges_;                 // by cell
-  std::vector<std::uint8_t> clearance_[4];  // by quadrant
-  std::vector<Edge> few_;                   // all edges once, if there are no more than kFew
+  std::vector<std::uint32_t> first_;     // (cells + 1)
+  std::vector<Group> groups_;            // by cell
+  std::vector<std::uint8_t> clearance_;  // (cells x quadrants)
+  std::vector<Edge> few_;                // all edges once, if there are no more than kFew
 };
 
 template <typename Visit>
@@ -90,13 +113,14 @@ void Walls::along(Vec2 p, Vec2 d, const double* reach, const Visit& visit) const
   const double cell = torus_.cell();
   const double per_x = d.x == 0 ? 0 : 1 / d.x, per_y = d.y == 0 ? 0 : 1 / d.y;
   std::int64_t cx = torus_.along(p.x), cy = torus_.along(p.y);
-  const std::uint8_t* const clear = clearance_[quadrant(d)].data();
+  const unsigned towards = quadrant(d);
   double t = 0;
   while (t <= *reach) {
     const std::size_t index = torus_.index(cx, cy);
-    std::int64_t hop = clear[index];
+    std::int64_t hop = clearance(towards, index);
     if (hop == 0) {
-      for (const Edge& edge : in_cell(index)) visit(edge);
+      for (const Group& group : in_cell(index))
+        for (std::size_t i = 0; i < group.count; ++i) visit(group.edge(i));
       hop = 1;
     }
     // Nothing is left in the square of `hop` cells ahead: on to where the ray leaves it.

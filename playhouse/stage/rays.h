@@ -1,0 +1,29 @@
+#pragma once
+
+/// Rays: single rays of bundles in W, while they get shorter. Those of several rangers go through the walls
+/// together, or each step would wait for the one before.
+
+#include "playhouse/stage/ranger_kinds.h"
+
+namespace playhouse::stage {
+
+struct Rays {
+  static constexpr std::size_t kMost = 64;
+
+  double px[kMost], py[kMost], dx[kMost], dy[kMost];  // m, unit vectors
+  double z[kMost], range[kMost];                      // m
+  double intensity[kMost];
+  std::size_t beam[kMost];  // of Bench, where they come from
+  /// Rays of one bundle, which start near a place.
+  struct Part {
+    Vec2 about;
+    std::size_t begin, end;
+  };
+  Part parts[kMost];
+  std::size_t count = 0, part_count = 0;
+
+  Vec2 p(std::size_t k) const { return {px[k], py[k]}; }
+  Vec2 d(std::size_t k) const { return {dx[k], dy[k]}; }
+};
+
+}  // namespace playhouse::stage
