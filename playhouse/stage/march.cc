@@ -17,60 +17,80 @@ PLAYHOUSE_INLINE void floor_of(Four& v) {
 
 /// Rays in lanes: lengths in cells from a base cell, mirrored so that every ray goes right and up.
 struct Lanes {
-  static constexpr std::size_t kMost = Rays::kMost;
+  static constexpr std::size_t kMost = Rays::kRoom;
 
   double x[kMost], y[kMost];            // origins
   double step_x[kMost], step_y[kMost];  // per metre along the ray
   double per_x[kMost], per_y[kMost];    // metres along the ray per cell; huge for a ray across that axis
   double cell_x[kMost], cell_y[kMost];  // whole numbers: where the rays are
-  double t[kMost];                      // m, where they entered those cells
+  double range[kMost];                  // m, of the rays
   std::int32_t flip_x[kMost], flip_y[kMost];  // -1 where mirrored: ~c is the cell that c was
   std::int32_t base_x[kMost], base_y[kMost];  // of the torus
   std::int32_t quadrant[kMost];
-  std::int32_t place[kMost];  // 4 * index of the cell + quadrant
+  std::int32_t place[kMost];  // 4 * index of the cell + quadrant; -1 where a ray has ended
   std::int32_t hop[kMost];    // cells that they may cross at once
   std::uint32_t ray[kMost];   // whose lane it is
 
   void copy(std::size_t from, std::size_t to) {
-    for (double* column : {x, y, step_x, step_y, per_x, per_y, cell_x, cell_y}) column[to] = column[from];
+    for (double* column : {x, y, step_x, step_y, per_x, per_y, cell_x, cell_y, range})
+      column[to] = column[from];
     for (std::int32_t* column : {flip_x, flip_y, base_x, base_y, quadrant, hop}) column[to] = column[from];
     ray[to] = ray[from];
   }
 };
 
-PLAYHOUSE_INLINE void put(const Rays& rays, const Torus& torus, Lanes& lanes) {
+/// Signs of four numbers: -1 for those below 0, else 0.
+PLAYHOUSE_INLINE Cells below_zero(const Four& v) {
+  using Halves = std::int32_t __attribute__((vector_size(2 * sizeof(Cells))));
+  const auto below = v < 0;
+  Halves halves;
+  std::memcpy(&halves, &below, sizeof halves);
+  return __builtin_shufflevector(halves, halves, 0, 2, 4, 6);
+}
+
+/// One axis of four rays that start at p, base cells being at `base`.  [m]
+PLAYHOUSE_INLINE Cells put_axis(const double* p, const double* d, double base, double cell, double* x,
+                                double* step, double* per) {
   constexpr double kNever = 1e300;
-  const double cell = torus.cell(), per_metre = 1.0 / cell;
-  for (std::size_t i = 0; i < rays.part_count; ++i) {
-    const Rays::Part& part = rays.parts[i];
-    const std::int64_t base_x = torus.along(part.about.x), base_y = torus.along(part.about.y);
-    const auto x0 = static_cast<double>(base_x) * cell, y0 = static_cast<double>(base_y) * cell;
-    const auto wrapped_x = static_cast<std::int32_t>(torus.wrap(base_x)),
-               wrapped_y = static_cast<std::int32_t>(torus.wrap(base_y));
-    for (std::size_t k = part.begin; k < part.end; ++k) {
-      const bool left = rays.dx[k] < 0, down = rays.dy[k] < 0;
-      const double dx = left ? -rays.dx[k] : rays.dx[k], dy = down ? -rays.dy[k] : rays.dy[k];
-      const double x = (rays.px[k] - x0) * per_metre, y = (rays.py[k] - y0) * per_metre;
-      lanes.x[k] = left ? -x : x;
-      lanes.y[k] = down ? -y : y;
-      lanes.step_x[k] = dx * per_metre;
-      lanes.step_y[k] = dy * per_metre;
-      lanes.per_x[k] = dx == 0 ? kNever : cell / dx;
-      lanes.per_y[k] = dy == 0 ? kNever : cell / dy;
-      lanes.t[k] = 0;
-      lanes.flip_x[k] = left ? -1 : 0;
-      lanes.flip_y[k] = down ? -1 : 0;
-      lanes.base_x[k] = wrapped_x;
-      lanes.base_y[k] = wrapped_y;
-      lanes.quadrant[k] = (left ? 1 : 0) + (down ? 2 : 0);
-      lanes.ray[k] = static_cast<std::uint32_t>(k);
+  Four at, ahead;
+  load(at, p);
+  load(ahead, d);
+  const Cells flip = below_zero(ahead);
+  at = (at - base) * (1.0 / cell);
+  at = ahead < 0 ? -at : at;
+  ahead = ahead < 0 ? -ahead : ahead;
+  store<Four>(x, at);
+  store<Four>(step, ahead * (1.0 / cell));
+  store<Four>(per, ahead == 0 ? kNever : cell / ahead);
+  return flip;
+}
+
+/// Puts the rays of a part into lanes; those after them are overwritten.
+PLAYHOUSE_INLINE void put(const Rays& rays, const Rays::Part& part, const Torus& torus, Lanes& lanes) {
+  const double cell = torus.cell();
+  const std::int64_t base_x = torus.along(part.about.x), base_y = torus.along(part.about.y);
+  const double x0 = static_cast<double>(base_x) * cell, y0 = static_cast<double>(base_y) * cell;
+  const Cells none = {0, 0, 0, 0};
+  for (std::size_t k = part.begin; k < part.end; k += kFour) {
+    const Cells left =
+        put_axis(rays.px + k, rays.dx + k, x0, cell, lanes.x + k, lanes.step_x + k, lanes.per_x + k);
+    const Cells down =
+        put_axis(rays.py + k, rays.dy + k, y0, cell, lanes.y + k, lanes.step_y + k, lanes.per_y + k);
+    store(lanes.flip_x + k, left);
+    store(lanes.flip_y + k, down);
+    store<Cells>(lanes.base_x + k, none + static_cast<std::int32_t>(torus.wrap(base_x)));
+    store<Cells>(lanes.base_y + k, none + static_cast<std::int32_t>(torus.wrap(base_y)));
+    store<Cells>(lanes.quadrant + k, -left - 2 * down);
+    for (std::size_t i = k; i < k + kFour; ++i) {
+      lanes.range[i] = rays.range[i];
+      lanes.ray[i] = static_cast<std::uint32_t>(i);
     }
   }
 }
 
-/// Finds the place of four rays from their cells.
+/// Finds the place of four rays from their cells, which they enter at t.  [m]
 PLAYHOUSE_INLINE void find_place(const Torus& torus, std::size_t k, const Four& cell_x, const Four& cell_y,
-                                 Lanes& lanes) {
+                                 const Four& t, Lanes& lanes) {
   const auto mask = static_cast<std::int32_t>(torus.side() - 1);
   Cells flip_x, flip_y, base_x, base_y, quadrant;
   load(flip_x, lanes.flip_x + k);
@@ -82,7 +102,10 @@ PLAYHOUSE_INLINE void find_place(const Torus& torus, std::size_t k, const Four& 
   const Cells y = ((__builtin_convertvector(cell_y, Cells) ^ flip_y) + base_y) & mask;
   store(lanes.cell_x + k, cell_x);
   store(lanes.cell_y + k, cell_y);
-  store(lanes.place + k, (((y << static_cast<int>(torus.bits())) + x) << 2) + quadrant);
+  Four range;
+  load(range, lanes.range + k);
+  const Cells ended = below_zero(range - t);
+  store<Cells>(lanes.place + k, ((((y << static_cast<int>(torus.bits())) + x) << 2) + quadrant) | ended);
 }
 
 PLAYHOUSE_INLINE void begin(const Torus& torus, std::size_t count, Lanes& lanes) {
@@ -92,7 +115,7 @@ PLAYHOUSE_INLINE void begin(const Torus& torus, std::size_t count, Lanes& lanes)
     load(y, lanes.y + k);
     floor_of(x);
     floor_of(y);
-    find_place(torus, k, x, y, lanes);
+    find_place(torus, k, x, y, Four{0, 0, 0, 0}, lanes);
   }
 }
 
@@ -120,8 +143,7 @@ PLAYHOUSE_INLINE void advance(const Torus& torus, std::size_t count, Lanes& lane
     floor_of(beside_y);
     beside_x = beside_x < cell_x ? cell_x : beside_x;  // rounding must not take it back
     beside_y = beside_y < cell_y ? cell_y : beside_y;
-    store(lanes.t + k, t);
-    find_place(torus, k, t_x < t_y ? next_x : beside_x, t_x < t_y ? beside_y : next_y, lanes);
+    find_place(torus, k, t_x < t_y ? next_x : beside_x, t_x < t_y ? beside_y : next_y, t, lanes);
   }
 }
 
@@ -158,29 +180,29 @@ PLAYHOUSE_VECTORS void march(const Walls& walls, Rays& rays) {
   const Torus& torus = walls.torus();
   std::size_t count = rays.count;
   Lanes lanes;
-  put(rays, torus, lanes);
+  for (std::size_t i = 0; i < rays.part_count; ++i) put(rays, rays.parts[i], torus, lanes);
   const std::uint8_t* const clearances = walls.clearances();
   std::uint32_t on[Lanes::kMost], touch[Lanes::kMost];  // lanes of rays that go on, that are where edges are
   for (std::size_t k = 0; k < count; ++k) on[k] = static_cast<std::uint32_t>(k);
+  lanes.hop[0] = 1;  // which the lanes that fill up the last four keep
   for (std::size_t k = count; k < (count + kFour - 1) / kFour * kFour; ++k) lanes.copy(0, k);
   begin(torus, count, lanes);
   for (std::size_t used = count; count > 0;) {
     std::size_t left = 0, touches = 0;
     for (std::size_t i = 0; i < count; ++i) {  // without branches: nobody can foretell where they end
       const std::uint32_t lane = on[i];
-      const bool goes_on = lanes.t[lane] <= rays.range[lanes.ray[lane]];
-      const std::int32_t clearance = clearances[lanes.place[lane]];
+      const std::int32_t place = lanes.place[lane], clearance = clearances[place];
       lanes.hop[lane] = clearance;
       on[left] = touch[touches] = lane;
-      left += goes_on;
-      touches += goes_on & (clearance == 0);
+      left += place >= 0;
+      touches += clearance == 0;
     }
     count = left;
     for (std::size_t i = 0; i < touches; ++i) {
-      const std::uint32_t k = lanes.ray[touch[i]];
-      for (const Walls::Group& group : walls.in_cell(static_cast<std::size_t>(lanes.place[touch[i]]) >> 2))
-        if (group.ranger_return >= 0 && group.z_min <= rays.z[k] && rays.z[k] <= group.z_max)
-          meet(group, k, rays);
+      const std::uint32_t lane = touch[i], k = lanes.ray[lane];
+      for (const Walls::Group& group : walls.in_cell(static_cast<std::size_t>(lanes.place[lane]) >> 2))
+        if (group.z_min <= rays.z[k] && rays.z[k] <= group.z_max) meet(group, k, rays);
+      lanes.range[lane] = rays.range[k];
     }
     if (2 * count <= used) {
       for (std::size_t i = 0; i < count; ++i) {

@@ -9,10 +9,12 @@ namespace playhouse::stage {
 
 struct Rays {
   static constexpr std::size_t kMost = 64;
+  static constexpr std::size_t kSpare = 4;  // what is behind the last ray is read four at a time
+  static constexpr std::size_t kRoom = kMost + kSpare;
 
-  double px[kMost], py[kMost], dx[kMost], dy[kMost];  // m, unit vectors
-  double z[kMost], range[kMost];                      // m
-  double intensity[kMost];
+  double px[kRoom], py[kRoom], dx[kRoom], dy[kRoom];  // m, unit vectors
+  double z[kRoom], range[kRoom];                      // m
+  double intensity[kRoom];
   std::size_t beam[kMost];  // of Bench, where they come from
   /// Rays of one bundle, which start near a place.
   struct Part {

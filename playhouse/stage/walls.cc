@@ -103,7 +103,7 @@ void Walls::list(const std::vector<Edge>& edges, const Solids& solids) {
     Group& group = groups_[next[index] - 1];
     if (is_new) {
       for (double* column : {group.ax, group.ay, group.bx, group.by}) std::fill_n(column, kFour, kNowhere);
-      group.z_min = solids.z_min[edge.solid];
+      group.z_min = solids.ranger_return[edge.solid] >= 0 ? solids.z_min[edge.solid] : 1e300;
       group.z_max = solids.z_max[edge.solid];
       group.ranger_return = solids.ranger_return[edge.solid];
       group.solid = edge.solid;
@@ -122,7 +122,7 @@ void Walls::list(const std::vector<Edge>& edges, const Solids& solids) {
 void Walls::measure_clearance() {
   const auto side = static_cast<std::int64_t>(torus_.side());
   const auto farthest = static_cast<int>(std::min<std::int64_t>(kFarthest, side / 2));
-  clearance_.assign(4 * torus_.cells(), static_cast<std::uint8_t>(farthest));
+  clearance_.assign(1 + 4 * torus_.cells(), static_cast<std::uint8_t>(farthest));
   for (unsigned quadrant = 0; quadrant < 4; ++quadrant) {
     const std::int64_t dx = quadrant & 1 ? -1 : 1, dy = quadrant & 2 ? -1 : 1;
     for (std::int64_t i = 0; i < 2 * side; ++i) {
@@ -134,7 +134,7 @@ void Walls::measure_clearance() {
                                     clearance(quadrant, torus_.index(x, y + dy)),
                                     clearance(quadrant, torus_.index(x + dx, y + dy))});
         const bool empty = first_[index] == first_[index + 1];
-        clearance_[4 * index + quadrant] =
+        clearance_[1 + 4 * index + quadrant] =
             static_cast<std::uint8_t>(empty ? std::min(least + 1, farthest) : 0);
       }
     }

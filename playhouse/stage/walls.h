@@ -31,7 +31,7 @@ class Walls {
   /// Up to four edges of one solid in one cell, as columns; what is left of the four is not a number.
   struct Group {
     double ax[kFour], ay[kFour], bx[kFour], by[kFour];  // m, in W
-    double z_min, z_max;                                // m, in W
+    double z_min, z_max;                                // m, in W; no height has what rangers do not see
     double ranger_return;                               // of the solid
     std::uint32_t solid;                                // row of Solids
     std::uint32_t count;
@@ -68,15 +68,16 @@ class Walls {
 
   /// Side, in cells, of the largest square without edges that has cell `index` of the torus at its corner and
   /// lies where rays of a quadrant go; 0 if the cell has edges. At most kFarthest.
-  int clearance(unsigned quadrant, std::size_t index) const { return clearance_[4 * index + quadrant]; }
+  int clearance(unsigned quadrant, std::size_t index) const { return clearances()[4 * index + quadrant]; }
   static unsigned quadrant(Vec2 d) { return (d.x < 0 ? 1u : 0u) + (d.y < 0 ? 2u : 0u); }
   /// No edge is nearer to p than this. [m]
   double clear_about(Vec2 p) const {
     if (edge_count_ == 0) return std::numeric_limits<double>::infinity();
-    const std::uint8_t* const here = &clearance_[4 * torus_.index(p)];
+    const std::uint8_t* const here = clearances() + 4 * torus_.index(p);
     return (std::min({here[0], here[1], here[2], here[3]}) - 1) * torus_.cell();
   }
-  const std::uint8_t* clearances() const { return clearance_.data(); }
+  /// Of cells and quadrants, at 4 * index + quadrant; above 0 at -1.
+  const std::uint8_t* clearances() const { return clearance_.data() + 1; }
   std::span<const Group> in_cell(std::size_t index) const {
     return {groups_.data() + first_[index], first_[index + 1] - first_[index]};
   }
