@@ -64,7 +64,7 @@ PLAYHOUSE_VECTORS std::size_t find_bodies(const Bundle& bundle, const DiscIndex&
   const std::uint16_t* const meets = bundle.meets.data();
   const Four number = {0, 1, 2, 3};
   std::size_t count = 0;
-  index.runs(p_WM, bundle.reach, [&](std::uint32_t begin, std::uint32_t end) {
+  index.runs(p_WM, bundle.reach, z_low, z_high, [&](std::uint32_t begin, std::uint32_t end) {
     for (std::uint32_t i = begin; i < end; i += kFour) {
       Four x, y, low, high;
       load(x, from_x + i);

@@ -1,7 +1,8 @@
 #pragma once
 
 /// DiscIndex: where things with a centre and a radius are, to find those near a place. Rebuilt by counting,
-/// at a cost linear in the number of things; things of a cell keep their order of rows.
+/// at a cost linear in the number of things; things of a cell keep their order of rows. Things are kept in
+/// layers by height, so that who looks at one height does not come across what is above or below.
 
 #include <cstdint>
 #include <vector>
@@ -24,8 +25,8 @@ class DiscIndex {
     bool convex = false;
   };
 
-  /// Sizes the cells for things of this mean radius.
-  DiscIndex(std::size_t count, double mean_radius);
+  /// Sizes the cells for things of this mean radius. `layer` is that of each thing, or empty if there is one.
+  DiscIndex(std::size_t count, double mean_radius, std::vector<std::uint8_t> layer = {});
   DiscIndex() : DiscIndex(0, 0.25) {}
 
   /// Replaces the contents. `disc(i)` gives thing i < count.
@@ -38,12 +39,17 @@ class DiscIndex {
 
   double radius_max() const { return radius_max_; }
 
-  /// Calls visit(begin, end) for runs of places in places() and discs(): all in cells that meet that box.
+  /// Calls visit(begin, end) for runs of places in places() and discs(): all in layers that reach those
+  /// heights and cells that meet the box about p, widened by the largest radius.
   template <typename Visit>
-  void runs(geom::Vec2 p, double reach, const Visit& visit) const {
-    torus_.runs(box_about(p, reach + radius_max_), [&](std::size_t first, std::size_t last) {
-      if (first_[first] != first_[last + 1]) visit(first_[first], first_[last + 1]);
-    });
+  void runs(geom::Vec2 p, double reach, double z_low, double z_high, const Visit& visit) const {
+    for (const Layer& layer : layers_) {
+      if (layer.z_min > z_high || layer.z_max < z_low) continue;
+      const std::uint32_t* const first_of = first_.data() + layer.first_cell;
+      torus_.runs(box_about(p, reach + layer.radius_max), [&](std::size_t first, std::size_t last) {
+        if (first_of[first] != first_of[last + 1]) visit(first_of[first], first_of[last + 1]);
+      });
+    }
   }
   /// What is looked at for every disc near a place, as columns in the order of discs(); kSpare more rows may
   /// be read.
@@ -54,24 +60,33 @@ class DiscIndex {
   const Places& places() const { return places_; }
   const Disc* discs() const { return discs_.data(); }
 
-  /// Calls visit(disc) for everything in cells that meet the box about p, widened by the largest radius. The
-  /// caller tests what it needs: there may be far things among them.
+  /// Calls visit(disc) for everything of runs(). The caller tests what it needs: there may be far things
+  /// among them.
   template <typename Visit>
-  void near(geom::Vec2 p, double reach, const Visit& visit) const {
-    runs(p, reach, [&](std::uint32_t begin, std::uint32_t end) {
+  void near(geom::Vec2 p, double reach, double z_low, double z_high, const Visit& visit) const {
+    runs(p, reach, z_low, z_high, [&](std::uint32_t begin, std::uint32_t end) {
       for (std::uint32_t i = begin; i < end; ++i) visit(discs_[i]);
     });
   }
 
  private:
+  struct Layer {
+    std::size_t first_cell;
+    double z_min, z_max, radius_max;  // m, of all in it
+  };
+
+  void measure_layers();
   void sort();
+  std::size_t layer_of(std::size_t i) const { return layer_.empty() ? 0 : layer_[i]; }
 
   Torus torus_;
+  std::vector<std::uint8_t> layer_;  // of unsorted_, or empty
+  std::vector<Layer> layers_;
   double radius_max_ = 0;
-  std::vector<Disc> unsorted_, discs_;  // discs_ by cell
+  std::vector<Disc> unsorted_, discs_;  // discs_ by layer and cell
   Places places_;
   std::vector<std::uint32_t> cell_;   // of unsorted_
-  std::vector<std::uint32_t> first_;  // first disc of a cell (cells + 1)
+  std::vector<std::uint32_t> first_;  // first disc of a cell (layers x cells + 2)
 };
 
 }  // namespace playhouse::stage

@@ -1,6 +1,8 @@
 #include "playhouse/stage/engine.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "playhouse/base/log.h"
 #include "playhouse/stage/stage_engine.h"
@@ -61,6 +63,41 @@ void warn_of_ghost_walls(const scene::SceneDesc& scene) {
   }
 }
 
+/// Moving solids by the heights they begin with: what overlaps in height, as bodies of robots do, is one
+/// layer, what only stands on top is another.
+std::vector<std::uint8_t> layers_of(const Solids& solids) {
+  constexpr std::size_t kMost = 8;
+  std::vector<std::pair<double, double>> heights;
+  for (std::size_t row = 0; row < solids.moving; ++row)
+    heights.emplace_back(solids.z_min[row], solids.z_max[row]);
+  std::sort(heights.begin(), heights.end());
+  std::vector<double> begins;
+  double top = -1e300;
+  for (const auto& [z_min, z_max] : heights) {
+    if (z_min > top - kTouch) begins.push_back(z_min);
+    top = std::max(top, z_max);
+  }
+  if (begins.size() > kMost) return {};
+  std::vector<std::uint8_t> layer;
+  for (std::size_t row = 0; row < solids.moving; ++row) {
+    const auto above = std::upper_bound(begins.begin(), begins.end(), solids.z_min[row]);
+    layer.push_back(static_cast<std::uint8_t>(above - begins.begin() - 1));
+  }
+  return layer;
+}
+
+/// Mean radius of the largest solids of trees. [m]
+double robot_radius(const Trees& trees, const Solids& solids) {
+  double sum = 0;
+  for (std::size_t tree = 0; tree < trees.size(); ++tree) {
+    double largest = 0;
+    for (std::uint32_t row = trees.first_solid[tree]; row < trees.first_solid[tree + 1]; ++row)
+      largest = std::max(largest, solids.radius[row]);
+    sum += largest;
+  }
+  return sum / static_cast<double>(std::max<std::size_t>(trees.size(), 1));
+}
+
 }  // namespace
 
 StageEngine::StageEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers)
@@ -72,9 +109,7 @@ StageEngine::StageEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsi
       motion_(trees_, solids_, world_.models, workers_.count()),
       rangers_(world_, solids_, workers_.count()),
       fiducials_(world_, solids_) {
-  double radii = 0;
-  for (std::size_t row = 0; row < solids_.moving; ++row) radii += solids_.radius[row];
-  if (solids_.moving > 0) index_ = DiscIndex(solids_.moving, radii / static_cast<double>(solids_.moving));
+  index_ = DiscIndex(solids_.moving, robot_radius(trees_, solids_), layers_of(solids_));
   index();
 }
 

@@ -184,12 +184,14 @@ bool Motion::meets(const Surroundings& in, std::uint32_t tree, const TreeShape& 
     if (meets_wall(in, row, now, then)) return true;
     bool met = false;
     const double reach = solids.radius[row] + reach_max_;
-    in.index.near(then.center, reach, [&](const DiscIndex::Disc& disc) {
-      if (met || disc.root == solids.root[row] || !solids.obstacle[disc.row]) return;
-      if (distance(disc.center, then.center) >= disc.radius + reach || !z_overlaps(solids, row, disc.row))
-        return;
-      met = meets_other(in, row, now, then, disc.row);
-    });
+    in.index.near(
+        then.center, reach, solids.z_min[row] + kTouch, solids.z_max[row] - kTouch,
+        [&](const DiscIndex::Disc& disc) {
+          if (met || disc.root == solids.root[row] || !solids.obstacle[disc.row]) return;
+          if (distance(disc.center, then.center) >= disc.radius + reach || !z_overlaps(solids, row, disc.row))
+            return;
+          met = meets_other(in, row, now, then, disc.row);
+        });
     if (met) return true;
   }
   return false;

@@ -67,7 +67,7 @@ void FiducialSense::find(world::World& world, const Space& space, std::uint32_t 
   const std::uint32_t own = world.models.root[model.index];
   std::vector<world::FiducialHit>& hits = world.fiducials.hits[finder];
   hits.clear();
-  targets_.near(X_WB.xy(), limits.range_max, [&](const DiscIndex::Disc& disc) {
+  targets_.near(X_WB.xy(), limits.range_max, 0, 0, [&](const DiscIndex::Disc& disc) {
     const Vec2 p_W = disc.center - X_WB.xy();
     const double squared = geom::dot(p_W, p_W);
     if (disc.root == own || squared >= limits.range_max * limits.range_max) return;

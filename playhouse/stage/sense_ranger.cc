@@ -145,7 +145,7 @@ std::size_t RangerSense::Bench::gather(const DiscIndex& index, const Sector& sec
   std::uint32_t* const to_place = place.data();
   const Sector s = sector;
   const double far = (s.reach + index.radius_max()) * (s.reach + index.radius_max()) + kMargin;
-  index.runs(s.p, s.reach, [&](std::uint32_t begin, std::uint32_t end) {
+  index.runs(s.p, s.reach, s.z_low, s.z_high, [&](std::uint32_t begin, std::uint32_t end) {
     std::size_t at = count;
     for (std::uint32_t i = begin; i < end; ++i) {  // without branches: what does not matter is overwritten
       const double dx = from_x[i] - s.p.x, dy = from_y[i] - s.p.y;

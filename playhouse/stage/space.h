@@ -61,7 +61,7 @@ Hit cast(const Space& space, const Ray& ray, const Sees& sees) {
     meet(edge_hit(edge.a - ray.p, edge.b - ray.p, ray.d), edge.solid);
   });
   const double half = 0.5 * hit.range;
-  space.index.near(ray.p + half * ray.d, half, [&](const DiscIndex::Disc& disc) {
+  space.index.near(ray.p + half * ray.d, half, ray.z, ray.z, [&](const DiscIndex::Disc& disc) {
     const Vec2 to_disc = disc.center - ray.p;
     if (std::fabs(geom::cross(ray.d, to_disc)) > disc.radius + kMargin) return;
     meet(polygon_hit(solids.p.data() + disc.first_vertex, disc.vertices, ray.p, ray.d), disc.row);
