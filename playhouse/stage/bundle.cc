@@ -136,9 +136,7 @@ void RangerSense::meet_walls_alone(const Space& space, const View& view, const R
     const Vec2 p = rays.p(k), d = rays.d(k);
     space.walls.along(p, d, &rays.range[k], [&](const Walls::Edge& edge) {
       const double t = edge_hit(edge.a - p, edge.b - p, d);
-      if (t >= rays.range[k] || !view.sees(space.solids, edge.solid) ||
-          !at_height(space.solids, edge.solid, rays.z[k]))
-        return;
+      if (t >= rays.range[k] || !view.sees(space.solids, edge.solid, rays.z[k])) return;
       rays.range[k] = t;
       rays.intensity[k] = space.solids.ranger_return[edge.solid];
     });
@@ -149,8 +147,7 @@ void RangerSense::meet_few_walls(const Space& space, const View& view, const Ray
                                  Rays& rays) {
   const geom::Box box = box_about(part.about, reach);
   for (const Walls::Edge& edge : space.walls.few())
-    if (edge.reaches(box) && view.sees(space.solids, edge.solid) &&
-        at_height(space.solids, edge.solid, rays.z[part.begin]))
+    if (edge.reaches(box) && view.sees(space.solids, edge.solid, rays.z[part.begin]))
       meet_edge(edge.a, edge.b, space.solids.ranger_return[edge.solid], part, rays);
 }
 
@@ -167,12 +164,14 @@ void RangerSense::run_bundle(const Space& space, const View& view, const Bundle&
               rays);
 
   const Walls& walls = space.walls;
-  const bool no_walls = walls.clear_about(part.about) > bundle.reach;
-  const bool few = !walls.few().empty() && z_low == z_high;
-  if (!no_walls && !few && can_march(walls, view, bundle.reach))
-    return;  // later, with those of other rangers
-  if (!no_walls && few) meet_few_walls(space, view, part, bundle.reach, rays);
-  if (!no_walls && !few) meet_walls_alone(space, view, part, rays);
+  if (walls.clear_about(part.about) <= bundle.reach) {
+    if (!walls.few().empty() && z_low == z_high)
+      meet_few_walls(space, view, part, bundle.reach, rays);
+    else if (can_march(walls, view, bundle.reach))
+      return;  // later, with those of other rangers
+    else
+      meet_walls_alone(space, view, part, rays);
+  }
   put_back(part, bench);
   rays.count = part.begin;
   --rays.part_count;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "playhouse/stage/bearing.h"
 #include "playhouse/stage/march.h"
@@ -46,28 +45,23 @@ struct Row {
 
 /// Keeps the nearer of what is known and the edge from w0 to w1, which is to the left of w0, for the beams
 /// from `first` on up to `last`, and a few more.
-inline __attribute__((always_inline)) void project(Vec2 w0, Vec2 w1, double seen, const Row& row,
-                                                   std::size_t first, std::size_t last) {
+PLAYHOUSE_VECTORS void project(const Row& row, Vec2 w0, Vec2 w1, double seen, std::size_t first,
+                               std::size_t last) {
   const double area = w0.x * w1.y - w0.y * w1.x;
   for (std::size_t k = first; k <= last; k += kFour) {
     Four x, y, range, intensity;
-    std::memcpy(&x, row.x + k, sizeof x);
-    std::memcpy(&y, row.y + k, sizeof y);
-    std::memcpy(&range, row.range + k, sizeof range);
-    std::memcpy(&intensity, row.intensity + k, sizeof intensity);
+    load(x, row.x + k);
+    load(y, row.y + k);
+    load(range, row.range + k);
+    load(intensity, row.intensity + k);
     const Four s0 = x * w0.y - y * w0.x, s1 = x * w1.y - y * w1.x;
     const Four t = area / (s1 - s0);
     const auto nearer = (s0 <= 0) & (s1 >= 0) & (t < range);
     range = nearer ? t : range;
     intensity = nearer ? seen : intensity;
-    std::memcpy(row.range + k, &range, sizeof range);
-    std::memcpy(row.intensity + k, &intensity, sizeof intensity);
+    store(row.range + k, range);
+    store(row.intensity + k, intensity);
   }
-}
-
-PLAYHOUSE_VECTORS void project_on(const Row& row, Vec2 w0, Vec2 w1, double seen, std::size_t first,
-                                  std::size_t last) {
-  project(w0, w1, seen, row, first, last);
 }
 
 /// Projects an edge, once for each turn by which its bearings can meet those of the beams.
@@ -82,7 +76,7 @@ void project_edge(Vec2 w0, Vec2 w1, double intensity, const Row& row) {
   for (int turn = -turns; turn <= turns; ++turn) {
     const double low = from + turn * geom::kTwoPi, high = to + turn * geom::kTwoPi;
     if (high < -row.half || low > row.half) continue;
-    project_on(row, w0, w1, intensity, row.beam_right_of(low), row.beam_left_of(high));
+    project(row, w0, w1, intensity, row.beam_right_of(low), row.beam_left_of(high));
   }
 }
 
@@ -137,13 +131,13 @@ PLAYHOUSE_VECTORS void project_facing(const Row& row, const Vec2* __restrict pol
       const std::size_t i = facing[n];
       const Four s0 = x * v1[i] - y * u1[i], s1 = x * v0[i] - y * u0[i];
       const auto enters = (s0 <= 0) & (s1 >= 0);
-      met_area = enters ? none + area[i] : met_area;
+      met_area = enters ? area[i] : met_area;
       slope = enters ? s1 - s0 : slope;
     }
     const Four t = met_area / slope;
     const auto nearer = t < range;
     range = nearer ? t : range;
-    intensity = nearer ? none + seen : intensity;
+    intensity = nearer ? seen : intensity;
     store(row.range + k, range);
     store(row.intensity + k, intensity);
   }
@@ -199,10 +193,9 @@ std::size_t RangerSense::Bench::sort_by_distance(std::size_t count, double reach
   return seen;
 }
 
-void RangerSense::scan_bodies(const Space& space, const Pose& X_WS, double z, const View& view,
-                              const Scan& scan, Bench& bench) {
+void RangerSense::scan_bodies(const Space& space, const Pose& X_WS, Rotation rotation, double z,
+                              const View& view, const Scan& scan, Bench& bench) {
   const Solids& solids = space.solids;
-  const Rotation rotation = Rotation::of(X_WS.a);
   const Row row(scan, bench.range.data() + bench.first_beam, bench.intensity.data() + bench.first_beam);
   const double radius_max = space.index.radius_max() + kMargin;
   Sector sector{X_WS.xy(), scan.range_max, z, z, {0, 0}, 0};
@@ -241,16 +234,12 @@ void RangerSense::scan_bodies(const Space& space, const Pose& X_WS, double z, co
   }
 }
 
-void RangerSense::scan_walls(const Space& space, const Pose& X_WS, double z, const View& view,
-                             const Scan& scan, Bench& bench) {
+void RangerSense::scan_walls(const Space& space, const Pose& X_WS, Rotation rotation, double z,
+                             const View& view, const Scan& scan, Bench& bench) {
   if (space.walls.clear_about(X_WS.xy()) > scan.range_max) return;
   const geom::Box box = box_about(X_WS.xy(), scan.range_max);
   const Row row(scan, bench.range.data() + bench.first_beam, bench.intensity.data() + bench.first_beam);
-  const auto hides = [&](std::uint32_t solid) {
-    return view.sees(space.solids, solid) && at_height(space.solids, solid, z);
-  };
-  const Rotation rotation = Rotation::of(X_WS.a);
-
+  const auto hides = [&](std::uint32_t solid) { return view.sees(space.solids, solid, z); };
   const auto project_wall = [&](const Walls::Edge& edge) {
     project_edge(rotation.inverse(edge.a - X_WS.xy()), rotation.inverse(edge.b - X_WS.xy()),
                  space.solids.ranger_return[edge.solid], row);
@@ -287,8 +276,9 @@ void RangerSense::run_scan(const Space& space, const View& view, const Scan& sca
   std::fill_n(bench.range.begin() + bench.first_beam + scan.first_beam, scan.count, scan.range_max);
   const Pose X_WS = geom::compose(view.X_WM, scan.X_MS);
   const double z = view.X_WM.z + scan.z;
-  scan_walls(space, X_WS, z, view, scan, bench);
-  scan_bodies(space, X_WS, z, view, scan, bench);
+  const Rotation rotation = Rotation::of(X_WS.a);
+  scan_walls(space, X_WS, rotation, z, view, scan, bench);
+  scan_bodies(space, X_WS, rotation, z, view, scan, bench);
 }
 
 }  // namespace playhouse::stage

@@ -55,10 +55,10 @@ class RangerSense {
   void finish(world::World& world, std::uint32_t ranger, std::uint64_t tick, Bench& bench) const;
 
   static void run_scan(const Space& space, const View& view, const Scan& scan, Bench& bench);
-  static void scan_bodies(const Space& space, const Pose& X_WS, double z, const View& view, const Scan& scan,
-                          Bench& bench);
-  static void scan_walls(const Space& space, const Pose& X_WS, double z, const View& view, const Scan& scan,
-                         Bench& bench);
+  static void scan_bodies(const Space& space, const Pose& X_WS, Rotation rotation, double z, const View& view,
+                          const Scan& scan, Bench& bench);
+  static void scan_walls(const Space& space, const Pose& X_WS, Rotation rotation, double z, const View& view,
+                         const Scan& scan, Bench& bench);
   static void run_bundle(const Space& space, const View& view, const Bundle& bundle, Bench& bench);
   static void meet_few_walls(const Space& space, const View& view, const Rays::Part& part, double reach,
                              Rays& rays);
@@ -83,8 +83,8 @@ struct RangerSense::View {
   std::uint32_t root;
   bool is_wall;  // of a tree that stands still: its own edges are among the walls
 
-  bool sees(const Solids& solids, std::size_t row) const {
-    return solids.root[row] != root && solids.ranger_return[row] >= 0;
+  bool sees(const Solids& solids, std::size_t row, double z) const {
+    return solids.root[row] != root && solids.ranger_return[row] >= 0 && at_height(solids, row, z);
   }
   bool sees(const DiscIndex::Disc& disc) const { return disc.root != root && disc.ranger_return >= 0; }
 };
