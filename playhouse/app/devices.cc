@@ -1,19 +1,10 @@
 #include <fmt/format.h>
 
 #include "playhouse/app/commands.h"
-#include "playhouse/base/log.h"
+#include "playhouse/app/fail.h"
 #include "playhouse_client/client.h"
 
 namespace playhouse::app {
-
-namespace {
-
-int fail(const Error& error, Exit code = kFailed) {
-  log::error("{}", error.line());
-  return code;
-}
-
-}  // namespace
 
 int devices(const DevicesOptions& options) {
   const Result<client::Address> server = client::parse_address(options.server);

@@ -7,9 +7,9 @@
 
 #include "playhouse/app/commands.h"
 #include "playhouse/app/device_name.h"
+#include "playhouse/app/fail.h"
 #include "playhouse/app/interrupt.h"
 #include "playhouse/app/keyboard.h"
-#include "playhouse/base/log.h"
 #include "playhouse/wire/generated/position2d.h"
 #include "playhouse_client/client.h"
 
@@ -91,11 +91,6 @@ Result<void> drive_by_keys(client::Client& client, client::Device& robot, const 
     if (shows) show(robot, wheel);
   }
   return send(robot, Wheel{});
-}
-
-int fail(const Error& error, Exit code = kFailed) {
-  log::error("{}", error.line());
-  return code;
 }
 
 }  // namespace

@@ -6,8 +6,8 @@
 
 #include "playhouse/app/commands.h"
 #include "playhouse/app/device_name.h"
+#include "playhouse/app/fail.h"
 #include "playhouse/app/interrupt.h"
-#include "playhouse/base/log.h"
 #include "playhouse/wire/messages.h"
 #include "playhouse_client/client.h"
 
@@ -56,11 +56,6 @@ bool sends_data(std::uint16_t interf) {
   return known != nullptr && std::ranges::any_of(known->messages, [](const wire::MessageDef& message) {
            return message.type == wire::MessageType::kData;
          });
-}
-
-int fail(const Error& error, Exit code = kFailed) {
-  log::error("{}", error.line());
-  return code;
 }
 
 }  // namespace

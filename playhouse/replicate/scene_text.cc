@@ -11,7 +11,7 @@
 namespace playhouse::replicate {
 namespace {
 
-std::string in_quotes(std::string_view text) {
+std::string quoted(std::string_view text) {
   return boost::json::serialize(boost::json::string(text));
 }
 
@@ -93,7 +93,7 @@ std::string window(const scene::WindowDesc& window) {
   return fmt::format(R"({{"center":[{},{}],"scale":{},"pitch":{},"yaw":{},"sensors":{},"follow":{}}})",
                      number(window.center.x), number(window.center.y), number(window.scale),
                      number(window.pitch), number(window.yaw), window.show_data,
-                     in_quotes(window.follow_model));
+                     quoted(window.follow_model));
 }
 
 const char* kind(scene::ModelKind kind) {
@@ -116,10 +116,10 @@ std::string model(const world::World& world, const Layout& layout, std::uint32_t
   const ModelState& start = layout.start[row];
   std::string text =
       fmt::format(R"({{"name":{},"type":{},"kind":"{}","parent":{},"start":[{},{},{},{},{},{}])",
-                  in_quotes(desc.name), in_quotes(desc.type), kind(desc.kind), desc.parent, start.x, start.y,
+                  quoted(desc.name), quoted(desc.type), kind(desc.kind), desc.parent, start.x, start.y,
                   start.z, start.a, start.state, start.color);
   auto out = std::back_inserter(text);
-  if (desc.alias != desc.name) fmt::format_to(out, R"(,"alias":{})", in_quotes(desc.alias));
+  if (desc.alias != desc.name) fmt::format_to(out, R"(,"alias":{})", quoted(desc.alias));
   if (desc.X_MB != geom::Pose{}) fmt::format_to(out, R"(,"origin":{})", pose(desc.X_MB));
   fmt::format_to(out, R"(,"size":{})", size(desc.size));
   if (!desc.blocks.empty() || !desc.bitmaps.empty())
@@ -155,7 +155,7 @@ std::string scene_text(const world::World& world, const Layout& layout) {
   return fmt::format(
       "{{\"protocol\":1,\"name\":{},\"interval\":{:.9g},\"window\":{},\n\"shapes\":[{}],\n\"sensors\":[{}],\n"
       "\"models\":[\n{}]}}\n",
-      in_quotes(scene.name), scene.interval, window(scene.window), shapes.all(), sensor_sets.all(), models);
+      quoted(scene.name), scene.interval, window(scene.window), shapes.all(), sensor_sets.all(), models);
 }
 
 }  // namespace playhouse::replicate

@@ -1,10 +1,10 @@
 #include "playhouse/scene/cfg.h"
-#include "playhouse/base/in_quotes.h"
 
 #include <cmath>
 #include <map>
 #include <tuple>
 
+#include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/scene/colors.h"
 

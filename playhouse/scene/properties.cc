@@ -1,8 +1,8 @@
 #include "playhouse/scene/properties.h"
-#include "playhouse/base/in_quotes.h"
 
 #include <cmath>
 
+#include "playhouse/base/in_quotes.h"
 #include "playhouse/base/rng.h"
 #include "playhouse/scene/colors.h"
 

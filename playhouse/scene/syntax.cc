@@ -1,8 +1,8 @@
 #include "playhouse/scene/syntax.h"
-#include "playhouse/base/in_quotes.h"
 
 #include <algorithm>
 
+#include "playhouse/base/in_quotes.h"
 #include "playhouse/base/limits.h"
 
 namespace playhouse::scene {

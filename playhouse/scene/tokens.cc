@@ -1,8 +1,8 @@
 #include "playhouse/scene/tokens.h"
-#include "playhouse/base/in_quotes.h"
 
 #include <cstdio>
 
+#include "playhouse/base/in_quotes.h"
 #include "playhouse/base/limits.h"
 
 namespace playhouse::scene {

@@ -1,8 +1,8 @@
 #include "playhouse/scene/vocabulary.h"
-#include "playhouse/base/in_quotes.h"
 
 #include <algorithm>
 
+#include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
 
 namespace playhouse::scene {

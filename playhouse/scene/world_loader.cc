@@ -1,11 +1,11 @@
 #include "playhouse/scene/world_loader.h"
-#include "playhouse/base/in_quotes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <map>
 
+#include "playhouse/base/in_quotes.h"
 #include "playhouse/scene/bitmap.h"
 #include "playhouse/scene/body.h"
 #include "playhouse/scene/expand.h"

@@ -1,9 +1,9 @@
 #include "playhouse/scene/world_models.h"
-#include "playhouse/base/in_quotes.h"
 
 #include <algorithm>
 #include <array>
 
+#include "playhouse/base/in_quotes.h"
 #include "playhouse/base/limits.h"
 #include "playhouse/base/nearest_word.h"
 
