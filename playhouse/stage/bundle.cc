@@ -96,9 +96,10 @@ PLAYHOUSE_INLINE void meet(const Space& space, const Meeting* meetings, std::siz
     const Vec2* const polygon = space.solids.p.data() + disc.first_vertex;
     double t = entry(polygon, disc.vertices, rays.p(k), rays.d(k));
     if (t < 0 || !disc.convex) t = polygon_hit_here(polygon, disc.vertices, rays.p(k), rays.d(k));
-    const bool nearer = t < rays.range[k];
-    rays.range[k] = nearer ? t : rays.range[k];
-    rays.intensity[k] = nearer ? static_cast<double>(disc.ranger_return) : rays.intensity[k];
+    const Four at = {t}, range = {rays.range[k]}, seen = {static_cast<double>(disc.ranger_return)},
+               known = {rays.intensity[k]};
+    rays.range[k] = (at < range ? at : range)[0];
+    rays.intensity[k] = (at < range ? seen : known)[0];
   }
 }
 

@@ -1,17 +1,17 @@
 #include "playhouse/stage/march.h"
 
+#include <cmath>
+
 #include "playhouse/stage/space.h"
 
 namespace playhouse::stage {
 namespace {
 
-using Cells = FourInts;
-
 /// The whole numbers at or below v.
-PLAYHOUSE_INLINE void floor_of(Four& v) {
-  double lane[kFour];
+PLAYHOUSE_INLINE void floor_of(Eight& v) {
+  float lane[kEight];
   store(lane, v);
-  for (std::size_t i = 0; i < kFour; ++i) lane[i] = __builtin_floor(lane[i]);
+  for (std::size_t i = 0; i < kEight; ++i) lane[i] = __builtin_floorf(lane[i]);
   load(v, lane);
 }
 
@@ -19,11 +19,11 @@ PLAYHOUSE_INLINE void floor_of(Four& v) {
 struct Lanes {
   static constexpr std::size_t kMost = Rays::kRoom;
 
-  double x[kMost], y[kMost];            // origins
-  double step_x[kMost], step_y[kMost];  // per metre along the ray
-  double per_x[kMost], per_y[kMost];    // metres along the ray per cell; huge for a ray across that axis
-  double cell_x[kMost], cell_y[kMost];  // whole numbers: where the rays are
-  double range[kMost];                  // m, of the rays
+  float x[kMost], y[kMost];            // origins
+  float step_x[kMost], step_y[kMost];  // per metre along the ray
+  float per_x[kMost], per_y[kMost];    // metres along the ray per cell; huge for a ray across that axis
+  float cell_x[kMost], cell_y[kMost];  // whole numbers: where the rays are
+  float range[kMost];                  // m, of the rays
   std::int32_t flip_x[kMost], flip_y[kMost];  // -1 where mirrored: ~c is the cell that c was
   std::int32_t base_x[kMost], base_y[kMost];  // of the torus
   std::int32_t quadrant[kMost];
@@ -32,98 +32,101 @@ struct Lanes {
   std::uint32_t ray[kMost];   // whose lane it is
 
   void copy(std::size_t from, std::size_t to) {
-    for (double* column : {x, y, step_x, step_y, per_x, per_y, cell_x, cell_y, range})
+    for (float* column : {x, y, step_x, step_y, per_x, per_y, cell_x, cell_y, range})
       column[to] = column[from];
     for (std::int32_t* column : {flip_x, flip_y, base_x, base_y, quadrant, hop}) column[to] = column[from];
     ray[to] = ray[from];
   }
 };
 
-/// Signs of four numbers: -1 for those below 0, else 0.
-PLAYHOUSE_INLINE Cells below_zero(const Four& v) {
-  using Halves = std::int32_t __attribute__((vector_size(2 * sizeof(Cells))));
-  const auto below = v < 0;
-  Halves halves;
-  std::memcpy(&halves, &below, sizeof halves);
-  return __builtin_shufflevector(halves, halves, 0, 2, 4, 6);
+/// One axis of a ray that starts at p, base cells being at `base`.  [m]
+PLAYHOUSE_INLINE std::int32_t put_axis(double p, double d, double base, double cell, float* x, float* step,
+                                       float* per) {
+  constexpr float kNever = 1e30f;
+  const double at = (p - base) * (1.0 / cell), ahead = std::fabs(d);
+  *x = static_cast<float>(d < 0 ? -at : at);
+  *step = static_cast<float>(ahead * (1.0 / cell));
+  const double cells = cell / ahead;
+  *per = cells < kNever ? static_cast<float>(cells) : kNever;
+  return d < 0 ? -1 : 0;
 }
 
-/// One axis of four rays that start at p, base cells being at `base`.  [m]
-PLAYHOUSE_INLINE Cells put_axis(const double* p, const double* d, double base, double cell, double* x,
-                                double* step, double* per) {
-  constexpr double kNever = 1e300;
-  Four at, ahead;
-  load(at, p);
-  load(ahead, d);
-  const Cells flip = below_zero(ahead);
-  at = (at - base) * (1.0 / cell);
-  at = ahead < 0 ? -at : at;
-  ahead = ahead < 0 ? -ahead : ahead;
-  store<Four>(x, at);
-  store<Four>(step, ahead * (1.0 / cell));
-  store<Four>(per, ahead == 0 ? kNever : cell / ahead);
-  return flip;
-}
-
-/// Puts the rays of a part into lanes; those after them are overwritten.
+/// Puts the rays of a part into lanes.
 PLAYHOUSE_INLINE void put(const Rays& rays, const Rays::Part& part, const Torus& torus, Lanes& lanes) {
   const double cell = torus.cell();
   const std::int64_t base_x = torus.along(part.about.x), base_y = torus.along(part.about.y);
   const double x0 = static_cast<double>(base_x) * cell, y0 = static_cast<double>(base_y) * cell;
-  const Cells none = {0, 0, 0, 0};
-  for (std::size_t k = part.begin; k < part.end; k += kFour) {
-    const Cells left =
-        put_axis(rays.px + k, rays.dx + k, x0, cell, lanes.x + k, lanes.step_x + k, lanes.per_x + k);
-    const Cells down =
-        put_axis(rays.py + k, rays.dy + k, y0, cell, lanes.y + k, lanes.step_y + k, lanes.per_y + k);
-    store(lanes.flip_x + k, left);
-    store(lanes.flip_y + k, down);
-    store<Cells>(lanes.base_x + k, none + static_cast<std::int32_t>(torus.wrap(base_x)));
-    store<Cells>(lanes.base_y + k, none + static_cast<std::int32_t>(torus.wrap(base_y)));
-    store<Cells>(lanes.quadrant + k, -left - 2 * down);
-    for (std::size_t i = k; i < k + kFour; ++i) {
-      lanes.range[i] = rays.range[i];
-      lanes.ray[i] = static_cast<std::uint32_t>(i);
-    }
+  for (std::size_t k = part.begin; k < part.end; ++k) {
+    const std::int32_t left =
+        put_axis(rays.px[k], rays.dx[k], x0, cell, lanes.x + k, lanes.step_x + k, lanes.per_x + k);
+    const std::int32_t down =
+        put_axis(rays.py[k], rays.dy[k], y0, cell, lanes.y + k, lanes.step_y + k, lanes.per_y + k);
+    lanes.flip_x[k] = left;
+    lanes.flip_y[k] = down;
+    lanes.base_x[k] = static_cast<std::int32_t>(torus.wrap(base_x));
+    lanes.base_y[k] = static_cast<std::int32_t>(torus.wrap(base_y));
+    lanes.quadrant[k] = -left - 2 * down;
+    lanes.range[k] = static_cast<float>(rays.range[k]);
+    lanes.ray[k] = static_cast<std::uint32_t>(k);
   }
 }
 
-/// Finds the place of four rays from their cells, which they enter at t.  [m]
-PLAYHOUSE_INLINE void find_place(const Torus& torus, std::size_t k, const Four& cell_x, const Four& cell_y,
-                                 const Four& t, Lanes& lanes) {
+/// Lanes of rays that are where edges are, and how many rays have not ended.
+struct Found {
+  std::uint32_t touch[Lanes::kMost];
+  std::size_t touches = 0;
+  EightInts on = {};  // by lane modulo eight
+
+  std::size_t going_on() const {
+    return static_cast<std::size_t>((on[0] + on[1]) + (on[2] + on[3]) + (on[4] + on[5]) + (on[6] + on[7]));
+  }
+};
+
+/// Finds the place of eight rays from their cells, which they enter at t, and what is there.  [m]
+PLAYHOUSE_INLINE void look(const Torus& torus, const std::uint8_t* clearances, std::size_t k,
+                           const Eight& cell_x, const Eight& cell_y, const Eight& t, Lanes& lanes,
+                           Found& found) {
   const auto mask = static_cast<std::int32_t>(torus.side() - 1);
-  Cells flip_x, flip_y, base_x, base_y, quadrant;
+  EightInts flip_x, flip_y, base_x, base_y, quadrant;
   load(flip_x, lanes.flip_x + k);
   load(flip_y, lanes.flip_y + k);
   load(base_x, lanes.base_x + k);
   load(base_y, lanes.base_y + k);
   load(quadrant, lanes.quadrant + k);
-  const Cells x = ((__builtin_convertvector(cell_x, Cells) ^ flip_x) + base_x) & mask;
-  const Cells y = ((__builtin_convertvector(cell_y, Cells) ^ flip_y) + base_y) & mask;
+  const EightInts x = ((__builtin_convertvector(cell_x, EightInts) ^ flip_x) + base_x) & mask;
+  const EightInts y = ((__builtin_convertvector(cell_y, EightInts) ^ flip_y) + base_y) & mask;
   store(lanes.cell_x + k, cell_x);
   store(lanes.cell_y + k, cell_y);
-  Four range;
+  Eight range;
   load(range, lanes.range + k);
-  const Cells ended = below_zero(range - t);
-  store<Cells>(lanes.place + k, ((((y << static_cast<int>(torus.bits())) + x) << 2) + quadrant) | ended);
+  const EightInts ended = range < t;
+  store<EightInts>(lanes.place + k, ((((y << static_cast<int>(torus.bits())) + x) << 2) + quadrant) | ended);
+  found.on += ended + 1;
+  for (std::size_t lane = k; lane < k + kEight;
+       ++lane) {  // without branches: nobody can foretell what is met
+    const std::int32_t clearance = clearances[lanes.place[lane]];
+    lanes.hop[lane] = clearance;
+    found.touch[found.touches] = static_cast<std::uint32_t>(lane);
+    found.touches += clearance == 0;
+  }
 }
 
-PLAYHOUSE_INLINE void begin(const Torus& torus, std::size_t count, Lanes& lanes) {
-  for (std::size_t k = 0; k < count; k += kFour) {
-    Four x, y;
+PLAYHOUSE_INLINE void begin(const Walls& walls, std::size_t count, Lanes& lanes, Found& found) {
+  for (std::size_t k = 0; k < count; k += kEight) {
+    Eight x, y;
     load(x, lanes.x + k);
     load(y, lanes.y + k);
     floor_of(x);
     floor_of(y);
-    find_place(torus, k, x, y, Four{0, 0, 0, 0}, lanes);
+    look(walls.torus(), walls.clearances(), k, x, y, Eight{}, lanes, found);
   }
 }
 
 /// Moves the rays to where they leave the square of their hop.
-PLAYHOUSE_INLINE void advance(const Torus& torus, std::size_t count, Lanes& lanes) {
-  for (std::size_t k = 0; k < count; k += kFour) {
-    Four x, y, step_x, step_y, per_x, per_y, cell_x, cell_y;
-    Cells hops;
+PLAYHOUSE_INLINE void advance(const Walls& walls, std::size_t count, Lanes& lanes, Found& found) {
+  for (std::size_t k = 0; k < count; k += kEight) {
+    Eight x, y, step_x, step_y, per_x, per_y, cell_x, cell_y;
+    EightInts hops;
     load(x, lanes.x + k);
     load(y, lanes.y + k);
     load(step_x, lanes.step_x + k);
@@ -133,17 +136,41 @@ PLAYHOUSE_INLINE void advance(const Torus& torus, std::size_t count, Lanes& lane
     load(cell_x, lanes.cell_x + k);
     load(cell_y, lanes.cell_y + k);
     load(hops, lanes.hop + k);
-    hops = hops > 0 ? hops : 1;
-    const Four hop = __builtin_convertvector(hops, Four);
-    const Four next_x = cell_x + hop, next_y = cell_y + hop;
-    const Four t_x = (next_x - x) * per_x, t_y = (next_y - y) * per_y;
-    const Four t = t_x < t_y ? t_x : t_y;
-    Four beside_x = x + t * step_x, beside_y = y + t * step_y;
+    hops = hops > 1 ? hops : 1;
+    const Eight hop = __builtin_convertvector(hops, Eight);
+    const Eight next_x = cell_x + hop, next_y = cell_y + hop;
+    const Eight t_x = (next_x - x) * per_x, t_y = (next_y - y) * per_y;
+    const Eight t = t_x < t_y ? t_x : t_y;
+    Eight beside_x = x + t * step_x, beside_y = y + t * step_y;
     floor_of(beside_x);
     floor_of(beside_y);
     beside_x = beside_x < cell_x ? cell_x : beside_x;  // rounding must not take it back
     beside_y = beside_y < cell_y ? cell_y : beside_y;
-    find_place(torus, k, t_x < t_y ? next_x : beside_x, t_x < t_y ? beside_y : next_y, t, lanes);
+    look(walls.torus(), walls.clearances(), k, t_x < t_y ? next_x : beside_x, t_x < t_y ? beside_y : next_y,
+         t, lanes, found);
+  }
+}
+
+/// Moves the `on` rays that go on to the front.
+PLAYHOUSE_INLINE void close_up(std::size_t on, std::size_t used, Lanes& lanes) {
+  std::uint32_t free[Lanes::kMost], late[Lanes::kMost];
+  std::size_t gaps = 0, moves = 0;
+  for (std::size_t i = 0; i < on; ++i) {
+    free[gaps] = static_cast<std::uint32_t>(i);
+    gaps += lanes.place[i] < 0;
+  }
+  for (std::size_t i = on; i < used; ++i) {
+    late[moves] = static_cast<std::uint32_t>(i);
+    moves += lanes.place[i] >= 0;
+  }
+  for (std::size_t i = 0; i < moves; ++i) lanes.copy(late[i], free[i]);
+}
+
+/// Fills the last eight lanes up with a ray that has ended.
+PLAYHOUSE_INLINE void fill_up(std::size_t count, Lanes& lanes) {
+  for (std::size_t k = count; k % kEight != 0; ++k) {
+    lanes.copy(0, k);
+    lanes.range[k] = -1;
   }
 }
 
@@ -154,10 +181,10 @@ PLAYHOUSE_INLINE void meet(const Walls::Group& group, std::size_t k, Rays& rays)
   const Four range = {rays.range[k], rays.range[k], rays.range[k], rays.range[k]};
   const Four seen = {group.ranger_return}, known = {rays.intensity[k]};
   Four ax, ay, bx, by;
-  load(ax, group.ax);
-  load(ay, group.ay);
-  load(bx, group.bx);
-  load(by, group.by);
+  load(ax, group.x);
+  load(ay, group.y);
+  load(bx, group.x + 1);
+  load(by, group.y + 1);
   ax -= px;
   ay -= py;
   bx -= px;
@@ -177,41 +204,28 @@ PLAYHOUSE_INLINE void meet(const Walls::Group& group, std::size_t k, Rays& rays)
 }  // namespace
 
 PLAYHOUSE_VECTORS void march(const Walls& walls, Rays& rays) {
-  const Torus& torus = walls.torus();
-  std::size_t count = rays.count;
   Lanes lanes;
-  for (std::size_t i = 0; i < rays.part_count; ++i) put(rays, rays.parts[i], torus, lanes);
-  const std::uint8_t* const clearances = walls.clearances();
-  std::uint32_t on[Lanes::kMost], touch[Lanes::kMost];  // lanes of rays that go on, that are where edges are
-  for (std::size_t k = 0; k < count; ++k) on[k] = static_cast<std::uint32_t>(k);
-  lanes.hop[0] = 1;  // which the lanes that fill up the last four keep
-  for (std::size_t k = count; k < (count + kFour - 1) / kFour * kFour; ++k) lanes.copy(0, k);
-  begin(torus, count, lanes);
-  for (std::size_t used = count; count > 0;) {
-    std::size_t left = 0, touches = 0;
-    for (std::size_t i = 0; i < count; ++i) {  // without branches: nobody can foretell where they end
-      const std::uint32_t lane = on[i];
-      const std::int32_t place = lanes.place[lane], clearance = clearances[place];
-      lanes.hop[lane] = clearance;
-      on[left] = touch[touches] = lane;
-      left += place >= 0;
-      touches += clearance == 0;
-    }
-    count = left;
-    for (std::size_t i = 0; i < touches; ++i) {
-      const std::uint32_t lane = touch[i], k = lanes.ray[lane];
+  for (std::size_t i = 0; i < rays.part_count; ++i) put(rays, rays.parts[i], walls.torus(), lanes);
+  std::size_t used = rays.count;
+  lanes.hop[0] = 1;
+  fill_up(used, lanes);
+  Found found;
+  begin(walls, used, lanes, found);
+  while (const std::size_t on = found.going_on()) {
+    for (std::size_t i = 0; i < found.touches; ++i) {
+      const std::uint32_t lane = found.touch[i], k = lanes.ray[lane];
       for (const Walls::Group& group : walls.in_cell(static_cast<std::size_t>(lanes.place[lane]) >> 2))
         if (group.z_min <= rays.z[k] && rays.z[k] <= group.z_max) meet(group, k, rays);
-      lanes.range[lane] = rays.range[k];
+      lanes.range[lane] = static_cast<float>(rays.range[k]);
     }
-    if (2 * count <= used) {
-      for (std::size_t i = 0; i < count; ++i) {
-        lanes.copy(on[i], i);
-        on[i] = static_cast<std::uint32_t>(i);
-      }
-      used = count;
+    if (2 * on <= used) {
+      close_up(on, used, lanes);
+      used = on;
+      fill_up(used, lanes);
     }
-    advance(torus, used, lanes);
+    found.touches = 0;
+    found.on = EightInts{};
+    advance(walls, used, lanes, found);
   }
 }
 

@@ -8,8 +8,8 @@
 namespace playhouse::stage {
 
 struct Rays {
-  static constexpr std::size_t kMost = 64;
-  static constexpr std::size_t kSpare = 4;  // what is behind the last ray is read four at a time
+  static constexpr std::size_t kMost = 128;
+  static constexpr std::size_t kSpare = 8;  // what is behind the last ray is worked on with it
   static constexpr std::size_t kRoom = kMost + kSpare;
 
   double px[kRoom], py[kRoom], dx[kRoom], dy[kRoom];  // m, unit vectors

@@ -35,7 +35,7 @@ RangerSense::RangerSense(const world::World& world, const Solids& solids, unsign
   Bench bench;
   std::size_t beams = 0;
   for (const RangerKind& kind : kinds_.kinds) beams = std::max<std::size_t>(beams, kind.beams);
-  bench_beams_ = std::max<std::size_t>(beams, 4 * Rays::kMost);
+  bench_beams_ = std::max<std::size_t>(beams, 2 * Rays::kMost);
   bench.range.resize(bench_beams_ + Scan::kSpare);
   bench.intensity.resize(bench_beams_ + Scan::kSpare);
   bench.x.resize(solids.moving + 1);

@@ -19,19 +19,22 @@
 
 namespace playhouse::stage {
 
-/// Four numbers that are worked on together, on any processor.
-inline constexpr std::size_t kFour = 4;
+/// Numbers that are worked on together, on any processor: four that are exact, or eight where half the digits
+/// do.
+inline constexpr std::size_t kFour = 4, kEight = 8;
 using Four = double __attribute__((vector_size(kFour * sizeof(double))));
 using FourInts = std::int32_t __attribute__((vector_size(kFour * sizeof(std::int32_t))));
+using Eight = float __attribute__((vector_size(kEight * sizeof(float))));
+using EightInts = std::int32_t __attribute__((vector_size(kEight * sizeof(std::int32_t))));
 
 template <typename Vector, typename Number>
 PLAYHOUSE_INLINE void load(Vector& v, const Number* from) {
-  static_assert(sizeof v == kFour * sizeof(Number));
+  static_assert(sizeof v % sizeof(Number) == 0);
   std::memcpy(&v, from, sizeof v);
 }
 template <typename Vector, typename Number>
 PLAYHOUSE_INLINE void store(Number* to, const Vector& v) {
-  static_assert(sizeof v == kFour * sizeof(Number));
+  static_assert(sizeof v % sizeof(Number) == 0);
   std::memcpy(to, &v, sizeof v);
 }
 

@@ -1,13 +1,11 @@
 #include "playhouse/stage/walls.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 namespace playhouse::stage {
 namespace {
-
-constexpr double kBorder =
-    1e-9;  // m; an edge this near to a cell is listed in it, so that rounding loses nothing
 
 double length(const Walls::Edge& edge) {
   const Vec2 e = edge.b - edge.a;
@@ -40,17 +38,18 @@ template <typename Visit>
 void Walls::rasterise(const Edge& edge, const Visit& visit) const {
   const Vec2 low = edge.a.y <= edge.b.y ? edge.a : edge.b, high = edge.a.y <= edge.b.y ? edge.b : edge.a;
   const double rise = high.y - low.y, run = high.x - low.x;
-  const std::int64_t y0 = torus_.along(low.y - kBorder), y1 = torus_.along(high.y + kBorder);
+  const double border = kBorder * torus_.cell();
+  const std::int64_t y0 = torus_.along(low.y - border), y1 = torus_.along(high.y + border);
   for (std::int64_t cy = y0; cy <= y1; ++cy) {
     double from = low.x, to = high.x;
     if (y1 > y0 && rise > 0) {
-      const double bottom = std::max(low.y, static_cast<double>(cy) * torus_.cell() - kBorder);
-      const double top = std::min(high.y, static_cast<double>(cy + 1) * torus_.cell() + kBorder);
+      const double bottom = std::max(low.y, static_cast<double>(cy) * torus_.cell() - border);
+      const double top = std::min(high.y, static_cast<double>(cy + 1) * torus_.cell() + border);
       from = low.x + run * std::clamp((bottom - low.y) / rise, 0.0, 1.0);
       to = low.x + run * std::clamp((top - low.y) / rise, 0.0, 1.0);
     }
-    const std::int64_t x0 = torus_.along(std::min(from, to) - kBorder),
-                       x1 = torus_.along(std::max(from, to) + kBorder);
+    const std::int64_t x0 = torus_.along(std::min(from, to) - border),
+                       x1 = torus_.along(std::max(from, to) + border);
     for (std::int64_t cx = x0; cx <= x1; ++cx) visit(torus_.index(cx, cy));
   }
 }
@@ -76,20 +75,20 @@ Walls::Walls(const Solids& solids) {
   if (all.size() <= kFew) few_ = all;
 }
 
-/// Edges come solid by solid, so that a group of another solid's edges is never gone back to.
+/// Edges come in the order of their numbers, so that a group is never gone back to.
 void Walls::list(const std::vector<Edge>& edges, const Solids& solids) {
   constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
   struct Last {
-    std::uint32_t solid = world::ModelRow::kNone, edges = 0;  // of the group that is being filled
+    std::uint32_t solid = world::ModelRow::kNone, edges = 0, next = 0;  // of the group that is being filled
   };
-  // Calls visit(index, is_new) for each edge and each of its cells; is_new if it begins a group there.
+  // Calls visit(edge, index, is_new) for each edge and each of its cells; is_new if it begins a group there.
   const auto each = [&](const auto& visit) {
     std::vector<Last> last(torus_.cells());
     for (const Edge& edge : edges)
       rasterise(edge, [&](std::size_t index) {
         Last& group = last[index];
-        const bool is_new = group.solid != edge.solid || group.edges == kFour;
-        group = {edge.solid, is_new ? 1 : group.edges + 1};
+        const bool is_new = group.solid != edge.solid || group.next != edge.number || group.edges == kFour;
+        group = {edge.solid, is_new ? 1 : group.edges + 1, edge.number + 1};
         visit(edge, index, is_new);
       });
   };
@@ -102,19 +101,20 @@ void Walls::list(const std::vector<Edge>& edges, const Solids& solids) {
     next[index] += is_new;
     Group& group = groups_[next[index] - 1];
     if (is_new) {
-      for (double* column : {group.ax, group.ay, group.bx, group.by}) std::fill_n(column, kFour, kNowhere);
+      std::fill_n(group.x, std::size(group.x), kNowhere);
+      std::fill_n(group.y, std::size(group.y), kNowhere);
       group.z_min = solids.ranger_return[edge.solid] >= 0 ? solids.z_min[edge.solid] : 1e300;
       group.z_max = solids.z_max[edge.solid];
       group.ranger_return = solids.ranger_return[edge.solid];
       group.solid = edge.solid;
+      group.number = edge.number;
       group.count = 0;
+      group.x[0] = edge.a.x;
+      group.y[0] = edge.a.y;
     }
-    const std::size_t i = group.count++;
-    group.ax[i] = edge.a.x;
-    group.ay[i] = edge.a.y;
-    group.bx[i] = edge.b.x;
-    group.by[i] = edge.b.y;
-    group.number[i] = edge.number;
+    ++group.count;
+    group.x[group.count] = edge.b.x;
+    group.y[group.count] = edge.b.y;
   });
 }
 

@@ -28,16 +28,18 @@ class Walls {
     }
   };
 
-  /// Up to four edges of one solid in one cell, as columns; what is left of the four is not a number.
-  struct Group {
-    double ax[kFour], ay[kFour], bx[kFour], by[kFour];  // m, in W
-    double z_min, z_max;                                // m, in W; no height has what rangers do not see
-    double ranger_return;                               // of the solid
-    std::uint32_t solid;                                // row of Solids
+  /// Up to four edges of one solid in one cell, each from a point to the next; points that are left are not
+  /// numbers. Two lines of memory.
+  struct alignas(64) Group {
+    double x[kFour + 1];   // m, in W
+    double z_min, z_max;   // m, in W; no height has what rangers do not see
+    double ranger_return;  // of the solid
+    double y[kFour + 1];   // m, in W
+    std::uint32_t solid;   // row of Solids
     std::uint32_t count;
-    std::uint32_t number[kFour];  // of the edges
+    std::uint32_t number;  // of the first edge; others follow it
 
-    Edge edge(std::size_t i) const { return {{ax[i], ay[i]}, {bx[i], by[i]}, solid, number[i]}; }
+    Edge edge(std::uint32_t i) const { return {{x[i], y[i]}, {x[i + 1], y[i + 1]}, solid, number + i}; }
   };
 
   Walls() = default;
@@ -54,7 +56,7 @@ class Walls {
     if (edge_count_ == 0) return;
     torus_.runs(box, [&](std::size_t first, std::size_t last) {
       for (std::uint32_t g = first_[first]; g < first_[last + 1]; ++g)
-        for (std::size_t i = 0; i < groups_[g].count; ++i) visit(groups_[g].edge(i));
+        for (std::uint32_t i = 0; i < groups_[g].count; ++i) visit(groups_[g].edge(i));
     });
   }
 
@@ -93,6 +95,8 @@ class Walls {
 
  private:
   static constexpr int kFarthest = 32;
+  /// An edge this near to a cell is listed in it: who goes from cell to cell may err by less.  [cells]
+  static constexpr double kBorder = 1.0 / 64;
 
   template <typename Visit>
   void rasterise(const Edge& edge, const Visit& visit) const;
@@ -121,7 +125,7 @@ void Walls::along(Vec2 p, Vec2 d, const double* reach, const Visit& visit) const
     std::int64_t hop = clearance(towards, index);
     if (hop == 0) {
       for (const Group& group : in_cell(index))
-        for (std::size_t i = 0; i < group.count; ++i) visit(group.edge(i));
+        for (std::uint32_t i = 0; i < group.count; ++i) visit(group.edge(i));
       hop = 1;
     }
     // Nothing is left in the square of `hop` cells ahead: on to where the ray leaves it.

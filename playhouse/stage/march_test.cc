@@ -1,0 +1,88 @@
+#include "playhouse/stage/march.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "playhouse/base/rng.h"
+#include "playhouse/stage/space.h"
+
+namespace playhouse::stage {
+namespace {
+
+/// Square posts that stand still, by their lower left corners.
+Solids posts(const std::vector<Vec2>& corners, double side) {
+  Solids solids;
+  solids.first_vertex.push_back(0);
+  for (const Vec2 p : corners) {
+    for (const Vec2 e : {Vec2{0, 0}, Vec2{side, 0}, Vec2{side, side}, Vec2{0, side}, Vec2{0, 0}})
+      solids.p.push_back(p + e);
+    solids.first_vertex.push_back(static_cast<std::uint32_t>(solids.p.size()));
+    solids.model.push_back(0);
+    solids.z_min.push_back(0);
+    solids.z_max.push_back(1);
+    solids.ranger_return.push_back(1);
+  }
+  solids.p.resize(solids.p.size() + Solids::kSpare);
+  return solids;
+}
+
+double nearest(const Solids& solids, Vec2 p, Vec2 d, double range) {
+  for (std::size_t row = 0; row < solids.size(); ++row) {
+    const std::span<const Vec2> polygon = solids.polygon(row);
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+      range = std::min(range, edge_hit(polygon[i] - p, polygon[(i + 1) % polygon.size()] - p, d));
+  }
+  return range;
+}
+
+/// Posts are in a cell's corner and rays clip just that: the rounding of single precision takes some of them
+/// through the cells on both sides of the corner, but not through this one.
+TEST(March, comes_by_every_edge_however_many_cells_away) {
+  constexpr double kSide = 0.04;
+  constexpr std::size_t kPosts = 4000;
+  const double cell = Walls(posts({{0, 0}, {1, 0}}, kSide)).torus().cell(),
+               range = (kFarthestMarch - 1) * cell;
+  Rng rng(1, 0, 0, 0);
+  std::vector<Vec2> corners, aims;
+  for (std::size_t i = 0; i < kPosts; ++i) {
+    const double right = i % 2 ? 1 : -1, up = i % 4 < 2 ? 1 : -1;
+    const Vec2 meeting{right * std::floor(rng.uniform(10, 5000)) * cell,  // of four cells
+                       up * std::floor(rng.uniform(10, 5000)) * cell};
+    const double in = 1e-6 * cell;
+    corners.push_back({right > 0 ? meeting.x - in - kSide : meeting.x + in,
+                       up > 0 ? meeting.y + in : meeting.y - in - kSide});
+    aims.push_back(meeting - Vec2{right * rng.uniform(0, 0.002) * cell, 0});
+  }
+  const Solids solids = posts(corners, kSide);
+  const Walls walls(solids);
+  ASSERT_NEAR(walls.torus().cell(), cell, 1e-12);
+
+  std::size_t far = 0;
+  for (std::size_t first = 0; first < kPosts; first += Rays::kMost) {
+    Rays rays;
+    rays.count = std::min(Rays::kMost, kPosts - first);
+    rays.parts[0] = {{0, 0}, 0, rays.count};
+    rays.part_count = 1;
+    for (std::size_t k = 0; k < rays.count; ++k) {
+      const Vec2 aim = aims[first + k];
+      const double length = std::sqrt(geom::dot(aim, aim));
+      rays.px[k] = rays.py[k] = 0;
+      rays.dx[k] = aim.x / length;
+      rays.dy[k] = aim.y / length;
+      rays.z[k] = 0.5;
+      rays.range[k] = range;
+      rays.intensity[k] = 0;
+    }
+    march(walls, rays);
+    for (std::size_t k = 0; k < rays.count; ++k) {
+      EXPECT_EQ(rays.range[k], nearest(solids, rays.p(k), rays.d(k), range));
+      far += rays.intensity[k] == 1 && rays.range[k] > 4000 * cell;
+    }
+  }
+  EXPECT_GT(far, 100u);
+}
+
+}  // namespace
+}  // namespace playhouse::stage
