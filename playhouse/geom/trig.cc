@@ -17,40 +17,40 @@ double nearest_whole(double v) {
   return (v + kWhole) - kWhole;
 }
 
+/// c[0] + c[1] z + ... + c[7] z^7. By halves (Estrin's scheme), so that the processor need not wait for one
+/// product after the other.
+double polynomial(const double (&c)[8], double z, double z2, double z4) {
+  const double low = (c[0] + c[1] * z) + (c[2] + c[3] * z) * z2;
+  const double high = (c[4] + c[5] * z) + (c[6] + c[7] * z) * z2;
+  return low + high * z4;
+}
+
 /// sin on [-pi/4, pi/4]: Taylor to x^17, remainder below 1e-19.
 double sin_small(double x) {
-  const double z = x * x;
-  double p = 1.0 / 355687428096000.0;
-  p = p * z - 1.0 / 1307674368000.0;
-  p = p * z + 1.0 / 6227020800.0;
-  p = p * z - 1.0 / 39916800.0;
-  p = p * z + 1.0 / 362880.0;
-  p = p * z - 1.0 / 5040.0;
-  p = p * z + 1.0 / 120.0;
-  p = p * z - 1.0 / 6.0;
-  return x + x * z * p;
+  constexpr double kTaylor[] = {
+      -1.0 / 6.0,        1.0 / 120.0,        -1.0 / 5040.0,          1.0 / 362880.0,
+      -1.0 / 39916800.0, 1.0 / 6227020800.0, -1.0 / 1307674368000.0, 1.0 / 355687428096000.0};
+  const double z = x * x, z2 = z * z;
+  return x + x * z * polynomial(kTaylor, z, z2, z2 * z2);
 }
 
 /// cos on [-pi/4, pi/4]: Taylor to x^18.
 double cos_small(double x) {
-  const double z = x * x;
-  double p = -1.0 / 6402373705728000.0;
-  p = p * z + 1.0 / 20922789888000.0;
-  p = p * z - 1.0 / 87178291200.0;
-  p = p * z + 1.0 / 479001600.0;
-  p = p * z - 1.0 / 3628800.0;
-  p = p * z + 1.0 / 40320.0;
-  p = p * z - 1.0 / 720.0;
-  p = p * z + 1.0 / 24.0;
-  return 1.0 - 0.5 * z + z * z * p;
+  constexpr double kTaylor[] = {
+      1.0 / 24.0,        -1.0 / 720.0,         1.0 / 40320.0,          -1.0 / 3628800.0,
+      1.0 / 479001600.0, -1.0 / 87178291200.0, 1.0 / 20922789888000.0, -1.0 / 6402373705728000.0};
+  const double z = x * x, z2 = z * z;
+  return 1.0 - 0.5 * z + z2 * polynomial(kTaylor, z, z2, z2 * z2);
 }
 
 /// atan on [0, tan(pi/16)]: alternating series to x^25, remainder below 1e-19.
 double atan_small(double x) {
-  const double z = x * x;
-  double p = 0.0;
-  for (int k = 25; k >= 3; k -= 2) p = (((k / 2) % 2 == 0 ? 1.0 : -1.0) / k + p) * z;
-  return x + x * p;
+  constexpr double kSeries[] = {-1.0 / 3,  1.0 / 5,  -1.0 / 7,  1.0 / 9,
+                                -1.0 / 11, 1.0 / 13, -1.0 / 15, 1.0 / 17};
+  constexpr double kTail[] = {-1.0 / 19, 1.0 / 21, -1.0 / 23, 1.0 / 25};
+  const double z = x * x, z2 = z * z, z4 = z2 * z2;
+  const double tail = (kTail[0] + kTail[1] * z) + (kTail[2] + kTail[3] * z) * z2;
+  return x + x * z * (polynomial(kSeries, z, z2, z4) + tail * (z4 * z4));
 }
 
 /// atan on [0, 1]: turned back by the nearest of 0, pi/8, pi/4, so that the series converges fast.
