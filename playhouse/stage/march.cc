@@ -39,32 +39,42 @@ struct Lanes {
   }
 };
 
-/// One axis of a ray that starts at p, base cells being at `base`.  [m]
-PLAYHOUSE_INLINE std::int32_t put_axis(double p, double d, double base, double cell, float* x, float* step,
-                                       float* per) {
-  constexpr float kNever = 1e30f;
-  const double at = (p - base) * (1.0 / cell), ahead = std::fabs(d);
-  *x = static_cast<float>(d < 0 ? -at : at);
-  *step = static_cast<float>(ahead * (1.0 / cell));
-  const double cells = cell / ahead;
-  *per = cells < kNever ? static_cast<float>(cells) : kNever;
-  return d < 0 ? -1 : 0;
-}
-
-/// Puts the rays of a part into lanes.
-PLAYHOUSE_INLINE void put(const Rays& rays, const Rays::Part& part, const Torus& torus, Lanes& lanes) {
-  const double cell = torus.cell();
+/// Where the rays of a part start, not mirrored yet.
+PLAYHOUSE_INLINE void put_origins(const Rays& rays, const Rays::Part& part, const Torus& torus,
+                                  Lanes& lanes) {
+  const double cell = torus.cell(), per_metre = 1.0 / cell;
   const std::int64_t base_x = torus.along(part.about.x), base_y = torus.along(part.about.y);
   const double x0 = static_cast<double>(base_x) * cell, y0 = static_cast<double>(base_y) * cell;
+  const auto wrapped_x = static_cast<std::int32_t>(torus.wrap(base_x)),
+             wrapped_y = static_cast<std::int32_t>(torus.wrap(base_y));
   for (std::size_t k = part.begin; k < part.end; ++k) {
+    lanes.x[k] = static_cast<float>((rays.px[k] - x0) * per_metre);
+    lanes.y[k] = static_cast<float>((rays.py[k] - y0) * per_metre);
+    lanes.base_x[k] = wrapped_x;
+    lanes.base_y[k] = wrapped_y;
+  }
+}
+
+/// Mirrors one axis of a ray that starts at *x and goes along d.
+PLAYHOUSE_INLINE std::int32_t put_axis(double d, float cell, float per_metre, float* x, float* step,
+                                       float* per) {
+  constexpr float kNever = 1e30f;
+  const auto along = static_cast<float>(d), ahead = std::fabs(along), cells = cell / ahead;
+  *x = along < 0 ? -*x : *x;
+  *step = ahead * per_metre;
+  *per = cells < kNever ? cells : kNever;
+  return along < 0 ? -1 : 0;
+}
+
+PLAYHOUSE_INLINE void put_directions(const Rays& rays, const Torus& torus, Lanes& lanes) {
+  const auto cell = static_cast<float>(torus.cell()), per_metre = static_cast<float>(1.0 / torus.cell());
+  for (std::size_t k = 0; k < rays.count; ++k) {
     const std::int32_t left =
-        put_axis(rays.px[k], rays.dx[k], x0, cell, lanes.x + k, lanes.step_x + k, lanes.per_x + k);
+        put_axis(rays.dx[k], cell, per_metre, lanes.x + k, lanes.step_x + k, lanes.per_x + k);
     const std::int32_t down =
-        put_axis(rays.py[k], rays.dy[k], y0, cell, lanes.y + k, lanes.step_y + k, lanes.per_y + k);
+        put_axis(rays.dy[k], cell, per_metre, lanes.y + k, lanes.step_y + k, lanes.per_y + k);
     lanes.flip_x[k] = left;
     lanes.flip_y[k] = down;
-    lanes.base_x[k] = static_cast<std::int32_t>(torus.wrap(base_x));
-    lanes.base_y[k] = static_cast<std::int32_t>(torus.wrap(base_y));
     lanes.quadrant[k] = -left - 2 * down;
     lanes.range[k] = static_cast<float>(rays.range[k]);
     lanes.ray[k] = static_cast<std::uint32_t>(k);
@@ -205,7 +215,8 @@ PLAYHOUSE_INLINE void meet(const Walls::Group& group, std::size_t k, Rays& rays)
 
 PLAYHOUSE_VECTORS void march(const Walls& walls, Rays& rays) {
   Lanes lanes;
-  for (std::size_t i = 0; i < rays.part_count; ++i) put(rays, rays.parts[i], walls.torus(), lanes);
+  for (std::size_t i = 0; i < rays.part_count; ++i) put_origins(rays, rays.parts[i], walls.torus(), lanes);
+  put_directions(rays, walls.torus(), lanes);
   std::size_t used = rays.count;
   lanes.hop[0] = 1;
   fill_up(used, lanes);
