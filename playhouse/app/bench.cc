@@ -8,6 +8,7 @@
 #include "playhouse/app/bench_server.h"
 #include "playhouse/app/commands.h"
 #include "playhouse/app/world_opener.h"
+#include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/scenarios/scenario.h"
@@ -27,7 +28,7 @@ int unknown(const std::string& name) {
   std::vector<std::string_view> names;
   for (const scenarios::Scenario& scenario : scenarios::kScenarios) names.push_back(scenario.name);
   names.push_back("server");
-  log::error("there is no scenario \"{}\"{}; there are {}", name, did_you_mean(name, names),
+  log::error("there is no scenario {}{}; there are {}", in_quotes(name), did_you_mean(name, names),
              fmt::join(names, ", "));
   return kUsage;
 }

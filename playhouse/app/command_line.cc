@@ -171,7 +171,7 @@ Result<void> check_words(const CLI::App& app, std::span<const char* const> words
     const std::vector<std::string_view> commands = command_names(app);
     const std::string_view command = words[0];
     if (std::ranges::find(commands, command) == commands.end()) {
-      return Error{"", fmt::format("\"{}\" is no command{}; see playhouse --help", command,
+      return Error{"", fmt::format("{} is no command{}; see playhouse --help", in_quotes(command),
                                    did_you_mean(command, commands))};
     }
     scope = app.get_subcommand(words[0]);

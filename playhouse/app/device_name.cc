@@ -5,6 +5,7 @@
 #include <charconv>
 #include <vector>
 
+#include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/wire/messages.h"
 
@@ -17,14 +18,14 @@ Result<DeviceName> parse_device_name(std::string_view text) {
   if (interf == nullptr) {
     std::vector<std::string_view> names;
     for (const wire::InterfaceDef& known : wire::interfaces()) names.push_back(known.name);
-    return Error{"", fmt::format("there is no interface \"{}\"{}", name, did_you_mean(name, names))};
+    return Error{"", fmt::format("there is no interface {}{}", in_quotes(name), did_you_mean(name, names))};
   }
   DeviceName device{interf->code, 0};
   if (colon == std::string_view::npos) return device;
   const std::string_view digits = text.substr(colon + 1);
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), device.index);
   if (error != std::errc() || end != digits.data() + digits.size()) {
-    return Error{"", fmt::format("\"{}\" is no index; a device is named like {}:0", digits, name)};
+    return Error{"", fmt::format("{} is no index; a device is named like {}:0", in_quotes(digits), name)};
   }
   return device;
 }

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "playhouse/app/open_house.h"
+#include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
 
 namespace playhouse::app {
@@ -46,10 +47,10 @@ Result<void> set_option(char option, std::string_view value, PlayerOptions& opti
   if (option == 'l') {
     options.log_file = value;
   } else if (option == 'p' && !parse_number(value, options.port)) {
-    return Error{"", fmt::format("-p wants a port, not \"{}\"", value)};
+    return Error{"", fmt::format("-p wants a port, not {}", in_quotes(value))};
   } else if (option == 'd' &&
              (!parse_number(value, options.level) || options.level < 0 || options.level > 9)) {
-    return Error{"", fmt::format("-d wants a level from 0 to 9, not \"{}\"", value)};
+    return Error{"", fmt::format("-d wants a level from 0 to 9, not {}", in_quotes(value))};
   }
   return {};
 }
@@ -60,7 +61,7 @@ Result<PlayerOptions> parse(std::span<const char* const> words) {
     const std::string_view word = words[i];
     if (word.size() < 2 || word[0] != '-') {
       if (!options.file.empty())
-        return Error{"", fmt::format("one file is wanted; \"{}\" is a second", word)};
+        return Error{"", fmt::format("one file is wanted; {} is a second", in_quotes(word))};
       options.file = word;
       continue;
     }

@@ -9,4 +9,8 @@ namespace playhouse {
 /// lines of a log, and cut with "..." when it is longer than a line.
 std::string in_quotes(std::string_view text);
 
+/// Text from outside that stands without quotes, as a file's name before its line or a sentence: control
+/// characters as \xNN, and whole.
+std::string escaped(std::string_view text);
+
 }  // namespace playhouse

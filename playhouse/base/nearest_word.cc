@@ -4,6 +4,8 @@
 #include <numeric>
 #include <vector>
 
+#include "playhouse/base/in_quotes.h"
+
 namespace playhouse {
 namespace {
 
@@ -42,7 +44,7 @@ std::string_view nearest_word(std::string_view word, std::span<const std::string
 
 std::string did_you_mean(std::string_view word, std::span<const std::string_view> candidates) {
   const std::string_view nearest = nearest_word(word, candidates);
-  return nearest.empty() ? std::string{} : " (did you mean \"" + std::string(nearest) + "\"?)";
+  return nearest.empty() ? std::string{} : " (did you mean " + in_quotes(nearest) + "?)";
 }
 
 }  // namespace playhouse

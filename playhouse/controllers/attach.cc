@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 
+#include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/controllers/expand.h"
 #include "playhouse/controllers/loaded.h"
@@ -51,12 +52,12 @@ Error unknown(const std::string& where, const std::string& name,
   std::sort(words.begin() + kBuiltIns.size(), words.end());
   const std::vector<std::string_view> candidates(words.begin(), words.end());
   const std::string nearest = did_you_mean(name, candidates);
-  if (!nearest.empty()) return {where, "no controller \"" + name + "\"" + nearest};
+  if (!nearest.empty()) return {where, "no controller " + in_quotes(name) + nearest};
   std::string places;
   for (const std::filesystem::path& folder : folders)
     places += (places.empty() ? "" : ", ") + folder.string();
-  return {where,
-          "no controller \"" + name + "\": it is not built in, and " + name + ".so is not in " + places};
+  return {where, "no controller " + in_quotes(name) + ": it is not built in, and " + in_quotes(name + ".so") +
+                     " is not in " + places};
 }
 
 std::vector<std::string> split(const std::string& line) {
@@ -102,14 +103,14 @@ Result<Batch*> Crew::batch(const std::string& name, const std::string& where) {
     Result<Library> library = Library::open(file);
     // STAGEPATH leads to Stage's own builds of its demonstrations: no reason to refuse the world.
     if (!library && !is_stage_demo(name)) {
-      return Error{where, "controller \"" + name + "\": " + library.error().line()};
+      return Error{where, "controller " + in_quotes(name) + ": " + library.error().line()};
     }
     if (library) made = std::make_unique<Loaded>(std::move(*library));
   }
   if (!made && !is_stage_demo(name)) return unknown(where, name, folders_);
   if (!made) {
-    warn(where + ": Stage's demonstration \"" + name +
-         "\" is not part of this program; its robots stay without a controller");
+    warn(where + ": Stage's demonstration " + in_quotes(name) +
+         " is not part of this program; its robots stay without a controller");
   }
   Batch* const batch = made.get();
   by_name_.emplace(name, batch);
@@ -122,8 +123,8 @@ Result<void> Crew::hire(const Post& post, const std::string& where) {
   if (!found) return found.error();
   if (!*found) return {};
   if (const Result<void> added = (*found)->add(world_, post); !added) {
-    return Error{where, "controller \"" + post.name + "\" of \"" + world_.desc(post.model).name +
-                            "\": " + added.error().line()};
+    return Error{where, "controller " + in_quotes(post.name) + " of " +
+                            in_quotes(world_.desc(post.model).name) + ": " + added.error().line()};
   }
   return {};
 }
@@ -151,8 +152,8 @@ Result<std::vector<std::string>> attach(world::World& world, std::span<const std
       std::vector<std::string> words = split(desc.ctrl[order]);
       if (words.empty()) continue;
       if (!names.insert(words[0]).second) {
-        crew.warn(world.scene().at(desc.where) + ": \"" + desc.name + "\" names controller \"" + words[0] +
-                  "\" twice; the second is left out");
+        crew.warn(world.scene().at(desc.where) + ": " + in_quotes(desc.name) + " names controller " +
+                  in_quotes(words[0]) + " twice; the second is left out");
         continue;
       }
       Post post{{row}, words[0], {words.begin() + 1, words.end()}, order};

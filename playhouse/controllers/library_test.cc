@@ -146,7 +146,7 @@ TEST(Library, names_are_suggested_when_one_is_misspelt) {
 
 TEST(Library, that_is_nowhere_is_told_with_the_places) {
   EXPECT_THAT(Fixture("nowhere").error,
-              EndsWith("it is not built in, and nowhere.so is not in " TEST_LIBRARIES));
+              EndsWith("it is not built in, and \"nowhere.so\" is not in " TEST_LIBRARIES));
 }
 
 TEST(Library, is_looked_for_beside_the_world_then_in_the_environment_then_with_the_program) {

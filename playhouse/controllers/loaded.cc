@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <exception>
 
+#include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
 
 namespace playhouse::controllers {
@@ -125,8 +126,8 @@ void Loaded::obey(World& world, Seat& seat) {
 void Loaded::end(World& world, Seat& seat, const char* why) {
   seat.ended = true;
   if (seat.position) drive(world, seat.position, 0, 0);
-  log::error("{}: controller \"{}\" of \"{}\" ended: {}", world.scene().at(world.desc(seat.model).where),
-             seat.controller_name, seat.name, why);
+  log::error("{}: controller {} of {} ended: {}", world.scene().at(world.desc(seat.model).where),
+             in_quotes(seat.controller_name), in_quotes(seat.name), why);
 }
 
 void Loaded::decide(World& world, std::size_t begin, std::size_t end_row) {

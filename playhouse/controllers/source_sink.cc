@@ -2,6 +2,8 @@
 
 #include <charconv>
 
+#include "playhouse/base/in_quotes.h"
+
 namespace playhouse::controllers {
 
 Result<void> Source::add(world::World&, const Post& post) {
@@ -10,7 +12,7 @@ Result<void> Source::add(world::World&, const Post& post) {
     const std::string& word = post.arguments[0];
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), capacity);
     if (error != std::errc() || end != word.data() + word.size() || capacity < 0) {
-      return Error{{}, "wants its capacity as a whole number, not \"" + word + "\""};
+      return Error{{}, "wants its capacity as a whole number, not " + in_quotes(word)};
     }
   }
   model_.push_back(post.model);

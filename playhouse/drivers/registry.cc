@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/drivers/rangertolaser/ranger_to_laser.h"
 #include "playhouse/drivers/stage_driver/stage_driver.h"
@@ -36,7 +37,7 @@ Result<std::unique_ptr<device::Driver>> Registry::make(const scene::CfgSection& 
   std::vector<std::string_view> names;
   for (const auto& [name, factory] : factories_) names.push_back(name);
   return Error{section.at("name"),
-               fmt::format("there is no driver \"{}\"{}; this program has {}", section.name(),
+               fmt::format("there is no driver {}{}; this program has {}", in_quotes(section.name()),
                            did_you_mean(section.name(), names), fmt::join(names, ", "))};
 }
 

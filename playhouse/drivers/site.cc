@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/wire/messages.h"
 
@@ -9,14 +10,15 @@ namespace playhouse::drivers {
 
 Result<device::Address> Site::resolve(const scene::DeviceAddress& address) const {
   if (!address.host.empty() && address.host != "localhost" && address.host != "127.0.0.1") {
-    return Error{"", fmt::format("\"{}\": devices of other hosts are not available yet", address.text())};
+    return Error{"",
+                 fmt::format("{}: devices of other hosts are not available yet", in_quotes(address.text()))};
   }
   const wire::InterfaceDef* interf = wire::find_interface(address.interf);
   if (interf == nullptr) {
     std::vector<std::string_view> names;
     for (const wire::InterfaceDef& known : wire::interfaces()) names.push_back(known.name);
-    return Error{"", fmt::format("\"{}\": there is no interface \"{}\"{}", address.text(), address.interf,
-                                 did_you_mean(address.interf, names))};
+    return Error{"", fmt::format("{}: there is no interface {}{}", in_quotes(address.text()),
+                                 in_quotes(address.interf), did_you_mean(address.interf, names))};
   }
   return device::Address{address.port.value_or(default_port_), interf->code, address.index};
 }

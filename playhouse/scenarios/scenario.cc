@@ -7,6 +7,7 @@
 #include <iterator>
 #include <string>
 
+#include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/scenarios/embedded.h"
 #include "playhouse/scenarios/start_poses.h"
@@ -100,7 +101,7 @@ Result<scene::SceneDesc> make(std::string_view name, std::size_t robots) {
   if (!find(name)) {
     std::vector<std::string_view> names;
     for (const Scenario& scenario : kScenarios) names.push_back(scenario.name);
-    return Error{{}, "no scenario \"" + std::string(name) + "\"" + did_you_mean(name, names)};
+    return Error{{}, "no scenario " + in_quotes(name) + did_you_mean(name, names)};
   }
   if (robots < 1 || robots > kMostRobots) {
     return Error{

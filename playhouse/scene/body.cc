@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "playhouse/base/in_quotes.h"
+
 namespace playhouse::scene {
 namespace {
 
@@ -69,7 +71,7 @@ Shape::Prism read_block(const Properties& properties) {
     double v[2] = {};
     if (!properties.tuple(key, "LL", v, "[x y]")) {
       state.fail(prism.where,
-                 "the block has " + std::to_string(count) + " points, but \"" + key + "\" is missing");
+                 "the block has " + std::to_string(count) + " points, but " + in_quotes(key) + " is missing");
     }
     prism.points.push_back({v[0], v[1]});
   }

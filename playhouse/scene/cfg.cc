@@ -114,7 +114,7 @@ Color CfgSection::color(std::string_view key, Color otherwise) const {
   if (!field) return otherwise;
   const std::string name = text(key, "");
   if (const auto known = color_by_name(name)) return *known;
-  fail(*field, "unknown color \"" + name + "\"" + color_hint(name));
+  fail(*field, "unknown color " + in_quotes(name) + color_hint(name));
   return otherwise;
 }
 
@@ -138,8 +138,8 @@ std::vector<std::string> CfgSection::unread() const {
   std::vector<std::string> lines;
   for (const Field* field : fields_.all()) {
     if (asked_.contains(field->key)) continue;
-    lines.push_back(at(field->key) + ": \"" + std::string(field->key) + "\" is not used by driver \"" +
-                    name() + "\"" + did_you_mean(field->key, asked));
+    lines.push_back(at(field->key) + ": " + in_quotes(field->key) + " is not used by driver " +
+                    in_quotes(name()) + did_you_mean(field->key, asked));
   }
   return lines;
 }
@@ -178,8 +178,8 @@ Result<CfgFile> CfgLoader::load() {
   for (const Statement& statement : document_.statements) {
     if (!statement.base.empty()) {
       if (!macros_.define(statement)) {
-        warn(statement.section.where, "macro \"" + std::string(statement.section.name) +
-                                          "\" is defined already; the first definition counts");
+        warn(statement.section.where, "macro " + in_quotes(statement.section.name) +
+                                          " is defined already; the first definition counts");
       }
       continue;
     }
@@ -201,7 +201,7 @@ Result<void> CfgLoader::read_globals() {
            in_quotes(field.key) + " has no effect: " +
                (field.key == "test" ? "use playhouse check" : "all drivers are part of the program"));
     } else {
-      warn(field.where, "unknown field \"" + std::string(field.key) + "\" outside all sections" +
+      warn(field.where, "unknown field " + in_quotes(field.key) + " outside all sections" +
                             did_you_mean(field.key, kWords));
     }
   }
@@ -219,7 +219,7 @@ Result<void> CfgLoader::add_section(const Section& section) {
   std::vector<std::string_view> words = macros_.names();
   words.insert(words.end(), {"driver", "interface"});
   warn(section.where,
-       "section \"" + std::string(section.name) + "\" has no effect" + did_you_mean(section.name, words));
+       "section " + in_quotes(section.name) + " has no effect" + did_you_mean(section.name, words));
   return {};
 }
 
@@ -230,12 +230,12 @@ Result<void> CfgLoader::add_driver(const Instance& instance) {
   driver.ask("plugin");  // all drivers are built in; naming where one used to come from is no mistake
   if (driver.count("provides") == 0) {
     return document_.error(instance.where,
-                           "driver \"" + driver.name() +
-                               "\" needs the devices it provides, as in: provides [ \"position2d:0\" ]");
+                           "driver " + in_quotes(driver.name()) +
+                               " needs the devices it provides, as in: provides [ \"position2d:0\" ]");
   }
   for (const Section* part : instance.parts) {
     for (const Section& inner : part->sections) {
-      warn(inner.where, "section \"" + std::string(inner.name) + "\" inside a driver has no effect");
+      warn(inner.where, "section " + in_quotes(inner.name) + " inside a driver has no effect");
     }
   }
   if (const auto unique = check_unique(driver); !unique) return unique;
@@ -253,7 +253,7 @@ Result<void> CfgLoader::check_unique(const CfgSection& driver) {
         {host, address.port.value_or(port_), address.interf, address.index}, driver.at("provides"));
     if (!fresh) {
       return Error{driver.at("provides"),
-                   "device \"" + address.text() + "\" is provided at " + taken->second + " already"};
+                   "device " + in_quotes(address.text()) + " is provided at " + taken->second + " already"};
     }
   }
   return {};
@@ -268,7 +268,7 @@ Result<void> CfgLoader::check_interface(const Instance& instance) {
   if (const auto fault = section.fault(); !fault) return fault;
   if (code < 0 || code > 65535) return Error{section.at("code"), "\"code\" must be from 0 to 65535"};
   warn(instance.where,
-       "interface \"" + section.name() + "\" has no effect: interfaces cannot be added by plug-ins");
+       "interface " + in_quotes(section.name()) + " has no effect: interfaces cannot be added by plug-ins");
   return {};
 }
 

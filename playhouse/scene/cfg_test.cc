@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
+
 namespace playhouse::scene {
 namespace {
 
@@ -161,11 +163,36 @@ TEST(Cfg, faults_of_a_file_are_one_line_with_the_place) {
   EXPECT_THAT(error_of("driver ( a[1 2] )"), HasSubstr("space before its \"[\""));
   EXPECT_THAT(error_of("driver ( a \"x\n\" )"), HasSubstr("dir/t.cfg:1: string without its closing quote"));
   EXPECT_THAT(error_of("include \"gone.inc\""),
-              HasSubstr("dir/t.cfg:1: included file dir/gone.inc cannot be opened"));
+              HasSubstr("dir/t.cfg:1: included file \"dir/gone.inc\" cannot be opened"));
   EXPECT_THAT(error_of("unit_length \"dm\""),
               HasSubstr("dir/t.cfg:1: unit_length is one of \"m\", \"cm\", \"mm\", found \"dm\""));
   EXPECT_THAT(error_of("interface ( name \"foo\" code 128 )"), HasSubstr("an interface needs plugin"));
   EXPECT_THAT(error_of("define driver driver ( )\ndriver ( )"), HasSubstr("based on itself"));
+}
+
+TEST(Cfg, names_of_any_length_and_bytes_are_short_lines) {
+  const std::string escape = "\"\x1b[2J\x01" + std::string(100'000, 'x') + "\"";
+  const std::string word = "a" + std::string(100'000, 'x');
+  const std::string driver = "\ndriver ( name \"d\" provides [ \"gps:0\" ] )";
+  for (const std::string& text : std::initializer_list<std::string>{
+           "driver ( name " + escape + " )",
+           "driver ( name \"d\" provides [ " + escape + " ] )",
+           "driver ( name \"d\" provides [ \"" + word + ":0\" \"" + word + ":0\" ] )",
+           "driver ( name \"d\" provides [ \"gps:0\" ] " + word + " ( ) )",
+           word + " 1" + driver,
+           word + " ( )" + driver,
+           "define " + word + " driver ( )\ndefine " + word + " driver ( )" + driver,
+           "interface ( name " + escape + " code 1 plugin \"p\" )" + driver,
+       }) {
+    const Result<CfgFile> cfg = load(text);
+    const std::vector<std::string> lines = cfg ? cfg->warnings : std::vector{cfg.error().line()};
+    ASSERT_EQ(lines.size(), 1u) << text.substr(0, 40);
+    EXPECT_LE(lines[0].size(), 600u) << text.substr(0, 40);
+    EXPECT_EQ(std::ranges::count_if(lines[0], [](unsigned char c) { return c < ' '; }), 0) << lines[0];
+  }
+  const std::vector<std::string> unread = driver_with(word + " 1").unread();
+  ASSERT_EQ(unread.size(), 1u);
+  EXPECT_LE(unread[0].size(), 600u);
 }
 
 TEST(DeviceAddress, every_form_of_the_format_is_read) {

@@ -160,7 +160,7 @@ TEST(OriginalFiles, the_parser_tests_of_the_original_parse_or_fail_as_they_say) 
       {"syntax-04", ":16: \")\" without"},
       {"syntax-05", ":15: \"player\" needs"},
       {"syntax-06", ":12: \"name\" needs a value"},
-      {"syntax-07", ":9: define sonar_p2dx needs the type"},
+      {"syntax-07", ":9: define \"sonar_p2dx\" needs the type"},
   };
   for (const auto& [name, text] : expected) {
     const Result<Document> document = parsed(folder + name + ".world");

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "playhouse/base/in_quotes.h"
+
 namespace playhouse::scene {
 namespace {
 
@@ -33,7 +35,7 @@ std::string DeviceAddress::text() const {
 
 Result<DeviceAddress> parse_device_address(std::string_view text) {
   const auto bad = [text](std::string_view why) {
-    return Error{{}, "device address \"" + std::string(text) + "\" " + std::string(why)};
+    return Error{{}, "device address " + in_quotes(text) + " " + std::string(why)};
   };
   if (std::count(text.begin(), text.end(), ':') > 4) {
     return bad("has too many parts; write key:host:port:interface:index");

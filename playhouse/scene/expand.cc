@@ -29,8 +29,8 @@ Result<Instance> Macros::instance(const Section& section) const {
   Instance instance{section.name, {&section}, section.where};
   while (const Statement* macro = find(instance.type)) {
     if (instance.parts.size() > static_cast<std::size_t>(limits::kEntityDepth)) {
-      return document_.error(section.where, "macro \"" + std::string(section.name) +
-                                                "\" is based on itself, or on more than " +
+      return document_.error(section.where, "macro " + in_quotes(section.name) +
+                                                " is based on itself, or on more than " +
                                                 std::to_string(limits::kEntityDepth) + " others");
     }
     instance.parts.push_back(&macro->section);
@@ -87,7 +87,7 @@ Result<Units> read_units(const Document& document, const FieldSet& fields) {
         return {};
       }
       names.push_back(unit.name);
-      choices += (choices.empty() ? "\"" : ", \"") + std::string(unit.name) + "\"";
+      choices += (choices.empty() ? "" : ", ") + in_quotes(unit.name);
     }
     return document.error(field->where, std::string(key) + " is one of " + choices + ", found " +
                                             in_quotes(name) + did_you_mean(name, names));

@@ -33,7 +33,7 @@ double Properties::scaled(const Field& field, std::size_t element, char scale) c
   const std::optional<double> value = parse_number(text);
   if (!value || std::abs(*value) > kLargest) {
     state_.fail(field.where, in_quotes(field.key) + " needs a number" + (value ? " of at most 1e9" : "") +
-                                 ", found \"" + std::string(text) + "\"");
+                                 ", found " + in_quotes(text));
     return 0;
   }
   return *value * (scale == 'L' ? state_.units.length : scale == 'A' ? state_.units.angle : 1.0);
@@ -122,7 +122,7 @@ Color Properties::color(Color otherwise, std::size_t row) const {
     return {r, g, b, 1};
   }
   if (const auto known = color_by_name(name)) return *known;
-  state_.warn(where("color"), "unknown color \"" + name + "\", red is used" + color_hint(name));
+  state_.warn(where("color"), "unknown color " + in_quotes(name) + ", red is used" + color_hint(name));
   return {1, 0, 0, 1};
 }
 

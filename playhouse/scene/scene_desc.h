@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "playhouse/base/in_quotes.h"
 #include "playhouse/geom/pose.h"
 
 namespace playhouse::scene {
@@ -139,7 +140,7 @@ struct SceneDesc {
 
   /// "file:line" of a place in this scene.
   std::string at(SourceLine where) const {
-    return where.file < files.size() ? files[where.file] + ":" + std::to_string(where.line) : path;
+    return where.file < files.size() ? escaped(files[where.file]) + ":" + std::to_string(where.line) : path;
   }
 };
 

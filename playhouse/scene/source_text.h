@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "playhouse/base/in_quotes.h"
 #include "playhouse/base/result.h"
 #include "playhouse/scene/scene_desc.h"
 
@@ -49,7 +50,9 @@ class SourceTexts {
   /// Row of `file_names()` of a text; a file included twice has one name and two texts.
   std::uint32_t file_of(std::uint32_t row) const { return files_[row]; }
   const std::vector<std::string>& file_names() const { return names_; }
-  std::string at(SourceLine where) const { return names_[where.file] + ":" + std::to_string(where.line); }
+  std::string at(SourceLine where) const {
+    return escaped(names_[where.file]) + ":" + std::to_string(where.line);
+  }
 
  private:
   std::deque<std::string> texts_;  // a deque, so that views survive growth

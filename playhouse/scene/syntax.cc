@@ -97,14 +97,14 @@ Result<void> Parser::parse_define(const Token& word) {
   }
   const Token base = tokens_.next();
   if (base.kind != TokenKind::kWord) {
-    return error(word.where, "define " + std::string(name.text) +
-                                 " needs the type it is based on, as in: define " + std::string(name.text) +
-                                 (format_ == Format::kWorld ? " model ( ... )" : " driver ( ... )"));
+    return error(word.where, "define " + in_quotes(name.text) +
+                                 " needs the type it is based on, as in: define name " +
+                                 (format_ == Format::kWorld ? "model ( ... )" : "driver ( ... )"));
   }
   skip_line_ends();
   const Token open = tokens_.next();
   if (open.kind != TokenKind::kOpen) {
-    return error(open.where, "define " + std::string(name.text) + " needs \"(\", found " + describe(open));
+    return error(open.where, "define " + in_quotes(name.text) + " needs \"(\", found " + describe(open));
   }
   Statement statement{{name.text, word.where, {}, {}}, base.text};
   if (const Result<void> parsed = parse_body(statement.section, 1); !parsed) return parsed;
@@ -139,8 +139,8 @@ Result<void> Parser::parse_item(const Token& name, std::vector<Field>& fields, s
     return error(name.where, "the value of " + subject + " must be on the same line");
   }
   if (open.kind == TokenKind::kWord && !ends_line) {
-    return error(name.where, subject + " needs a value, found the word \"" + std::string(open.text) +
-                                 "\" (text takes double quotes)");
+    return error(name.where,
+                 subject + " needs a value, found " + describe(open) + " (text takes double quotes)");
   }
   return error(name.where, subject + " needs a value or \"(\"");
 }
@@ -180,7 +180,7 @@ Result<void> Parser::parse_value(Field& field) {
 }
 
 Result<void> Parser::parse_tuple(Field& field, SourceLine opened) {
-  const std::string subject = "the tuple of \"" + std::string(field.key) + "\"";
+  const std::string subject = "the tuple of " + in_quotes(field.key);
   for (;;) {
     const Token token = tokens_.next();
     switch (token.kind) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
 
 namespace playhouse::scene {
@@ -17,7 +18,7 @@ void TokenNames::name(ModelDesc& model, std::string_view given, int index) {
   }
   if (const auto taken = rows_.find(model.name); taken != rows_.end()) {
     const std::size_t earlier = taken->second;
-    state_.warn(model.where, "the name \"" + model.name + "\" was given at " +
+    state_.warn(model.where, "the name " + in_quotes(model.name) + " was given at " +
                                  scene_.at(scene_.models[earlier].where) + " already; this model has it now");
     rename_subtree(earlier);
   }
@@ -60,8 +61,8 @@ void TokenNames::check_follow_model() {
     if (model.alias == wanted) return;
     names.push_back(model.name);
   }
-  state_.warnings.push_back(scene_.path + ": the window follows \"" + wanted + "\", which is no model" +
-                            did_you_mean(wanted, names));
+  state_.warnings.push_back(scene_.path + ": the window follows " + in_quotes(wanted) +
+                            ", which is no model" + did_you_mean(wanted, names));
 }
 
 }  // namespace playhouse::scene

@@ -61,9 +61,9 @@ std::string describe(const Token& token) {
     case TokenKind::kEnd:
       return "the end of the file";
     case TokenKind::kWord:
-      return "the word \"" + std::string(token.text) + "\"";
+      return "the word " + in_quotes(token.text);
     case TokenKind::kString:
-      return "the string \"" + std::string(token.text) + "\"";
+      return "the string " + in_quotes(token.text);
     default:
       return in_quotes(token.text);
   }
@@ -115,15 +115,15 @@ Result<void> TokenStream::include(std::string_view name, SourceLine where) {
   if (!text) {
     const std::string beside = resolve(folder_of(path_of(stack_.back().row)), name);
     Result<std::string> second = beside == path ? text : files_.read(beside);
-    if (!second) return Error{at, "included file " + path + " " + text.error().text};
+    if (!second) return Error{at, "included file " + in_quotes(path) + " " + text.error().text};
     path = beside;
     text = std::move(second);
   }
   for (const Cursor& cursor : stack_) {
-    if (path_of(cursor.row) == path) return Error{at, "file " + path + " includes itself"};
+    if (path_of(cursor.row) == path) return Error{at, "file " + in_quotes(path) + " includes itself"};
   }
   const Result<std::uint32_t> row = sources_.add(path, std::move(*text));
-  if (!row) return Error{at, "included file " + path + " " + row.error().text};
+  if (!row) return Error{at, "included file " + in_quotes(path) + " " + row.error().text};
   push(*row);
   return {};
 }

@@ -200,7 +200,7 @@ const ModelType* find_model_type(std::string_view name) {
 }
 
 std::string unknown_type(std::string_view name, std::span<const std::string_view> macros) {
-  const std::string text = "unknown model type \"" + std::string(name) + "\"";
+  const std::string text = "unknown model type " + in_quotes(name);
   for (const OldType& old : kOldTypes) {
     if (old.name == name) return text + " (Stage 4 has none: " + std::string(old.instead) + ")";
   }

@@ -125,7 +125,7 @@ void WorldLoader::read_globals() {
 void WorldLoader::define(const Statement& statement) {
   if (macros_.define(statement)) return;
   const std::string_view name = statement.section.name;
-  state_.warn(statement.section.where, "macro \"" + std::string(name) + "\" is defined at " +
+  state_.warn(statement.section.where, "macro " + in_quotes(name) + " is defined at " +
                                            document_.sources.at(macros_.find(name)->section.where) +
                                            " already; the first definition counts");
 }
@@ -161,7 +161,7 @@ void WorldLoader::fail_unknown_type(const Instance& entity) {
       std::find_if(document_.statements.begin(), document_.statements.end(),
                    [&](const Statement& s) { return !s.base.empty() && s.section.name == entity.type; });
   if (later != document_.statements.end()) {
-    state_.fail(entity.where, "macro \"" + std::string(entity.type) + "\" is used before its definition at " +
+    state_.fail(entity.where, "macro " + in_quotes(entity.type) + " is used before its definition at " +
                                   document_.sources.at(later->section.where));
   } else {
     state_.fail(entity.where, unknown_type(entity.type, macros_.names()));
@@ -183,8 +183,8 @@ const ModelType* WorldLoader::type_of(const Instance& entity) {
     state_.fail(entity.where, "the world holds more than " + std::to_string(limits_.models) + " models");
     return nullptr;
   } else if (!type->simulated && plain_types_.insert(type->name).second) {
-    state_.warn(entity.where, "model type \"" + std::string(type->name) +
-                                  "\" is not simulated yet and loads as a plain " +
+    state_.warn(entity.where, "model type " + in_quotes(type->name) +
+                                  " is not simulated yet and loads as a plain " +
                                   (type->has_body ? "body" : "model without a body"));
   }
   return type;
@@ -289,20 +289,21 @@ const WorldLoader::Loops* WorldLoader::load_bitmap(const Properties& properties)
     if (beside) bytes = std::move(beside);
   }
   if (!bytes) {
-    state_.fail(where, "bitmap " + path + " " + bytes.error().text);
+    state_.fail(where, "bitmap " + in_quotes(path) + " " + bytes.error().text);
     return nullptr;
   }
   const Result<Bitmap> bitmap = decode_bitmap(*bytes, limits_.pixels);
   if (!bitmap) {
-    state_.fail(where, "bitmap " + path + " " + bitmap.error().text);
+    state_.fail(where, "bitmap " + in_quotes(path) + " " + bitmap.error().text);
     return nullptr;
   }
   Result<Loops> loops = trace_contours(*bitmap, limits_.corners);
   if (!loops) {
-    state_.fail(where, "bitmap " + path + " " + loops.error().text);
+    state_.fail(where, "bitmap " + in_quotes(path) + " " + loops.error().text);
     return nullptr;
   }
-  if (loops->empty()) state_.warn(where, "bitmap " + path + " has no dark pixel, so it is no body");
+  if (loops->empty())
+    state_.warn(where, "bitmap " + in_quotes(path) + " has no dark pixel, so it is no body");
   return &bitmaps_.emplace(std::move(path), std::move(*loops)).first->second;
 }
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -114,19 +115,59 @@ TEST(WorldText, faults_are_one_line_with_the_place) {
   EXPECT_EQ(error_of("model( player\n)"), "w/t.world:1: \"player\" needs a value or \"(\"");
   EXPECT_EQ(error_of("model( ( ) )"), "w/t.world:1: expected a name or \")\", found \"(\"");
   EXPECT_EQ(error_of("model( name \"x )\n"), "w/t.world:1: string without its closing quote on this line");
-  EXPECT_THAT(error_of("define x (\n)"), HasSubstr("w/t.world:1: define x needs the type it is based on"));
+  EXPECT_THAT(error_of("define x (\n)"),
+              HasSubstr("w/t.world:1: define \"x\" needs the type it is based on"));
   EXPECT_THAT(error_of("define\n"), HasSubstr("define needs the name of the macro"));
   EXPECT_THAT(error_of("model( define x model ( ) )"), HasSubstr("outside all sections only"));
   EXPECT_THAT(error_of("include x.inc"), HasSubstr("include needs a file name in quotes"));
   EXPECT_EQ(error_of("\ninclude \"x.inc\""),
-            "w/t.world:2: included file w/x.inc cannot be opened: no such file");
+            "w/t.world:2: included file \"w/x.inc\" cannot be opened: no such file");
   EXPECT_EQ(error_of("model \x01"), "w/t.world:1: unexpected character 0x01");
+}
+
+/// Every line that a world gives: its warnings, and the error if there is one.
+std::vector<std::string> lines_of(const std::string& text, Files others = {}) {
+  const Result<SceneDesc> scene = load(text, std::move(others));
+  return scene ? scene->warnings : std::vector{scene.error().line()};
+}
+
+TEST(WorldText, names_of_any_length_and_bytes_are_one_short_line) {
+  const std::string escape = "\"\x1b[2J\x01" + std::string(100'000, 'x') + "\"";
+  const std::string word = "a" + std::string(100'000, 'x');
+  for (const std::string& text : std::initializer_list<std::string>{
+           "model( name " + escape + " ) model( name " + escape + " )",
+           "model( color " + escape + " )",
+           "model( pose [" + escape + " 0 0 0] )",
+           "model( bitmap " + escape + " )",
+           "model( size [1 1 1] " + escape + " )",
+           "position( drive " + escape + " )",
+           "include " + escape,
+           "include \"e\x1b.inc\"",
+           "unit_length " + escape,
+           "window( follow_model " + escape + " )",
+           word + "( )",
+           word + " [0",
+           word + " oops",
+           "model( " + word + " 1 )",
+           "define " + word,
+           "define " + word + " model oops",
+           "define " + word + " " + word + " ( )\n" + word + "( )",
+           "define " + word + " model ( )\ndefine " + word + " model ( )",
+           word + "( )\ndefine " + word + " model ( )",
+       }) {
+    const std::vector<std::string> lines = lines_of(text, {{"w/e\x1b.inc", "oops"}});
+    ASSERT_EQ(lines.size(), 1u) << text.substr(0, 40);
+    EXPECT_LE(lines[0].size(), 600u) << text.substr(0, 40);
+    EXPECT_EQ(std::ranges::count_if(lines[0], [](unsigned char c) { return c < ' '; }), 0)
+        << text.substr(0, 40) << " gives " << lines[0];
+    EXPECT_THAT(lines[0], HasSubstr("w/")) << text.substr(0, 40);
+  }
 }
 
 TEST(WorldText, an_include_cycle_is_reported_not_followed) {
   EXPECT_EQ(
       error_of("include \"a.inc\"", {{"w/a.inc", "\ninclude \"b.inc\""}, {"w/b.inc", "include \"a.inc\""}}),
-      "w/b.inc:1: file w/a.inc includes itself");
+      "w/b.inc:1: file \"w/a.inc\" includes itself");
   Files chain;
   for (int i = 0; i < 40; ++i) {
     chain["w/" + std::to_string(i)] = "include \"" + std::to_string(i + 1) + "\"";
@@ -370,8 +411,8 @@ TEST(WorldBodies, a_bitmap_and_blocks_share_one_bounding_box) {
 
 TEST(WorldBodies, wrong_shapes_are_errors_with_the_place) {
   EXPECT_THAT(error_of("model( bitmap \"gone.png\" )"),
-              HasSubstr("w/t.world:1: bitmap w/gone.png cannot be opened: no such file"));
-  EXPECT_THAT(error_of("model( bitmap \"b\" )", {{"w/b", "text"}}), HasSubstr("bitmap w/b is no PNG"));
+              HasSubstr("w/t.world:1: bitmap \"w/gone.png\" cannot be opened: no such file"));
+  EXPECT_THAT(error_of("model( bitmap \"b\" )", {{"w/b", "text"}}), HasSubstr("bitmap \"w/b\" is no PNG"));
   EXPECT_THAT(error_of("model(\nblock( points 2 ) )"), HasSubstr("w/t.world:2: a block needs \"points\""));
   EXPECT_THAT(error_of("model( block( points 3 point[0] [0 0] point[2] [1 1] ) )"),
               HasSubstr("\"point[1]\" is missing"));

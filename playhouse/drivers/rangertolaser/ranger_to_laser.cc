@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "playhouse/base/in_quotes.h"
 #include "playhouse/geom/pose.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/header.h"
@@ -178,7 +179,7 @@ Result<std::unique_ptr<device::Driver>> make_ranger_to_laser(const scene::CfgSec
   site.when_all_made([&site, where = section.at("requires"), text = needs.front().text(), address = *ranger,
                       converter = driver.get()]() -> Result<void> {
     const auto neighbour = site.find(address);
-    if (!neighbour) return Error{where, fmt::format("nothing provides \"{}\"", text)};
+    if (!neighbour) return Error{where, fmt::format("nothing provides {}", in_quotes(text))};
     converter->set_ranger(*neighbour);
     return {};
   });

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/drivers/simulated/device_factory.h"
 #include "playhouse/drivers/simulated/simulated_driver.h"
@@ -45,7 +46,7 @@ Result<world::ModelRow> section_model(const scene::CfgSection& section, const wo
   std::vector<std::string_view> names;
   for (const scene::ModelDesc& desc : world.scene().models) names.push_back(desc.name);
   return Error{section.at("model"),
-               fmt::format("the world has no model \"{}\"{}", name, did_you_mean(name, names))};
+               fmt::format("the world has no model {}{}", in_quotes(name), did_you_mean(name, names))};
 }
 
 Result<world::ModelRow> choose_model(const scene::CfgSection& section, const scene::DeviceAddress& provided,
@@ -53,13 +54,14 @@ Result<world::ModelRow> choose_model(const scene::CfgSection& section, const sce
   if (interf == wire::simulation::kCode) return world::ModelRow{};
   if (!top) {
     return Error{section.at("provides"),
-                 fmt::format("\"{}\" needs a model: add `model \"name\"`", provided.text())};
+                 fmt::format("{} needs a model: add `model \"name\"`", in_quotes(provided.text()))};
   }
   const world::World& world = site.simulation()->world();
   const world::ModelRow model = find_model(world, top, interf, site.taken_models());
   if (!model) {
-    return Error{section.at("provides"), fmt::format("model \"{}\" has nothing left for \"{}\"",
-                                                     world.desc(top).name, provided.text())};
+    return Error{section.at("provides"),
+                 fmt::format("model {} has nothing left for {}", in_quotes(world.desc(top).name),
+                             in_quotes(provided.text()))};
   }
   site.taken_models().emplace(interf, model.index);
   return model;
@@ -72,10 +74,10 @@ Result<void> add_device(const scene::CfgSection& section, const scene::DeviceAdd
   if (!is_simulated(address->interf)) {
     if (std::ranges::find(kNotYet, provided.interf) == kNotYet.end()) {
       return Error{section.at("provides"),
-                   fmt::format("driver \"stage\" has no interface \"{}\"", provided.interf)};
+                   fmt::format("driver \"stage\" has no interface {}", in_quotes(provided.interf))};
     }
-    site.warn(fmt::format("{}: \"{}\" is left out: this program does not simulate interface \"{}\" yet",
-                          section.at("provides"), provided.text(), provided.interf));
+    site.warn(fmt::format("{}: {} is left out: this program does not simulate interface {} yet",
+                          section.at("provides"), in_quotes(provided.text()), in_quotes(provided.interf)));
     return {};
   }
   const Result<world::ModelRow> model = choose_model(section, provided, address->interf, top, site);
