@@ -5,6 +5,8 @@
 #include <exception>
 #include <utility>
 
+#include "playhouse/base/in_quotes.h"
+
 namespace playhouse::controllers {
 namespace {
 
@@ -64,7 +66,7 @@ Result<std::unique_ptr<Controller>> Library::make() const {
     if (!controller) return Error{file_, "made no controller"};
     return controller;
   } catch (const std::exception& error) {
-    return Error{file_, error.what()};
+    return Error{file_, escaped(error.what())};
   } catch (...) {
     return Error{file_, "threw something that is no std::exception"};
   }

@@ -2,7 +2,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <spdlog/sinks/ostream_sink.h>
+#include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -104,6 +107,27 @@ TEST(Loaded, ends_a_controller_that_throws_and_stops_its_robot) {
 TEST(Loaded, refuses_a_robot_with_the_text_of_the_controller) {
   EXPECT_EQ(Fixture("probe refuse").error,
             "test.world:1: controller \"probe\" of \"r0\": wants another robot");
+}
+
+/// What the log says during `act`.
+template <typename Act>
+std::string logged(const Act& act) {
+  std::ostringstream text;
+  const auto before = spdlog::default_logger();
+  spdlog::set_default_logger(
+      std::make_shared<spdlog::logger>("test", std::make_shared<spdlog::sinks::ostream_sink_st>(text)));
+  act();
+  spdlog::set_default_logger(before);
+  return text.str();
+}
+
+TEST(Loaded, tells_what_was_thrown_in_one_line) {
+  Fixture f("probe throw_forging");
+  ASSERT_EQ(f.error, "");
+  const std::string log = logged([&] { f.tick(); });
+  EXPECT_EQ(std::ranges::count(log, '\n'), 2) << "one line for each of the two robots:\n" << log;
+  EXPECT_THAT(log, HasSubstr("controller \"probe\" of \"r1\" ended: lost\\x0a[error] a forged line\n"));
+  EXPECT_THAT(Fixture("probe refuse_forging").error, EndsWith(": wants\\x0a[error] a forged line"));
 }
 
 TEST(Library, of_another_version_is_refused) {

@@ -16,14 +16,14 @@ using world::World;
 static_assert(kControllerVersion == 1 && sizeof(Robot) == 272 && sizeof(Ranger) == 56 &&
               sizeof(Sighting) == 32);
 
-/// Calls `what` and gives the text of what it throws, or nullptr. The text lives until the next call.
+/// Calls `what` and gives the text of what it throws, as one line, or nullptr. It lives as long as `text`.
 template <typename Call>
 const char* thrown_by(std::string& text, const Call& what) {
   try {
     what();
     return nullptr;
   } catch (const std::exception& error) {
-    text = error.what();
+    text = escaped(error.what());
   } catch (...) {
     text = "threw something that is no std::exception";
   }

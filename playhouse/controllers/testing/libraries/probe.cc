@@ -10,6 +10,7 @@ class Probe : public pc::Controller {
   void start(pc::Robot& robot) override {
     what_ = robot.arguments.empty() ? "" : robot.arguments[0];
     if (what_ == "refuse") throw std::runtime_error("wants another robot");
+    if (what_ == "refuse_forging") throw std::runtime_error("wants\n[error] a forged line");
     if (what_ == "deaf") robot.rangers[0].used = false;
   }
   void decide(pc::Robot& robot) override {
@@ -21,6 +22,7 @@ class Probe : public pc::Controller {
     if (what_ == "random") robot.drive(robot.random.uniform(), 0);
     if (what_ == "nan") robot.drive(0.0 / zero_, 0);
     if (what_ == "throw") throw std::runtime_error("lost its way");
+    if (what_ == "throw_forging") throw std::runtime_error("lost\n[error] a forged line");
     if (what_ == "throw_int") throw 42;
   }
   std::string what_;
