@@ -175,9 +175,12 @@ void House::catch_signals() {
 }
 
 void House::show_progress() {
-  const std::string line =
-      fmt::format("\r\x1b[K{:.1f} s simulated, {:.2f}x real time, {} clients ", simulation().time(),
-                  simulation().pace().real_time_factor, server_->status().sessions);
+  const world::Pace pace = simulation().pace();
+  // The factor is measured over a second: at first there is none to show.
+  const bool measured = pace.paused || pace.real_time_factor > 0;
+  const std::string factor = measured ? fmt::format("{:.2f}x real time, ", pace.real_time_factor) : "";
+  const std::string line = fmt::format("\r\x1b[K{:.1f} s simulated, {}{} clients ", simulation().time(),
+                                       factor, server_->status().sessions);
   std::fputs(line.c_str(), stderr);  // fmt::print would throw when the terminal is gone
   progress_ = loop_.after(kProgressSeconds, [this] { show_progress(); });
 }

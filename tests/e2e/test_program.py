@@ -187,6 +187,19 @@ class Terminal(HouseTest):
         process.send_signal(signal.SIGINT)
         self.assertEqual(process.wait(PATIENCE), 130)
 
+    def test_the_progress_line_has_a_speed_once_it_is_measured(self):
+        ours, its = pty.openpty()
+        self.addCleanup(os.close, ours)
+        process = subprocess.Popen([PROGRAM, "run", str(self.world()), "--port", "0", "--headless"], stdin=its, stdout=its,
+                                   stderr=its)
+        os.close(its)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        shown = self.read_until(ours, b"", b"s simulated, [\d.]+x real time, 0 clients ")
+        self.assertNotIn(b" 0.00x", shown)
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.wait(PATIENCE), 130)
+
     def read_until(self, terminal: int, shown: bytes, pattern: bytes) -> bytes:
         while not re.search(pattern, shown, re.DOTALL):
             shown += os.read(terminal, 4096)
