@@ -22,15 +22,19 @@ if(PLAYHOUSE_BENCHES)
   find_package(benchmark REQUIRED)
 endif()
 
+# Warnings are for this folder and those below it: a project that takes this one in as a part chooses its own.
+add_compile_options(-Wall -Wextra -Wconversion -Wno-sign-conversion)
+if(PLAYHOUSE_WERROR)
+  add_compile_options(-Werror)
+endif()
+
+# What whoever links one of our libraries needs as well.
 add_library(playhouse_flags INTERFACE)
 target_include_directories(playhouse_flags INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_features(playhouse_flags INTERFACE cxx_std_20)  # for projects that take this one in as a part
-# Results must not depend on the optimiser: no fused multiply-add, no fast-math.
-target_compile_options(playhouse_flags INTERFACE -Wall -Wextra -Wconversion -Wno-sign-conversion -ffp-contract=off)
+# Results must not depend on the optimiser: no fused multiply-add, no fast-math. Our headers compute as well.
+target_compile_options(playhouse_flags INTERFACE -ffp-contract=off)
 target_compile_definitions(playhouse_flags INTERFACE PLAYHOUSE_VERSION="${PROJECT_VERSION}")
-if(PLAYHOUSE_WERROR)
-  target_compile_options(playhouse_flags INTERFACE -Werror)
-endif()
 if(PLAYHOUSE_SANITIZE)
   target_compile_options(playhouse_flags INTERFACE -fsanitize=${PLAYHOUSE_SANITIZE} -fno-omit-frame-pointer -O1)
   target_link_options(playhouse_flags INTERFACE -fsanitize=${PLAYHOUSE_SANITIZE})
