@@ -21,9 +21,9 @@ constexpr const char* kExamples = R"(Examples:
   playhouse run my.world --fast --headless --duration 60 --json
                                                      a minute of simulated time, as fast as it goes
   playhouse serve simple.cfg                         devices as a Player configuration file names them
-  playhouse devices localhost:6665                   what a server offers
-  playhouse watch localhost laser:0                  a device's data as JSON lines
-  playhouse drive localhost position2d:0             a robot by the keyboard
+  playhouse devices 127.0.0.1:6665                   what a server offers
+  playhouse watch 127.0.0.1 laser:0                  a device's data as JSON lines
+  playhouse drive 127.0.0.1 position2d:0             a robot by the keyboard
   playhouse check my.world                           what is wrong with a file
   playhouse bench laser --robots 1000                one line of figures
 `playhouse COMMAND --help` tells more. Documentation: docs/cli.md)";
@@ -115,7 +115,7 @@ void add_commands(CLI::App& app, Raw& raw) {
   add_running(*serve, raw, raw.serve.running);
 
   CLI::App* devices = app.add_subcommand("devices", "list the devices of a server");
-  devices->add_option("HOST[:PORT]", raw.devices.server, "the server (localhost:6665)");
+  devices->add_option("HOST[:PORT]", raw.devices.server, "the server (127.0.0.1:6665)");
 
   CLI::App* watch = app.add_subcommand("watch", "print a device's data as JSON lines");
   watch->add_option("HOST[:PORT]", raw.watch.server, "the server")->required();

@@ -38,7 +38,7 @@ using Behaviour = playhouse::Result<void> (*)(playhouse::client::Client&, std::u
 
 /// Connects and behaves; the exit code is 0 when done, 1 on an error, 2 on wrong arguments, 130 on Ctrl-C.
 inline int run(int argc, char** argv, Behaviour behave) {
-  const std::string address = argc > 1 ? argv[1] : "localhost:6665";
+  const std::string address = argc > 1 ? argv[1] : "127.0.0.1:6665";
   std::vector<double> numbers;
   for (int i = 2; i < argc; ++i) {
     char* end = nullptr;

@@ -54,7 +54,9 @@ std::vector<double> commanded_speeds(const FakeServer& server) {
 TEST(Address, DefaultsWhatIsMissingAndRefusesWhatIsNone) {
   EXPECT_EQ(parse_address("robot")->host, "robot");
   EXPECT_EQ(parse_address("robot")->port, kDefaultPort);
-  EXPECT_EQ(parse_address(":7000")->host, "localhost");
+  EXPECT_EQ(parse_address("localhost:7000")->host, "localhost");
+  EXPECT_EQ(parse_address("")->host, "127.0.0.1");
+  EXPECT_EQ(parse_address(":7000")->host, "127.0.0.1");
   EXPECT_EQ(parse_address(":7000")->port, 7000);
   EXPECT_EQ(parse_address("[::1]:7000")->host, "::1");
   EXPECT_EQ(parse_address("[::1]:7000")->port, 7000);

@@ -22,7 +22,7 @@ class Clock:
 
 def run(behave: Callable[[Client, int, Clock, List[int]], None], usage: str) -> None:
     """Connects, behaves, and ends with 0 when done, 1 on an error, 2 on wrong arguments, 130 on Ctrl-C."""
-    arguments = sys.argv[1:] + ["localhost:6665", "0", "0"][len(sys.argv) - 1 :]
+    arguments = sys.argv[1:] + ["127.0.0.1:6665", "0", "0"][len(sys.argv) - 1 :]
     try:
         index, seconds, more = int(arguments[1]), float(arguments[2]), [int(word) for word in arguments[3:]]
     except ValueError:

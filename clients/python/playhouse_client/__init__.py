@@ -2,7 +2,7 @@
 
     import playhouse_client
 
-    with playhouse_client.connect("localhost:6665") as client:
+    with playhouse_client.connect("127.0.0.1:6665") as client:
         robot = client.position2d(0)
         robot.drive(0.2)
         for state in robot.updates():

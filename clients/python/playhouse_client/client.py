@@ -12,6 +12,7 @@ from .proxies import Fiducial, Laser, Position2d, Ranger, Simulation, Sonar
 from .session import Session
 from .wire import Kind, text
 
+DEFAULT_HOST = "127.0.0.1"  # not localhost, which a machine without /etc/hosts cannot resolve
 DEFAULT_PORT = 6665
 _GOODBYE_SECONDS = 1.0
 
@@ -53,7 +54,7 @@ class Client:
 
     def __init__(
         self,
-        host: str = "localhost",
+        host: str = DEFAULT_HOST,
         port: int = DEFAULT_PORT,
         *,
         mode: Mode = Mode.PULL,
@@ -233,9 +234,9 @@ def _split(address: str) -> Tuple[str, str]:
     return (host, port) if colon else (address, str(DEFAULT_PORT))
 
 
-def connect(address: str = "localhost", *, mode: Mode = Mode.PULL, timeout: float = 5.0) -> Client:
-    """Connects to "host", "host:port", ":port" or "[::1]:port"."""
+def connect(address: str = DEFAULT_HOST, *, mode: Mode = Mode.PULL, timeout: float = 5.0) -> Client:
+    """Connects to "host", "host:port", ":port" or "[::1]:port"; what is missing is 127.0.0.1 and 6665."""
     host, port = _split(address)
     if not port.isdigit() or not 0 < int(port) < 65536:
         raise ConnectionLost(f'"{address}" is not HOST or HOST:PORT')
-    return Client(host or "localhost", int(port), mode=mode, timeout=timeout)
+    return Client(host or DEFAULT_HOST, int(port), mode=mode, timeout=timeout)

@@ -57,6 +57,10 @@ class Connecting(unittest.TestCase):
         with self.assertRaisesRegex(ConnectionLost, "is not HOST or HOST:PORT"):
             connect("[::1]:")
 
+    def test_an_address_without_a_host_is_this_machine_without_a_name_to_resolve(self) -> None:
+        with self.assertRaisesRegex(ConnectionLost, r"127\.0\.0\.1:1: cannot connect"):
+            connect(":1")
+
     def test_an_address_that_is_none(self) -> None:
         with self.assertRaisesRegex(ConnectionLost, "is not HOST or HOST:PORT"):
             connect("localhost:port")

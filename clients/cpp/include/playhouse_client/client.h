@@ -49,7 +49,7 @@ struct DeviceEntry {
 class Client {
  public:
   static Result<Client> connect(const std::string& host, std::uint16_t port, const Options& options = {});
-  /// `address` is "host", "host:port", ":port" or "[::1]:port"; what is missing is localhost and 6665.
+  /// `address` is "host", "host:port", ":port" or "[::1]:port"; what is missing is 127.0.0.1 and 6665.
   static Result<Client> connect(std::string_view address, const Options& options = {});
 
   Client(Client&&) noexcept = default;
@@ -59,7 +59,7 @@ class Client {
 
   /// What the server said first, "Player v.3.1" for instance.
   const std::string& banner() const;
-  /// "localhost:6665".
+  /// "127.0.0.1:6665".
   const std::string& peer() const;
   /// False once the server is gone or this client closed.
   bool connected() const;
@@ -94,7 +94,7 @@ class Client {
 
 /// "host:port" or "[ipv6]:port" and its parts with their defaults, or an error that says what is wrong.
 struct Address {
-  std::string host = "localhost";
+  std::string host = "127.0.0.1";  // not localhost, which a machine without /etc/hosts cannot resolve
   std::uint16_t port = kDefaultPort;
 };
 Result<Address> parse_address(std::string_view text);
