@@ -77,8 +77,12 @@ class House final : private drivers::Surroundings {
 
  private:
   Result<device::DeviceId> add_device(device::Address address, device::Driver& driver) override;
-  Result<void> hold(device::DeviceId device) override { return server_->hold(device); }
-  void release(device::DeviceId device) override { server_->release(device); }
+  Result<void> hold(device::DeviceId device, device::Receipt receipt) override {
+    return server_->hold(device, std::move(receipt));
+  }
+  void release(device::DeviceId device, device::Receipt receipt) override {
+    server_->release(device, std::move(receipt));
+  }
   Result<std::unique_ptr<drivers::Simulation>> open_world(const std::string& path) override;
 
   Result<void> add_robots();

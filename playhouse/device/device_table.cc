@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "playhouse/base/assert.h"
 #include "playhouse/base/limits.h"
 #include "playhouse/wire/messages.h"
@@ -22,7 +24,7 @@ std::string describe(Address address) {
 DeviceTable::~DeviceTable() {
   ending_ = true;
   for (std::uint32_t row = 0; row < entries_.size(); ++row) {
-    if (entries_[row].users > 0) entries_[row].driver->stop(DeviceId{row});
+    if (entries_[row].users > 0) entries_[row].driver->stop(DeviceId{row}, {});
   }
 }
 
@@ -55,21 +57,21 @@ std::span<const DeviceId> DeviceTable::devices_of(std::uint32_t robot) const {
   return found == by_robot_.end() ? std::span<const DeviceId>() : found->second;
 }
 
-Result<void> DeviceTable::open(DeviceId id) {
+Result<void> DeviceTable::open(DeviceId id, Receipt receipt) {
   PLAYHOUSE_ASSERT(id.row < entries_.size());
   Entry& entry = entries_[id.row];
   if (entry.users == 0) {
-    if (Result<void> started = entry.driver->start(id); !started) return started;
+    if (Result<void> started = entry.driver->start(id, std::move(receipt)); !started) return started;
   }
   ++entry.users;
   return {};
 }
 
-void DeviceTable::close(DeviceId id) {
+void DeviceTable::close(DeviceId id, Receipt receipt) {
   if (ending_) return;
   PLAYHOUSE_ASSERT(id.row < entries_.size() && entries_[id.row].users > 0);
   Entry& entry = entries_[id.row];
-  if (--entry.users == 0) entry.driver->stop(id);
+  if (--entry.users == 0) entry.driver->stop(id, std::move(receipt));
 }
 
 }  // namespace playhouse::device

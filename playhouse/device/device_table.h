@@ -39,10 +39,10 @@ class DeviceTable {
   std::span<const DeviceId> devices_of(std::uint32_t robot) const;
 
   /// One more user; the first one starts the device and gets the driver's error if it cannot start.
-  Result<void> open(DeviceId id);
+  Result<void> open(DeviceId id, Receipt receipt = {});
   /// One user less; the last one stops the device. Asserts that there is one. Does nothing while the table is
   /// destroyed, which stops every device once: drivers that hold others release them then.
-  void close(DeviceId id);
+  void close(DeviceId id, Receipt receipt = {});
 
  private:
   std::vector<Entry> entries_;

@@ -14,12 +14,12 @@ struct CountingDriver final : Driver {
   int starts = 0, stops = 0;
   bool broken = false;
   std::string_view name() const override { return "counting"; }
-  Result<void> start(DeviceId) override {
+  Result<void> start(DeviceId, Receipt) override {
     if (broken) return Error{"", "no hardware"};
     ++starts;
     return {};
   }
-  void stop(DeviceId) override { ++stops; }
+  void stop(DeviceId, Receipt) override { ++stops; }
   bool command(const Message&) override { return true; }
   void request(const Message&, Replier) override {}
   bool capable(DeviceId, std::uint8_t, std::uint8_t) const override { return false; }

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -17,12 +18,21 @@
 
 namespace playhouse::device {
 
+/// Kept by a driver until it has carried out what came with it; copies are one receipt. A client waits while drivers keep
+/// limits::kSessionAnswers of its receipts, so that none fills a queue which the others need too. Empty: nobody waits.
+/// Any thread may let go of one.
+using Receipt = std::shared_ptr<const void>;
+
 /// A command or request as it reaches a driver: already checked against its message definition, so `body` decodes.
 struct Message {
   DeviceId device;
   std::uint8_t type = 0;     // wire::MessageType
   std::uint8_t subtype = 0;
   std::span<const std::byte> body;  // valid for the call
+  std::function<Receipt()> make_receipt = {};  // valid for the call
+
+  /// For a command that has to wait; a request has its replier.
+  Receipt receipt() const { return make_receipt ? make_receipt() : Receipt(); }
 };
 
 /// Where answers and data go: the server. Every function may be called from any thread.
@@ -78,8 +88,8 @@ class Driver {
   virtual std::string_view name() const = 0;
 
   /// Called by the table for the first open and after the last close of one device. Must not block.
-  virtual Result<void> start(DeviceId device) = 0;
-  virtual void stop(DeviceId device) = 0;
+  virtual Result<void> start(DeviceId device, Receipt receipt) = 0;
+  virtual void stop(DeviceId device, Receipt receipt) = 0;
 
   /// A new command replaces the old one. False: this device has no such command, or cannot do what it says (the server
   /// logs it once).

@@ -137,7 +137,7 @@ TEST_F(RangerToLaserTest, finds_its_ranger_wherever_it_is_in_the_file) {
 }
 
 TEST_F(RangerToLaserTest, holds_the_ranger_while_the_laser_is_open_and_makes_one_scan_of_each_of_its) {
-  ASSERT_TRUE(driver().start(laser()));
+  ASSERT_TRUE(driver().start(laser(), {}));
   EXPECT_EQ(town_.held[ranger().row], 1);
   town_.run(2);
   std::vector<const device::Publication*> scans;
@@ -151,7 +151,7 @@ TEST_F(RangerToLaserTest, holds_the_ranger_while_the_laser_is_open_and_makes_one
   EXPECT_EQ(scan->intensity.size(), 3u);
   EXPECT_EQ(scan->max_range, 8.0f);
   EXPECT_DOUBLE_EQ(scans[1]->timestamp, 0.2);
-  driver().stop(laser());
+  driver().stop(laser(), {});
   EXPECT_EQ(town_.held[ranger().row], 0);
   town_.notebook.published.clear();
   town_.run(1);

@@ -23,22 +23,28 @@ class FakeDriver final : public device::Driver {
   std::map<std::uint8_t, std::vector<std::byte>> answers;
   /// A NACK carries the body of the request, as the original's "dummy" driver does.
   std::optional<std::uint8_t> ignored_command;
-  bool bounces = false, fails_to_start = false, holds_requests = false, capable_of_all = false;
+  bool bounces = false, fails_to_start = false, holds_requests = false, capable_of_all = false,
+       keeps_receipts = false;
   device::PropertyBag properties;
 
   int starts = 0, stops = 0;
   std::vector<std::pair<std::uint8_t, std::vector<std::byte>>> commands;  // subtype, body
   int requests = 0;
   std::vector<device::Replier> held;
+  std::vector<device::Receipt> receipts;
   std::function<void()> on_request = [] {};
 
   std::string_view name() const override { return name_; }
-  Result<void> start(device::DeviceId) override {
+  Result<void> start(device::DeviceId, device::Receipt receipt) override {
     if (fails_to_start) return Error{"/dev/none", "no such device"};
     ++starts;
+    keep(std::move(receipt));
     return {};
   }
-  void stop(device::DeviceId) override { ++stops; }
+  void stop(device::DeviceId, device::Receipt receipt) override {
+    ++stops;
+    keep(std::move(receipt));
+  }
   bool command(const device::Message& message) override {
     if (ignored_command == message.subtype) return false;
     commands.emplace_back(message.subtype, std::vector(message.body.begin(), message.body.end()));
@@ -56,6 +62,10 @@ class FakeDriver final : public device::Driver {
   bool capable(device::DeviceId, std::uint8_t, std::uint8_t) const override { return capable_of_all; }
 
  private:
+  void keep(device::Receipt receipt) {
+    if (keeps_receipts) receipts.push_back(std::move(receipt));
+  }
+
   std::string name_;
 };
 

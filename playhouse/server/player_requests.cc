@@ -118,7 +118,7 @@ std::uint8_t Session::open(device::DeviceId device, Access access, std::uint8_t 
       log_once(Fault::kLimit, header, "too many devices open");
       return player::kErrorMode;
     }
-    if (const Result<void> started = board_.devices.open(device); !started) {
+    if (const Result<void> started = board_.devices.open(device, make_receipt()); !started) {
       log_once(Fault::kStart, header, "the device cannot start: " + started.error().line());
       return player::kErrorMode;
     }
@@ -145,7 +145,7 @@ bool Session::close(device::DeviceId device) {
   open_.erase(found);
   board_.fanout.leave(device, *this);
   queue_.forget(address.interf, address.index);
-  board_.devices.close(device);
+  board_.devices.close(device, make_receipt());
   return true;
 }
 

@@ -278,11 +278,11 @@ Result<std::uint16_t> Server::listen(std::uint16_t port) {
 Result<device::DeviceId> Server::add_device(device::Address address, device::Driver& driver) {
   return impl_->board().devices.add(address, driver);
 }
-Result<void> Server::hold(device::DeviceId device) {
-  return impl_->board().devices.open(device);
+Result<void> Server::hold(device::DeviceId device, device::Receipt receipt) {
+  return impl_->board().devices.open(device, std::move(receipt));
 }
-void Server::release(device::DeviceId device) {
-  impl_->board().devices.close(device);
+void Server::release(device::DeviceId device, device::Receipt receipt) {
+  impl_->board().devices.close(device, std::move(receipt));
 }
 void Server::set_clock(std::function<double()> clock) {
   impl_->board().clock = std::move(clock);

@@ -69,10 +69,10 @@ class Server final : public device::Publisher, public device::Outlet {
   /// Makes a device known. Clients list devices in order of creation.
   Result<device::DeviceId> add_device(device::Address address, device::Driver& driver);
 
-  /// Opens a device on behalf of the program or a driver, so that it runs whoever closes it; release() undoes one
-  /// hold().
-  Result<void> hold(device::DeviceId device);
-  void release(device::DeviceId device);
+  /// Opens a device on behalf of the program or a driver, so that it runs whoever closes it; release() undoes
+  /// one hold().
+  Result<void> hold(device::DeviceId device, device::Receipt receipt = {});
+  void release(device::DeviceId device, device::Receipt receipt = {});
 
   /// The time in s that goes into answers; called on the io thread. Default: seconds since 1970.
   void set_clock(std::function<double()> clock);

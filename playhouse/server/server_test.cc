@@ -43,7 +43,10 @@ class ServerTest : public ::testing::Test {
     wheels.answers[position2d::kReqSetOdom] = {};
   }
   // Drivers let go of requests before the server ends.
-  ~ServerTest() override { wheels.held.clear(); }
+  ~ServerTest() override {
+    wheels.held.clear();
+    wheels.receipts.clear();
+  }
 
   void publish(device::DeviceId id, double time, std::size_t bytes = 52) {
     std::vector<device::Publication> batch;
@@ -505,6 +508,36 @@ TEST_F(ServerTest, goes_on_with_a_client_whose_answers_come_late_or_are_not_want
   wheels.held.clear();
   network.run();
   EXPECT_EQ(wheels.held.size(), 10u);
+}
+
+TEST_F(ServerTest, lets_a_client_wait_that_opens_and_closes_faster_than_the_driver_does) {
+  wheels.keeps_receipts = true;
+  TestClient client(network, kPort), other(network, kPort);
+  constexpr std::size_t kPairs = limits::kSessionAnswers + 10;
+  for (std::size_t i = 0; i < kPairs; ++i) {
+    client.send(open_request(kWheels, 0));
+    client.send(open_request(kWheels, 0, 2));
+  }
+  std::size_t answers = client.read().size();
+  EXPECT_EQ(answers, limits::kSessionAnswers);
+  EXPECT_EQ(wheels.receipts.size(), limits::kSessionAnswers);
+  EXPECT_EQ(outline(other.ask(open_request(kWheels, 0))), "ACK 3");
+  while (!wheels.receipts.empty()) {
+    wheels.receipts.clear();
+    answers += client.read().size();
+  }
+  EXPECT_EQ(answers, 2 * kPairs);
+}
+
+TEST_F(ServerTest, does_not_make_a_client_wait_for_devices_to_close_that_has_finished_sending) {
+  wheels.keeps_receipts = true;
+  TestClient client(network, kPort);
+  client.send(open_request(kWheels, 0));
+  client.peer.finish();
+  EXPECT_EQ(outline(client.read()), "ACK 3");
+  EXPECT_TRUE(client.peer.closed());
+  wheels.receipts.clear();
+  network.run();
 }
 
 TEST_F(ServerTest, counts_long_requests_for_more) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <memory>
 #include <utility>
 
 #include "playhouse/base/limits.h"
@@ -85,8 +86,15 @@ void Session::leave() {
 std::size_t Session::owed_answers() const {
   // Long requests and answers count for more, so that the limit holds in bytes too.
   constexpr std::size_t kShare = limits::kSessionQueueBytes / limits::kSessionAnswers;
-  return std::max(pending_.size(), pending_bytes_ / kShare) +
+  return std::max(pending_.size() + receipts_.size(), pending_bytes_ / kShare) +
          std::max(queue_.answers_waiting(), queue_.answer_bytes_waiting() / kShare);
+}
+
+// A receipt that nobody keeps any longer comes back as the answer to a request that nobody made.
+device::Receipt Session::make_receipt() {
+  const std::uint32_t number = next_request_++;
+  receipts_.insert(number);
+  return std::make_shared<device::Replier>(*board_.outlet, make_ticket(serial_, number));
 }
 
 void Session::process() {
@@ -132,7 +140,8 @@ void Session::command(const wire::Header& header, Body body) {
     return drop_command(header, Fault::kUndecodable, wrong);
   }
   const auto type = static_cast<std::uint8_t>(header.type);
-  if (!board_.devices[device].driver->command({device, type, header.subtype, body})) {
+  const device::Message message{device, type, header.subtype, body, [this] { return make_receipt(); }};
+  if (!board_.devices[device].driver->command(message)) {
     drop_command(header, Fault::kUnsupported, "the device has no such command, or not with these values");
   }
 }
@@ -195,6 +204,7 @@ bool Session::opened_for_reading_only(device::DeviceId device) const {
 // ----------------------------------------------------------------------------------------------------------
 
 void Session::answer(std::uint32_t number, bool ack, std::span<const std::byte> body) {
+  if (receipts_.erase(number) > 0) return;
   const auto found = pending_.find(number);
   if (found == pending_.end()) return;  // answered before
   const wire::Header header = found->second.header;

@@ -4,8 +4,9 @@
 /// owed. Knows no sockets: Server feeds it what arrives and sends what it gives. One connection, one session;
 /// io thread.
 ///
-/// A session stops working on its input while it owes limits::kSessionAnswers answers (wants_bytes() is
-/// false), so a client that asks without reading holds up itself and nobody else.
+/// A session stops working on its input while it owes limits::kSessionAnswers answers, those of drivers that
+/// have yet to open or close what it told them included (wants_bytes() is false), so a client that asks
+/// without reading, or faster than the world turns, holds up itself and nobody else.
 
 #include <cstddef>
 #include <cstdint>
@@ -52,7 +53,7 @@ class Session final : public Reader {
   /// Why the session has to be closed; empty while it need not.
   const std::string& broken() const { return broken_; }
 
-  /// A driver's answer to the request with this number (the low half of its ticket).
+  /// A driver's answer to the request with this number (the low half of its ticket), or the end of a receipt.
   void answer(std::uint32_t number, bool ack, std::span<const std::byte> body);
   void deliver(const Frame& frame) override;
 
@@ -90,6 +91,7 @@ class Session final : public Reader {
 
   // session.cc: framing, commands and requests
   std::size_t owed_answers() const;
+  device::Receipt make_receipt();
   void process();
   void dispatch(const wire::Header& header, Body body);
   void command(const wire::Header& header, Body body);
@@ -122,8 +124,9 @@ class Session final : public Reader {
   OutQueue queue_;
   std::map<device::DeviceId, OpenDevice> open_;
   std::map<std::uint32_t, PendingRequest> pending_;
-  std::size_t pending_bytes_ = 0;  // of the requests in pending_
-  std::uint32_t next_request_ = 0;
+  std::size_t pending_bytes_ = 0;     // of the requests in pending_
+  std::set<std::uint32_t> receipts_;  // that drivers keep
+  std::uint32_t next_request_ = 0;    // numbers both
   std::size_t answer_limit_;
   std::string broken_;
   std::set<Fault> logged_;

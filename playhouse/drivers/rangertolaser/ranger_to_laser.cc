@@ -69,8 +69,9 @@ lsr::Data laser_scan(const rng::Config& config, const rng::DataRange& ranges,
   return scan;
 }
 
-Result<void> RangerToLaser::start(device::DeviceId) {
-  if (const Result<void> held = surroundings_.hold(ranger_.id); !held) return held.error();
+Result<void> RangerToLaser::start(device::DeviceId, device::Receipt receipt) {
+  if (const Result<void> held = surroundings_.hold(ranger_.id, std::move(receipt)); !held)
+    return held.error();
   ask_ranger(rng::kReqGetConfig, {}, [this](std::optional<std::vector<std::byte>> body) {
     const Result<rng::Config> config = wire::decode<rng::Config>(body.value_or(std::vector<std::byte>()));
     if (!config) return;
@@ -80,12 +81,12 @@ Result<void> RangerToLaser::start(device::DeviceId) {
   return {};
 }
 
-void RangerToLaser::stop(device::DeviceId) {
+void RangerToLaser::stop(device::DeviceId, device::Receipt receipt) {
   {
     const std::lock_guard lock(mutex_);
     config_.reset();
   }
-  surroundings_.release(ranger_.id);
+  surroundings_.release(ranger_.id, std::move(receipt));
 }
 
 void RangerToLaser::request(const device::Message& message, device::Replier replier) {

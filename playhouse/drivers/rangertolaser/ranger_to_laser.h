@@ -38,8 +38,8 @@ class RangerToLaser final : public device::Driver, private device::Outlet, priva
   void set_ranger(Site::Neighbour ranger) { ranger_ = ranger; }
 
   std::string_view name() const override { return "rangertolaser"; }
-  Result<void> start(device::DeviceId device) override;
-  void stop(device::DeviceId device) override;
+  Result<void> start(device::DeviceId device, device::Receipt receipt) override;
+  void stop(device::DeviceId device, device::Receipt receipt) override;
   bool command(const device::Message&) override { return false; }
   void request(const device::Message& message, device::Replier replier) override;
   bool capable(device::DeviceId device, std::uint8_t type, std::uint8_t subtype) const override;

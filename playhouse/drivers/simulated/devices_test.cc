@@ -46,7 +46,7 @@ class Device : public ::testing::Test {
     const world::ModelRow row =
         interf == wire::simulation::kCode ? world::ModelRow{} : still_.world().find(model);
     driver_.add(kId, make_device(still_.simulation, interf, row));
-    ASSERT_TRUE(driver_.start(kId));
+    ASSERT_TRUE(driver_.start(kId, {}));
     still_.run(0);
   }
   template <typename Payload>
@@ -115,7 +115,7 @@ TEST_F(Position2dDevice, opening_subscribes_the_model_and_closing_ends_that) {
   open(p2d::kCode, "r0");
   const world::ModelRow robot = still_.world().find("r0");
   EXPECT_EQ(still_.world().models.subscribers[robot.index], 1u);
-  driver_.stop(kId);
+  driver_.stop(kId, {});
   still_.run(5);
   EXPECT_EQ(still_.world().models.subscribers[robot.index], 0u);
   EXPECT_TRUE(still_.notebook.published.empty());
@@ -166,10 +166,10 @@ TEST_F(Position2dDevice,
   const std::vector<std::byte> ahead = wire::encode(p2d::CmdVel{{0.3, 0, 0}, 1});
   const auto cmd = static_cast<std::uint8_t>(MessageType::kCmd);
   driver_.command({kId, cmd, p2d::kCmdVel, ahead});
-  driver_.stop(kId);
+  driver_.stop(kId, {});
   still_.run(0);
   EXPECT_EQ(still_.world().positions.command[0], geom::Twist{});
-  ASSERT_TRUE(driver_.start(kId));
+  ASSERT_TRUE(driver_.start(kId, {}));
   driver_.command({kId, cmd, p2d::kCmdVel, ahead});
   still_.run(0);
   EXPECT_EQ(still_.world().positions.command[0].x, 0.3);
@@ -197,7 +197,7 @@ TEST_F(Position2dDevice, motors_go_off_and_on_and_are_on_again_for_the_next_user
   open(p2d::kCode, "r0");
   EXPECT_TRUE(ask_with(p2d::kReqMotorPower, p2d::PowerConfig{0}).ack);
   EXPECT_EQ(still_.world().positions.motor_on[0], 0);
-  driver_.stop(kId);
+  driver_.stop(kId, {});
   still_.run(0);
   EXPECT_EQ(still_.world().positions.motor_on[0], 1);
 }

@@ -1,6 +1,7 @@
 #include "playhouse/drivers/simulated/simulated_driver.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "playhouse/base/assert.h"
 
@@ -17,9 +18,9 @@ SimulatedDevice& SimulatedDriver::at(device::DeviceId id) const {
   return *found->second;
 }
 
-Result<void> SimulatedDriver::start(device::DeviceId id) {
+Result<void> SimulatedDriver::start(device::DeviceId id, device::Receipt receipt) {
   SimulatedDevice& device = at(id);
-  const auto open = [&device, &simulation = simulation_](world::World& world) {
+  const auto open = [&device, &simulation = simulation_, receipt = std::move(receipt)](world::World& world) {
     simulation.add_source(device);
     if (device.model()) world::subscribe(world, device.model());
   };
@@ -27,10 +28,10 @@ Result<void> SimulatedDriver::start(device::DeviceId id) {
   return {};
 }
 
-void SimulatedDriver::stop(device::DeviceId id) {
+void SimulatedDriver::stop(device::DeviceId id, device::Receipt receipt) {
   SimulatedDevice& device = at(id);
   simulation_.post_always(
-      [&device, &simulation = simulation_](world::World& world) {
+      [&device, &simulation = simulation_, receipt = std::move(receipt)](world::World& world) {
         simulation.remove_source(device);
         if (device.model()) world::unsubscribe(world, device.model());
         device.closed(world);

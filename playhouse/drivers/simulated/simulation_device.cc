@@ -49,13 +49,18 @@ std::span<const Served> SimulationDevice::served() const {
 
 /// PAUSE has no payload: it pauses a running world and resumes a paused one.
 bool SimulationDevice::command(const device::Message& message) {
-  if (message.subtype == sim::kCmdReset) return simulation().post(world::return_to_start);
+  if (message.subtype == sim::kCmdReset) return reset(message.receipt());
   if (simulation().pace().paused) {
     simulation().resume();
   } else {
     simulation().pause();
   }
   return true;
+}
+
+bool SimulationDevice::reset(device::Receipt receipt) {
+  return simulation().post(
+      [receipt = std::move(receipt)](world::World& world) { world::return_to_start(world); });
 }
 
 void SimulationDevice::request(const device::Message& message, device::Replier replier) {

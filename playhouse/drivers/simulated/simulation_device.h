@@ -21,6 +21,7 @@ class SimulationDevice final : public SimulatedDevice {
   void request(const device::Message& message, device::Replier replier) override;
 
  private:
+  bool reset(device::Receipt receipt);
   void pose_2d(const device::Message& message, device::Replier replier);
   void pose_3d(const device::Message& message, device::Replier replier);
   void property(const device::Message& message, device::Replier replier);

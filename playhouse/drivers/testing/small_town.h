@@ -58,12 +58,12 @@ class SmallTown final : public Surroundings {
     added_.emplace_back(address, &driver);
     return device::DeviceId{static_cast<std::uint32_t>(added_.size() - 1)};
   }
-  Result<void> hold(device::DeviceId device) override {
-    if (held[device.row]++ == 0) return added_[device.row].second->start(device);
+  Result<void> hold(device::DeviceId device, device::Receipt receipt) override {
+    if (held[device.row]++ == 0) return added_[device.row].second->start(device, std::move(receipt));
     return {};
   }
-  void release(device::DeviceId device) override {
-    if (--held[device.row] == 0) added_[device.row].second->stop(device);
+  void release(device::DeviceId device, device::Receipt receipt) override {
+    if (--held[device.row] == 0) added_[device.row].second->stop(device, std::move(receipt));
   }
   Result<std::unique_ptr<Simulation>> open_world(const std::string& path) override {
     opened.push_back(path);
