@@ -1,5 +1,6 @@
 #include "playhouse/drivers/simulated/inbox.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "playhouse/base/assert.h"
@@ -23,6 +24,14 @@ bool Inbox::post(Change change, world::PositionRow robot) {
   const std::lock_guard lock(mutex_);
   if (changes_ >= limits::kRequestQueue) return false;
   append(std::move(change), robot);
+  return true;
+}
+
+bool Inbox::post_to_all(Change change) {
+  const std::lock_guard lock(mutex_);
+  if (changes_ >= limits::kRequestQueue) return false;
+  append(std::move(change), {});
+  std::ranges::fill(slots_, kNoEntry);
   return true;
 }
 

@@ -41,6 +41,9 @@ class Inbox {
   /// the change concerns.
   bool post(Change change, world::PositionRow robot = {});
 
+  /// As post(), for a change that concerns every robot.
+  bool post_to_all(Change change);
+
   /// As post(), and never refused: for what must not be lost and is bounded by its sender (the close of a
   /// device).
   void post_always(Change change, world::PositionRow robot = {});

@@ -55,6 +55,20 @@ TEST(Inbox, a_change_of_another_robot_does_not_hold_a_command_up) {
   EXPECT_EQ(speed_of(taken[0]), 2);
 }
 
+TEST(Inbox, a_change_of_all_robots_keeps_its_place_among_the_commands_of_each) {
+  Inbox inbox(2);
+  std::vector<Inbox::Entry> taken;
+  inbox.command(forward(kFirst, 1));
+  ASSERT_TRUE(inbox.post_to_all(nothing));
+  inbox.command(forward(kFirst, 2));
+  inbox.command(forward(kSecond, 3));
+  inbox.take(taken);
+  ASSERT_EQ(taken.size(), 4u);
+  EXPECT_EQ(speed_of(taken[0]), 1);
+  EXPECT_EQ(speed_of(taken[2]), 2);
+  EXPECT_EQ(speed_of(taken[3]), 3);
+}
+
 TEST(Inbox, what_was_taken_is_not_replaced_any_more) {
   Inbox inbox(1);
   std::vector<Inbox::Entry> taken, later;

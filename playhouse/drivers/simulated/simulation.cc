@@ -198,6 +198,12 @@ bool Simulation::post(Change change, world::PositionRow robot) {
   return true;
 }
 
+bool Simulation::post_to_all(Change change) {
+  if (!inbox_.post_to_all(std::move(change))) return false;
+  ring();
+  return true;
+}
+
 void Simulation::post_always(Change change, world::PositionRow robot) {
   inbox_.post_always(std::move(change), robot);
   ring();

@@ -66,6 +66,7 @@ class Simulation final : public world::Control {
   // For devices; any thread.
   void command(const PositionCommand& command);
   bool post(Change change, world::PositionRow robot);
+  bool post_to_all(Change change);
   void post_always(Change change, world::PositionRow robot);
   /// Simulated time of the newest tick. [s]
   double time() const { return time_.load(std::memory_order_relaxed); }

@@ -59,7 +59,7 @@ bool SimulationDevice::command(const device::Message& message) {
 }
 
 bool SimulationDevice::reset(device::Receipt receipt) {
-  return simulation().post(
+  return simulation().post_to_all(
       [receipt = std::move(receipt)](world::World& world) { world::return_to_start(world); });
 }
 
