@@ -85,8 +85,11 @@ void SimulatedPeer::finish() {
   link_->finished = true;
 }
 void SimulatedPeer::vanish() {
-  link_->vanished = true;
   link_->to_server.clear();
+  reset();
+}
+void SimulatedPeer::reset() {
+  link_->vanished = true;
   link_->in_flight.clear();
 }
 void SimulatedPeer::stall() {

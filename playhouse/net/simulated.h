@@ -29,6 +29,8 @@ class SimulatedPeer {
   void finish();
   /// Vanishes without a word: what is under way in either direction is lost.
   void vanish();
+  /// Vanishes as by a reset: what it has sent arrives, what is sent to it is lost.
+  void reset();
   /// Stops reading: the other side's bytes fill the window and then stay in flight.
   void stall();
   void read_on();

@@ -128,13 +128,13 @@ void Server::Impl::Client::drained() {
 }
 
 void Server::Impl::Client::advance() {
-  if (goodbye_) return say_goodbye();
   pump();
-  if (paused_ && session_.wants_bytes()) {
+  while (session_.can_work_on()) {
     session_.work_on();
     server_.deliver_outbox();
     pump();
   }
+  if (goodbye_) return say_goodbye();
   if (drop_if_broken()) return;
   const bool pause = !session_.wants_bytes();
   if (pause == std::exchange(paused_, pause)) return;
@@ -144,16 +144,13 @@ void Server::Impl::Client::advance() {
 // The peer may have shut down its half alone, to read the answers to what it asked.
 void Server::Impl::Client::closed(const std::string& why) {
   log::debug("{}: {}", session_.peer(), why);
-  session_.finish_input();
-  server_.deliver_outbox();
   goodbye_ = server_.network_.after(kLastAnswers, [this] { remove(); });
-  say_goodbye();
+  advance();
 }
 
+// What it said in haste may still wait for the answers of drivers.
 void Server::Impl::Client::say_goodbye() {
-  parts_.clear();
-  session_.take(parts_, limits::kSessionQueueBytes);
-  if (!parts_.empty()) connection_->send(parts_);
+  if (session_.held_up()) return;
   session_.leave();
   if (!session_.waits_for_answers()) remove();
 }
@@ -171,11 +168,11 @@ void Server::Impl::Client::remove() {
   server_.remove(serial_);
 }
 
-// With a write under way, `drained` comes back here.
+// With a write under way, `drained` comes back here; not to one who said goodbye, who gets all at once.
 void Server::Impl::Client::pump() {
-  if (connection_->in_flight_bytes() > 0) return;
+  if (!goodbye_ && connection_->in_flight_bytes() > 0) return;
   parts_.clear();
-  session_.take(parts_, kWriteBytes);
+  session_.take(parts_, goodbye_ ? limits::kSessionQueueBytes : kWriteBytes);
   if (!parts_.empty()) connection_->send(parts_);
   parts_.clear();
 }

@@ -510,6 +510,32 @@ TEST_F(ServerTest, goes_on_with_a_client_whose_answers_come_late_or_are_not_want
   EXPECT_EQ(wheels.held.size(), 10u);
 }
 
+TEST_F(ServerTest, answers_every_request_of_a_client_that_sends_more_in_one_piece_than_it_may_be_owed) {
+  network.piece_bytes = 1u << 30;
+  TestClient client(network, kPort);
+  constexpr std::size_t kRequests = 3 * limits::kSessionAnswers + 1;
+  for (std::size_t i = 0; i < kRequests; ++i) client.send(request(kWheels, position2d::kReqGetGeom));
+  EXPECT_EQ(client.read().size(), kRequests);
+}
+
+TEST_F(ServerTest, does_not_hurry_for_a_client_that_asked_without_end_and_was_reset) {
+  wheels.holds_requests = true;
+  TestClient flooder(network, kPort);
+  constexpr std::size_t kRequests = 5 * limits::kSessionAnswers;
+  for (std::size_t i = 0; i < kRequests; ++i) flooder.send(request(kWheels, position2d::kReqGetGeom));
+  flooder.send(drive(0.5));
+  flooder.peer.reset();
+  network.run();
+  EXPECT_EQ(wheels.held.size(), limits::kSessionAnswers);
+  while (!wheels.held.empty()) {
+    wheels.held.clear();
+    network.run();
+  }
+  EXPECT_EQ(static_cast<std::size_t>(wheels.requests), kRequests);
+  EXPECT_EQ(wheels.commands.size(), 1u) << "what was sent before the end is carried out";
+  EXPECT_EQ(server.status().sessions, 0u);
+}
+
 TEST_F(ServerTest, lets_a_client_wait_that_opens_and_closes_faster_than_the_driver_does) {
   wheels.keeps_receipts = true;
   TestClient client(network, kPort), other(network, kPort);

@@ -46,11 +46,7 @@ bool only_reads(const wire::MessageDef& def) {
 }  // namespace
 
 Session::Session(Switchboard& board, std::uint32_t serial, std::uint32_t robot, std::string peer)
-    : board_(board),
-      serial_(serial),
-      robot_(robot),
-      peer_(std::move(peer)),
-      answer_limit_(limits::kSessionAnswers) {}
+    : board_(board), serial_(serial), robot_(robot), peer_(std::move(peer)) {}
 
 Session::~Session() {
   leave();
@@ -68,11 +64,6 @@ void Session::receive(std::span<const std::byte> bytes) {
 }
 
 void Session::work_on() {
-  process();
-}
-
-void Session::finish_input() {
-  answer_limit_ = std::numeric_limits<std::size_t>::max();
   process();
 }
 
@@ -105,13 +96,13 @@ void Session::process() {
     if (header.size > limits::kBodyBytes) {
       broken_ = fmt::format("{} claims {} bytes, over the limit of {}", describe(header), header.size,
                             limits::kBodyBytes);
-      input_.clear();
-      return;
+      break;
     }
     if (rest.size() - limits::kHeaderBytes < header.size) break;
     dispatch(header, rest.subspan(limits::kHeaderBytes, header.size));
     at += limits::kHeaderBytes + header.size;
   }
+  held_up_ = broken_.empty() && !wants_bytes();
   input_.erase(input_.begin(), input_.begin() + static_cast<std::ptrdiff_t>(at));
   if (input_.empty() && input_.capacity() > kKeptInputBytes) input_.shrink_to_fit();
 }

@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "playhouse/base/limits.h"
 #include "playhouse/device/address.h"
 #include "playhouse/server/out_queue.h"
 #include "playhouse/server/switchboard.h"
@@ -40,16 +41,17 @@ class Session final : public Reader {
 
   /// Bytes from the client, in any segmentation.
   void receive(std::span<const std::byte> bytes);
-  /// Goes on with input that had to wait. Call after answers have gone out.
+  /// Goes on with input that had to wait. Call while can_work_on(), once answers have gone out.
   void work_on();
-  /// No more bytes will come: carries out all that did.
-  void finish_input();
+  /// Input waits for answers to go out.
+  bool held_up() const { return held_up_; }
+  bool can_work_on() const { return held_up_ && wants_bytes(); }
   /// Closes every device the session has open.
   void leave();
   /// Some driver has not answered yet.
   bool waits_for_answers() const { return !pending_.empty(); }
   /// False while input waits for answers to go out: the connection should pause.
-  bool wants_bytes() const { return owed_answers() < answer_limit_; }
+  bool wants_bytes() const { return owed_answers() < limits::kSessionAnswers; }
   /// Why the session has to be closed; empty while it need not.
   const std::string& broken() const { return broken_; }
 
@@ -127,7 +129,7 @@ class Session final : public Reader {
   std::size_t pending_bytes_ = 0;     // of the requests in pending_
   std::set<std::uint32_t> receipts_;  // that drivers keep
   std::uint32_t next_request_ = 0;    // numbers both
-  std::size_t answer_limit_;
+  bool held_up_ = false;
   std::string broken_;
   std::set<Fault> logged_;
   std::uint64_t messages_sent_ = 0, commands_dropped_ = 0;
