@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "playhouse/base/assert.h"
 #include "playhouse/base/limits.h"
 #include "playhouse/base/log.h"
 #include "playhouse/server/outbox.h"
@@ -99,6 +100,8 @@ class Server::Impl {
   void deliver_outbox();
   void deliver(const Answer& answer);
   void advance_all();
+  void make_room();
+  Client* longest_unfinished();
 
   net::Network& network_;
   const ServerOptions options_;
@@ -120,6 +123,7 @@ class Server::Impl {
 void Server::Impl::Client::received(std::span<const std::byte> bytes) {
   session_.receive(bytes);
   server_.deliver_outbox();  // drivers that answered at once
+  server_.make_room();
   advance();
 }
 
@@ -235,6 +239,26 @@ void Server::Impl::deliver(const Answer& answer) {
 
 void Server::Impl::advance_all() {
   for (auto next = clients_.begin(); next != clients_.end();) (next++)->second->advance();
+}
+
+// A message of an honest client takes moments, however long it is, so the one begun first has to go.
+void Server::Impl::make_room() {
+  while (board_.input_bytes > options_.input_bytes) {
+    longest_unfinished()->session().give_up(fmt::format(
+        "long messages of all clients take {} bytes, over the limit of {}, and its own began first",
+        board_.input_bytes, options_.input_bytes));
+    wake();
+  }
+}
+
+Server::Impl::Client* Server::Impl::longest_unfinished() {
+  Client* first = nullptr;
+  for (const auto& [serial, client] : clients_) {
+    if (client->session().input_bytes() == 0) continue;
+    if (!first || client->session().input_turn() < first->session().input_turn()) first = client.get();
+  }
+  PLAYHOUSE_ASSERT(first);  // what is counted is some session's
+  return first;
 }
 
 ServerStatus Server::Impl::status() const {

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "playhouse/base/limits.h"
 #include "playhouse/base/result.h"
 #include "playhouse/device/address.h"
 #include "playhouse/device/driver.h"
@@ -23,7 +24,8 @@ namespace playhouse::server {
 struct ServerOptions {
   std::string bind = "127.0.0.1";  // numeric address; "0.0.0.0" and "::" mean every interface
   std::string version =
-      "3.1.1 Playhouse " PLAYHOUSE_VERSION;  // clients see "Player v." and this, 31 bytes at most
+      "3.1.1 Playhouse " PLAYHOUSE_VERSION;       // clients see "Player v." and this, 31 bytes at most
+  std::size_t input_bytes = limits::kInputBytes;  // less in tests
 };
 
 /// What a person may want to see of a running server. Sums since the start unless said otherwise.
@@ -32,7 +34,7 @@ struct ServerStatus {
   std::size_t stalled_sessions = 0;  // of these, with data waiting that their peers do not read
   std::uint64_t sessions_accepted = 0;
   std::uint64_t sessions_refused = 0;  // over limits::kSessions
-  std::uint64_t sessions_broken = 0;   // closed for frames that cannot be
+  std::uint64_t sessions_broken = 0;   // closed for frames that cannot be, or to make room for others' frames
   std::uint64_t messages_received = 0;
   std::uint64_t messages_sent = 0;
   std::uint64_t bytes_sent = 0;

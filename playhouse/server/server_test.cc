@@ -626,5 +626,68 @@ TEST_F(ServerTest, lists_no_more_devices_than_a_list_holds_but_opens_them_all) {
   EXPECT_EQ(access_of(client.ask(open_request(kWheels, limits::kDevices))[0]), 1);
 }
 
+/// A server with little memory for messages that have not come whole.
+class LongMessages : public ::testing::Test {
+ protected:
+  LongMessages() {
+    network.piece_bytes = 65536;
+    EXPECT_EQ(*server.listen(kPort), kPort);
+    EXPECT_TRUE(server.add_device({kPort, kWheels, 0}, wheels));
+  }
+  static Bytes long_command(std::size_t bytes) {
+    Bytes command = wire::encode(position2d::CmdVel{});
+    command.resize(bytes);
+    return message(wire::MessageType::kCmd, kWheels, 0, position2d::kCmdVel, command);
+  }
+  /// Clients that announce a long command and send so many bytes of it.
+  std::vector<TestClient> announce(std::size_t clients, std::size_t bytes) {
+    const Bytes command = long_command(1u << 20);
+    std::vector<TestClient> result;
+    for (std::size_t i = 0; i < clients; ++i) {
+      result.emplace_back(network, kPort).send({command.begin(), command.begin() + static_cast<int>(bytes)});
+      network.run();
+    }
+    return result;
+  }
+
+  net::SimulatedNetwork network{12};
+  FakeDriver wheels;
+  Server server{network, {.input_bytes = 4u << 20}};
+};
+
+TEST_F(LongMessages, that_do_not_end_make_room_for_those_that_do) {
+  TestClient slow(network, kPort);
+  slow.send(Bytes(20));
+  std::vector<TestClient> holders = announce(20, 300u << 10);
+  TestClient honest(network, kPort);
+  honest.ask(long_command(1u << 20));
+  EXPECT_EQ(wheels.commands.size(), 1u);
+  EXPECT_FALSE(honest.peer.closed());
+  EXPECT_FALSE(slow.peer.closed()) << "what is short costs nothing";
+  EXPECT_TRUE(holders.front().peer.closed());
+  EXPECT_FALSE(holders.back().peer.closed());
+  const std::uint64_t closed = server.status().sessions_broken;
+  for (TestClient& holder : holders) holder.peer.vanish();
+  honest.ask(long_command(1u << 20));
+  EXPECT_EQ(wheels.commands.size(), 2u);
+  EXPECT_EQ(server.status().sessions_broken, closed);
+}
+
+TEST_F(LongMessages, give_their_memory_back_when_they_have_come) {
+  std::vector<TestClient> clients;
+  for (int i = 0; i < 20; ++i) {
+    Bytes bytes = long_command(1u << 20);
+    bytes.push_back({});  // the next message begins
+    clients.emplace_back(network, kPort).ask(bytes);
+  }
+  EXPECT_EQ(wheels.commands.size(), 20u);
+  EXPECT_EQ(server.status().sessions_broken, 0u);
+}
+
+TEST_F(LongMessages, count_only_above_what_each_client_may_have) {
+  const std::vector<TestClient> clients = announce(200, 60u << 10);
+  EXPECT_EQ(server.status().sessions_broken, 0u);
+}
+
 }  // namespace
 }  // namespace playhouse::server

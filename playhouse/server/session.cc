@@ -17,8 +17,6 @@
 namespace playhouse::server {
 namespace {
 
-constexpr std::size_t kKeptInputBytes = 1u << 20;  // a larger input buffer is given back once it is empty
-
 std::string describe(const wire::Header& header) {
   const wire::InterfaceDef* interf = wire::find_interface(header.interf);
   const wire::MessageDef* def = wire::find_message(header.interf, header.type, header.subtype);
@@ -50,6 +48,7 @@ Session::Session(Switchboard& board, std::uint32_t serial, std::uint32_t robot, 
 
 Session::~Session() {
   leave();
+  count_input(0);
   if (commands_dropped_ > 1) log::warn("{}: {} commands were dropped in all", peer_, commands_dropped_);
   if (queue_.dropped() > 0) log::warn("{}: {} data messages were dropped in all", peer_, queue_.dropped());
 }
@@ -103,8 +102,28 @@ void Session::process() {
     at += limits::kHeaderBytes + header.size;
   }
   held_up_ = broken_.empty() && !wants_bytes();
-  input_.erase(input_.begin(), input_.begin() + static_cast<std::ptrdiff_t>(at));
-  if (input_.empty() && input_.capacity() > kKeptInputBytes) input_.shrink_to_fit();
+  forget_input(at);
+}
+
+// A long buffer goes back once what is left of it is short, so that who sent one long message does not keep
+// its memory.
+void Session::forget_input(std::size_t count) {
+  input_.erase(input_.begin(), input_.begin() + static_cast<std::ptrdiff_t>(count));
+  const bool is_long = input_.capacity() > limits::kSessionInputBytes;
+  if (is_long && input_.size() < input_.capacity() / 4) input_.shrink_to_fit();
+  if (count > 0 || input_bytes_ == 0) input_turn_ = ++board_.input_turns;
+  count_input(input_.capacity() > limits::kSessionInputBytes ? input_.capacity() : 0);
+}
+
+void Session::count_input(std::size_t bytes) {
+  board_.input_bytes += bytes - input_bytes_;
+  input_bytes_ = bytes;
+}
+
+void Session::give_up(std::string why) {
+  broken_ = std::move(why);
+  held_up_ = false;
+  forget_input(input_.size());
 }
 
 void Session::dispatch(const wire::Header& header, Body body) {

@@ -55,6 +55,13 @@ class Session final : public Reader {
   /// Why the session has to be closed; empty while it need not.
   const std::string& broken() const { return broken_; }
 
+  /// Memory for a long message that has not come whole; up to limits::kSessionInputBytes it does not count.
+  std::size_t input_bytes() const { return input_bytes_; }
+  /// Smaller for a message that began earlier, among all sessions.
+  std::uint64_t input_turn() const { return input_turn_; }
+  /// From now on the session is broken().
+  void give_up(std::string why);
+
   /// A driver's answer to the request with this number (the low half of its ticket), or the end of a receipt.
   void answer(std::uint32_t number, bool ack, std::span<const std::byte> body);
   void deliver(const Frame& frame) override;
@@ -95,6 +102,8 @@ class Session final : public Reader {
   std::size_t owed_answers() const;
   device::Receipt make_receipt();
   void process();
+  void forget_input(std::size_t count);
+  void count_input(std::size_t bytes);
   void dispatch(const wire::Header& header, Body body);
   void command(const wire::Header& header, Body body);
   void request(const wire::Header& header, Body body);
@@ -123,6 +132,8 @@ class Session final : public Reader {
   const std::string peer_;
 
   std::vector<std::byte> input_;  // begins at a header
+  std::size_t input_bytes_ = 0;
+  std::uint64_t input_turn_ = 0;
   OutQueue queue_;
   std::map<device::DeviceId, OpenDevice> open_;
   std::map<std::uint32_t, PendingRequest> pending_;

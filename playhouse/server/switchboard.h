@@ -2,6 +2,7 @@
 
 /// Switchboard: what every session of a server shares. Io thread only.
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 
@@ -27,6 +28,9 @@ struct Switchboard {
   Counters counters;
   std::function<double()> clock;  // s; stamps answers
   device::Outlet* outlet;         // where drivers send their answers
+
+  std::size_t input_bytes = 0;  // of memory for long messages that have not come whole (limits::kInputBytes)
+  std::uint64_t input_turns = 0;  // numbers the moments at which such a message began
 };
 
 }  // namespace playhouse::server
