@@ -99,6 +99,7 @@ class Server::Impl {
   void wake();
   void deliver_outbox();
   void deliver(const Answer& answer);
+  void tell_of_lost_data();
   void advance_all();
   void make_room();
   Client* longest_unfinished();
@@ -114,7 +115,7 @@ class Server::Impl {
   std::map<std::uint32_t, std::unique_ptr<Client>> clients_;
   std::uint32_t next_serial_ = 1;
   std::uint64_t accepted_ = 0, refused_ = 0, broken_ = 0;
-  bool full_ = false;
+  bool full_ = false, told_of_lost_data_ = false;
 };
 
 // --- one client
@@ -229,6 +230,14 @@ void Server::Impl::deliver_outbox() {
       deliver(*std::get_if<Answer>(&item));
     }
   }
+  tell_of_lost_data();
+}
+
+// Their number is in the status.
+void Server::Impl::tell_of_lost_data() {
+  const std::uint64_t lost = outbox_.data_dropped();
+  if (lost > 0 && !std::exchange(told_of_lost_data_, true))
+    log::warn("the server is too busy: {} messages of data gave way to newer ones, unsent", lost);
 }
 
 void Server::Impl::deliver(const Answer& answer) {
