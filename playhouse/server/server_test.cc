@@ -297,6 +297,96 @@ TEST_F(ServerTest, answers_for_capabilities_and_properties) {
   EXPECT_EQ(outline(client.ask(request(kWheels, wire::kReqCapabilities, ask_capability))), "ACK 255");
 }
 
+TEST_F(ServerTest, gives_and_changes_properties_of_every_type) {
+  wheels.properties.declare("skip", 7);
+  wheels.properties.declare("rate", 0.5);
+  wheels.properties.declare("host", std::string("here"));
+  wheels.properties.declare("on", false);
+  TestClient client(network, kPort);
+  // `before` is what it is, `after` what it becomes; a question carries the key alone.
+  const auto check = [&]<typename Request>(std::uint8_t get, std::uint8_t set, const Request& before,
+                                           const Request& after) {
+    const Bytes question = wire::encode(Request{before.key, {}});
+    for (const Request& expected : {before, after}) {
+      auto replies = client.ask(request(kWheels, get, question));
+      ASSERT_EQ(outline(replies), "ACK " + std::to_string(get));
+      EXPECT_EQ(*wire::decode<Request>(replies[0].body), expected) << wire::text(before.key);
+      replies = client.ask(request(kWheels, set, wire::encode(after)));
+      ASSERT_EQ(outline(replies), "ACK " + std::to_string(set));
+      EXPECT_TRUE(replies[0].body.empty());
+    }
+  };
+  const auto word = [](const char* text) { return wire::c_string(text); };
+  check(wire::kReqGetIntprop, wire::kReqSetIntprop, wire::IntpropReq{word("skip"), 7},
+        wire::IntpropReq{word("skip"), -2000000000});
+  check(wire::kReqGetDblprop, wire::kReqSetDblprop, wire::DblpropReq{word("rate"), 0.5},
+        wire::DblpropReq{word("rate"), -1e300});
+  check(wire::kReqGetStrprop, wire::kReqSetStrprop, wire::StrpropReq{word("host"), word("here")},
+        wire::StrpropReq{word("host"), word("a longer name than before")});
+  check(wire::kReqGetBoolprop, wire::kReqSetBoolprop, wire::BoolpropReq{word("on"), 0},
+        wire::BoolpropReq{word("on"), 1});
+}
+
+TEST_F(ServerTest, answers_nack_for_properties_of_other_names_and_types_and_lets_a_reader_only_look) {
+  wheels.properties.declare("skip", 7);
+  wheels.properties.declare("serial", 12, device::PropertyAccess::kReadOnly);
+  TestClient client(network, kPort);
+  for (const char* key : {"nothing", "skip "}) {
+    const Bytes by_int = wire::encode(wire::IntpropReq{wire::c_string(key), 1});
+    const Bytes by_double = wire::encode(wire::DblpropReq{wire::c_string(key), 1});
+    const Bytes by_text = wire::encode(wire::StrpropReq{wire::c_string(key), "x"});
+    const Bytes by_flag = wire::encode(wire::BoolpropReq{wire::c_string(key), 1});
+    const Bytes* bodies[] = {&by_flag,   &by_flag,   &by_text, &by_text,
+                             &by_double, &by_double, &by_int,  &by_int};
+    for (std::size_t i = 0; i < std::size(bodies); ++i) {
+      const auto subtype = static_cast<std::uint8_t>(wire::kReqSetBoolprop + i);
+      const auto replies = client.ask(request(kWheels, subtype, *bodies[i]));
+      ASSERT_EQ(outline(replies), "NACK " + std::to_string(subtype)) << key;
+      EXPECT_TRUE(replies[0].body.empty());
+    }
+  }
+  const Bytes as_double = wire::encode(wire::DblpropReq{wire::c_string("skip"), 1});
+  EXPECT_EQ(outline(client.ask(request(kWheels, wire::kReqGetDblprop, as_double))), "NACK 252");
+  EXPECT_EQ(outline(client.ask(request(kWheels, wire::kReqSetDblprop, as_double))), "NACK 251");
+  const Bytes serial = wire::encode(wire::IntpropReq{wire::c_string("serial"), 13});
+  EXPECT_EQ(outline(client.ask(request(kWheels, wire::kReqSetIntprop, serial))), "NACK 253");
+
+  client.ask(open_request(kWheels, 0, 'r'));
+  const Bytes skip = wire::encode(wire::IntpropReq{wire::c_string("skip"), 8});
+  EXPECT_EQ(outline(client.ask(request(kWheels, wire::kReqSetIntprop, skip))), "NACK 253");
+  EXPECT_EQ(outline(client.ask(request(kWheels, wire::kReqGetIntprop, skip))), "ACK 254");
+  EXPECT_EQ(*wheels.properties.get("skip"), device::PropertyValue(7));
+  EXPECT_EQ(*wheels.properties.get("serial"), device::PropertyValue(12));
+}
+
+TEST_F(ServerTest, goes_by_the_last_access_of_a_device_opened_twice_until_both_are_closed) {
+  TestClient client(network, kPort);
+  client.ask(mode_request(2));
+  client.ask(open_request(kWheels, 0));
+  publish(wheels_id, 1);
+  EXPECT_EQ(outline(client.ask(open_request(kWheels, 0, 'w'))), "ACK 3") << "a writer's data is taken out";
+  publish(wheels_id, 2);
+  EXPECT_EQ(outline(client.ask(drive(1.0))), "");
+  EXPECT_EQ(wheels.commands.size(), 1u);
+
+  client.ask(open_request(kWheels, 0, 'r'));
+  client.ask(drive(2.0));
+  EXPECT_EQ(wheels.commands.size(), 1u);
+  publish(wheels_id, 3);
+  EXPECT_EQ(outline(client.ask(player_request(wire::player::kReqData))), "ACK 4, DATA 1 of 4, SYNCH 1");
+
+  client.ask(open_request(kWheels, 0, 2));
+  client.ask(open_request(kWheels, 0, 'c'));
+  client.ask(drive(2.0));
+  EXPECT_EQ(wheels.commands.size(), 1u) << "open once more, and for reading as before";
+  EXPECT_EQ(wheels.stops, 0);
+  client.ask(open_request(kWheels, 0, 2));
+  EXPECT_EQ(wheels.starts, 1);
+  EXPECT_EQ(wheels.stops, 1);
+  client.ask(drive(2.0));
+  EXPECT_EQ(wheels.commands.size(), 2u) << "who has nothing open may command";
+}
+
 TEST_F(ServerTest, answers_later_when_the_driver_does_and_nobody_when_the_client_is_gone) {
   wheels.holds_requests = true;
   TestClient client(network, kPort), leaver(network, kPort);
