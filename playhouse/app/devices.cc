@@ -2,6 +2,7 @@
 
 #include "playhouse/app/commands.h"
 #include "playhouse/app/fail.h"
+#include "playhouse/base/in_quotes.h"
 #include "playhouse_client/client.h"
 
 namespace playhouse::app {
@@ -13,7 +14,8 @@ int devices(const DevicesOptions& options) {
   if (!client) return fail(client.error());
   const Result<std::vector<client::DeviceEntry>> devices = client->devices();
   if (!devices) return fail(devices.error());
-  for (const client::DeviceEntry& device : *devices) fmt::print("{:<20} {}\n", device.name(), device.driver);
+  for (const client::DeviceEntry& device : *devices)
+    fmt::print("{:<20} {}\n", device.name(), escaped(device.driver));  // a server may say anything
   return kDone;
 }
 

@@ -25,6 +25,8 @@ TEST(InQuotes, keeps_words_as_they_are_and_takes_the_sting_out_of_others) {
   EXPECT_EQ(in_quotes("rob\u00f6t"), "\"rob\u00f6t\"");
   EXPECT_EQ(in_quotes(std::string_view("a\n[error] b\0c\x7f", 14)), "\"a\\x0a[error] b\\x00c\\x7f\"");
   EXPECT_EQ(in_quotes(std::string(200, 'x')).size(), 202u);
+  EXPECT_EQ(in_quotes(std::string(198, 'x') + "\u20ac" + "y"), "\"" + std::string(198, 'x') + "...\"");
+  EXPECT_EQ(in_quotes(std::string(198, 'x') + "\u00f6" + "y"), "\"" + std::string(198, 'x') + "\u00f6...\"");
   EXPECT_EQ(in_quotes(std::string(65536, 'x')), "\"" + std::string(200, 'x') + "...\"");
   EXPECT_EQ(escaped("a\nb" + std::string(300, 'x')), "a\\x0ab" + std::string(300, 'x'));
 }

@@ -9,11 +9,19 @@ namespace {
 
 constexpr std::size_t kShownBytes = 200;
 
+/// The beginning of a text, without a part of a UTF-8 character at its end.
+std::string_view beginning(std::string_view text) {
+  const auto goes_on = [&](std::size_t i) { return (static_cast<unsigned char>(text[i]) & 0xc0) == 0x80; };
+  constexpr std::size_t kLongest = 4;  // bytes of a character
+  std::size_t end = kShownBytes;
+  while (end > kShownBytes - kLongest && goes_on(end)) --end;
+  return text.substr(0, end);
+}
+
 }  // namespace
 
 std::string in_quotes(std::string_view text) {
-  const bool fits = text.size() <= kShownBytes;
-  return '"' + escaped(text.substr(0, kShownBytes)) + (fits ? "\"" : "...\"");
+  return text.size() <= kShownBytes ? '"' + escaped(text) + '"' : '"' + escaped(beginning(text)) + "...\"";
 }
 
 std::string escaped(std::string_view text) {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "playhouse/base/in_quotes.h"
 #include "playhouse/base/limits.h"
 #include "playhouse/base/log.h"
 #include "playhouse/net/http.h"
@@ -152,8 +153,9 @@ class WebServer::Impl final : public net::HttpService,
     const std::string_view from = authority(request.origin);
     const bool same_site = from == request.host && (is_local(request.host) || !is_local(options_.bind));
     if (!request.origin.empty() && !same_site && !is_local(from)) {
-      log::warn("web: {} refused: a page from {} may not control this program", request.peer, request.origin);
-      return Error{"", "pages from " + request.origin + " may not control this program"};
+      log::warn("web: {} refused: a page from {} may not control this program", request.peer,
+                in_quotes(request.origin));
+      return Error{"", "pages from " + in_quotes(request.origin) + " may not control this program"};
     }
     if (viewers_.size() < limits::kViewers) return {};
     return too_many(request.peer);
