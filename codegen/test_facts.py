@@ -55,6 +55,26 @@ class Facts(unittest.TestCase):
                     self.assertEqual(f.length, array.get("n"))
                     self.assertEqual(None if f.dynamic else f.max, array.get("max"))
 
+    def test_every_field_has_the_unit_of_the_original(self):
+        # Where the catalogue says something else, or less.
+        ours_alone = {"player_simulation_pose3d_req_t.simtime": "us",  # what Stage sends
+                      "player_localize_get_particles_t.mean": "m, m, rad",  # what drivers send
+                      "player_position3d_cmd_pos_t.vel": "m/s, m/s, m/s, rad/s, rad/s, rad/s",
+                      "player_localize_get_particles_t.variance": "m^2",
+                      "player_localize_hypoth_t.cov": "m^2, m^2, rad^2, m^2, m rad, m rad",
+                      "player_localize_set_pose_t.cov": "m^2, m^2, rad^2, m^2, m rad, m rad"}
+        words = {"0..1": "1", "ratio": "1", "m/s x3,rad/s x3": "m/s,m/s,m/s,rad/s,rad/s,rad/s"}
+        facts = {(s["name"], f["name"]): f.get("unit") for i in self.facts["interfaces"] for s in i["structs"]
+                 for f in s["fields"]}
+        for interface in self.schema.interfaces:
+            for struct in interface.structs:
+                for f in struct.fields:
+                    fact, key = facts[struct.c_name, f.name], f"{struct.c_name}.{f.name}"
+                    if key in ours_alone:
+                        self.assertEqual(f.unit, ours_alone[key], key)
+                    elif fact is not None:
+                        self.assertEqual(f.unit.replace(", ", ",").replace(" or ", "|"), words.get(fact, fact), key)
+
     def test_every_constant_has_its_value(self):
         for fact in self.facts["interfaces"]:
             ours = self.schema.interface(fact["name"])

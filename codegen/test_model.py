@@ -133,6 +133,17 @@ class Checked(unittest.TestCase):
         self.assertEqual(sum(len(i.messages) for i in schema.interfaces), 249)
         self.assertEqual(sum(len(i.structs) for i in schema.all()), 223)
 
+    def test_simulated_devices_are_described_as_they_answer(self):
+        # What playhouse/drivers/simulated/devices_test.cc finds in their messages.
+        said = {("simulation", "Pose2dReq", "pose"): ("m, m, rad", "X_PT"),
+                ("simulation", "Pose3dReq", "pose"): ("m, m, m, rad, rad, rad", "X_PT"),
+                ("simulation", "Pose3dReq", "simtime"): ("us", ""),
+                ("fiducial", "Geom", "size"): ("m, m, m", "")}
+        schema = load(ROOT / "interfaces")
+        for (interface, struct, name), quantity in said.items():
+            fields = {f.name: f for f in schema.interface(interface).struct(struct).fields}
+            self.assertEqual((fields[name].unit, fields[name].frame), quantity, f"{interface}.{struct}.{name}")
+
     def test_file_names_are_code_and_name(self):
         for interface in load(ROOT / "interfaces").all():
             self.assertEqual(interface.source, f"interfaces/{interface.code or 0:03d}_{interface.name}.toml")

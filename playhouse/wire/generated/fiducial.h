@@ -29,11 +29,11 @@ inline constexpr std::uint8_t kReqSetId = 8;
 
 /// One marker in view.
 struct Item {
-  /// Number of the marker; -1 if it cannot be told.
+  /// Number of the marker; if it cannot be told -1, from simulated finders 0.
   std::int32_t id = 0;
   /// Where the marker is. [frame X_ST, m, m, m, rad, rad, rad]
   Pose3d pose{};
-  /// Standard deviation of each part of the pose. [frame X_ST, m, m, m, rad, rad, rad]
+  /// Standard deviation of each part of the pose; 0 if unknown. [frame X_ST, m, m, m, rad, rad, rad]
   Pose3d upose{};
 
   friend bool operator==(const Item&, const Item&) = default;
@@ -50,9 +50,9 @@ struct Data {
 struct Geom {
   /// Where the device is on the robot. [frame X_RS, m, m, m, rad, rad, rad]
   Pose3d pose{};
-  /// Of a box around the device.
+  /// Of a box around the device. [m, m, m]
   Bbox3d size{};
-  /// Of the markers. [m, m]
+  /// Of the markers; 0 if unknown. [m, m]
   Bbox2d fiducial_size{};
 
   friend bool operator==(const Geom&, const Geom&) = default;

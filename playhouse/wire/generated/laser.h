@@ -56,7 +56,7 @@ struct Data {
   std::vector<float> ranges{};
   /// Strength of the echo per beam; empty if the device has none.
   std::vector<std::uint8_t> intensity{};
-  /// Counts scans.
+  /// Grows from scan to scan, by one or more.
   std::uint32_t id = 0;
 
   friend bool operator==(const Data&, const Data&) = default;
@@ -81,7 +81,7 @@ struct DataScanangle {
   std::vector<float> angles{};
   /// Strength of the echo per beam; empty if the device has none.
   std::vector<std::uint8_t> intensity{};
-  /// Counts scans.
+  /// Grows from scan to scan, by one or more.
   std::uint32_t id = 0;
 
   friend bool operator==(const DataScanangle&, const DataScanangle&) = default;

@@ -58,9 +58,10 @@ struct Data {
 
 /// Wanted velocity.
 struct CmdVel {
-  /// Forward, to the left, turning left. [frame v_OR_R, m/s, m/s, rad/s]
+  /// Forward, to the left, turning left; for a simulated car the last part is its steering angle in rad.
+  /// [frame v_OR_R, m/s, m/s, rad/s]
   Pose2d vel{};
-  /// 1 motors on, 0 off.
+  /// 1 motors on, 0 off, if the driver cares; simulated robots do not: MOTOR_POWER is their switch.
   std::uint8_t state = 0;
 
   friend bool operator==(const CmdVel&, const CmdVel&) = default;
@@ -70,9 +71,10 @@ struct CmdVel {
 struct CmdPos {
   /// Goal. [frame X_OG, m, m, rad]
   Pose2d pos{};
-  /// Velocity on the way; zero leaves it to the driver. [frame v_OR_R, m/s, m/s, rad/s]
+  /// Velocity on the way; zero leaves it to the driver, as simulated robots always do. [frame v_OR_R, m/s,
+  /// m/s, rad/s]
   Pose2d vel{};
-  /// 1 motors on, 0 off.
+  /// 1 motors on, 0 off, if the driver cares; simulated robots do not: MOTOR_POWER is their switch.
   std::uint8_t state = 0;
 
   friend bool operator==(const CmdPos&, const CmdPos&) = default;
@@ -82,7 +84,8 @@ struct CmdPos {
 struct CmdCar {
   /// Forward. [m/s]
   double velocity = 0;
-  /// Of the front wheels, positive steers left. [rad]
+  /// Of the front wheels, positive steers left; a simulated robot without them takes it as its turning rate
+  /// in rad/s. [rad]
   double angle = 0;
 
   friend bool operator==(const CmdCar&, const CmdCar&) = default;

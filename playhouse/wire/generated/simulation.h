@@ -52,7 +52,8 @@ struct Cmd {
 struct Pose2dReq {
   /// Of the model, with its final NUL.
   std::string name{};
-  /// Of the model; ignored in a question. [frame X_WT, m, m, rad]
+  /// Of the model in its parent, which is the world for a model that nothing carries; ignored in a question.
+  /// [frame X_PT, m, m, rad]
   Pose2d pose{};
 
   friend bool operator==(const Pose2dReq&, const Pose2dReq&) = default;
@@ -62,9 +63,10 @@ struct Pose2dReq {
 struct Pose3dReq {
   /// Of the model, with its final NUL.
   std::string name{};
-  /// Of the model; ignored in a question. [frame X_WT, m, m, m, rad, rad, rad]
+  /// Of the model in its parent, which is the world for a model that nothing carries; ignored in a question.
+  /// [frame X_PT, m, m, m, rad, rad, rad]
   Pose3d pose{};
-  /// Simulated time at which the pose held. [s]
+  /// Simulated time at which the pose held, as Stage counts it; only answers fill it in. [us]
   double simtime = 0;
 
   friend bool operator==(const Pose3dReq&, const Pose3dReq&) = default;

@@ -16,11 +16,11 @@ CODE = 10
 class Item(Struct):
     """One marker in view. (player_fiducial_item_t)"""
 
-    # Number of the marker; -1 if it cannot be told.
+    # Number of the marker; if it cannot be told -1, from simulated finders 0.
     id: int = 0
     # Where the marker is (in m, m, m, rad, rad, rad, frame X_ST).
     pose: common.Pose3d = field(default_factory=common.Pose3d)
-    # Standard deviation of each part of the pose (in m, m, m, rad, rad, rad, frame X_ST).
+    # Standard deviation of each part of the pose; 0 if unknown (in m, m, m, rad, rad, rad, frame X_ST).
     upose: common.Pose3d = field(default_factory=common.Pose3d)
 
     def write(self, writer: Writer) -> None:
@@ -64,9 +64,9 @@ class Geom(Struct):
 
     # Where the device is on the robot (in m, m, m, rad, rad, rad, frame X_RS).
     pose: common.Pose3d = field(default_factory=common.Pose3d)
-    # Of a box around the device.
+    # Of a box around the device (in m, m, m).
     size: common.Bbox3d = field(default_factory=common.Bbox3d)
-    # Of the markers (in m, m).
+    # Of the markers; 0 if unknown (in m, m).
     fiducial_size: common.Bbox2d = field(default_factory=common.Bbox2d)
 
     def write(self, writer: Writer) -> None:

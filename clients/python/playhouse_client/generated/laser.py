@@ -37,7 +37,7 @@ class Data(Struct):
     ranges: List[float] = field(default_factory=list)
     # Strength of the echo per beam; empty if the device has none.
     intensity: bytes = b""
-    # Counts scans.
+    # Grows from scan to scan, by one or more.
     id: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -100,7 +100,7 @@ class DataScanangle(Struct):
     angles: List[float] = field(default_factory=list)
     # Strength of the echo per beam; empty if the device has none.
     intensity: bytes = b""
-    # Counts scans.
+    # Grows from scan to scan, by one or more.
     id: int = 0
 
     def write(self, writer: Writer) -> None:

@@ -41,9 +41,10 @@ class Data(Struct):
 class CmdVel(Struct):
     """Wanted velocity. (player_position2d_cmd_vel_t)"""
 
-    # Forward, to the left, turning left (in m/s, m/s, rad/s, frame v_OR_R).
+    # Forward, to the left, turning left; for a simulated car the last part is its steering angle in rad (in
+    # m/s, m/s, rad/s, frame v_OR_R).
     vel: common.Pose2d = field(default_factory=common.Pose2d)
-    # 1 motors on, 0 off.
+    # 1 motors on, 0 off, if the driver cares; simulated robots do not: MOTOR_POWER is their switch.
     state: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -64,9 +65,10 @@ class CmdPos(Struct):
 
     # Goal (in m, m, rad, frame X_OG).
     pos: common.Pose2d = field(default_factory=common.Pose2d)
-    # Velocity on the way; zero leaves it to the driver (in m/s, m/s, rad/s, frame v_OR_R).
+    # Velocity on the way; zero leaves it to the driver, as simulated robots always do (in m/s, m/s, rad/s,
+    # frame v_OR_R).
     vel: common.Pose2d = field(default_factory=common.Pose2d)
-    # 1 motors on, 0 off.
+    # 1 motors on, 0 off, if the driver cares; simulated robots do not: MOTOR_POWER is their switch.
     state: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -89,7 +91,8 @@ class CmdCar(Struct):
 
     # Forward (in m/s).
     velocity: float = 0.0
-    # Of the front wheels, positive steers left (in rad).
+    # Of the front wheels, positive steers left; a simulated robot without them takes it as its turning rate
+    # in rad/s (in rad).
     angle: float = 0.0
 
     def write(self, writer: Writer) -> None:

@@ -51,7 +51,8 @@ class Pose2dReq(Struct):
 
     # Of the model, with its final NUL.
     name: bytes = b""
-    # Of the model; ignored in a question (in m, m, rad, frame X_WT).
+    # Of the model in its parent, which is the world for a model that nothing carries; ignored in a question
+    # (in m, m, rad, frame X_PT).
     pose: common.Pose2d = field(default_factory=common.Pose2d)
 
     def write(self, writer: Writer) -> None:
@@ -75,9 +76,10 @@ class Pose3dReq(Struct):
 
     # Of the model, with its final NUL.
     name: bytes = b""
-    # Of the model; ignored in a question (in m, m, m, rad, rad, rad, frame X_WT).
+    # Of the model in its parent, which is the world for a model that nothing carries; ignored in a question
+    # (in m, m, m, rad, rad, rad, frame X_PT).
     pose: common.Pose3d = field(default_factory=common.Pose3d)
-    # Simulated time at which the pose held (in s).
+    # Simulated time at which the pose held, as Stage counts it; only answers fill it in (in us).
     simtime: float = 0.0
 
     def write(self, writer: Writer) -> None:
