@@ -6,6 +6,7 @@ never disagree. A `SchemaError` names the file, the entry and what is wrong.
 
 from __future__ import annotations
 
+import difflib
 import re
 import tomllib
 from dataclasses import dataclass, field
@@ -37,6 +38,20 @@ FRAME_LETTERS = set("WMORSTGIPBJE")
 # Structs that place something in space: a field of such a type must say in which frame.
 GEOMETRY = {"Pose2d", "Pose3d", "Point2d", "Point3d", "Orientation3d", "Segment", "Extent2d"}
 
+# Structs that measure something: a field of such a type must say in which unit.
+MEASURES = GEOMETRY | {"Bbox2d", "Bbox3d"}
+
+# Every unit there is. A field's unit is one of them, or several with ", " between the parts of its value and " or "
+# between what a part may be.
+UNITS = (
+    "1", "0.1", "%",                                    # plain numbers, tenths, hundredths
+    "m", "mm", "m^2", "rad", "rad^2", "m rad", "1e-7 deg",
+    "s", "ms", "us", "Hz", "MHz",
+    "m/s", "rad/s", "m/s^2", "rad/s^2",
+    "V", "A", "W", "J", "G", "lx", "degC",
+    "px", "m/pixel", "bit", "byte", "bit/s",
+)
+
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*$")
 MESSAGE_NAME = re.compile(r"[A-Z][A-Z0-9_]*$")
 STRUCT_NAME = re.compile(r"[A-Z][A-Za-z0-9]*$")
@@ -67,6 +82,7 @@ class Field:
     max: int | None = None
     dynamic: bool = False
     count_before: str = ""      # field before which the count word travels; "" means directly before the array
+    line: int = 0               # of the definition's file; 0 if unknown
 
     @property
     def is_scalar(self) -> bool:
@@ -181,15 +197,40 @@ class Schema:
         return found
 
 
+class Row(dict):
+    """A table of a file, with the line it stands on."""
+
+    line = 0
+
+
 def load(folder: Path) -> Schema:
     """Every file of the folder, checked. Raises SchemaError."""
     parsed = []
     for path in sorted(folder.glob("*.toml")):
         try:
-            parsed.append((f"interfaces/{path.name}", tomllib.loads(path.read_text(encoding="utf-8"))))
+            text = path.read_text(encoding="utf-8")
+            parsed.append((f"interfaces/{path.name}", _with_lines(tomllib.loads(text), text)))
         except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
             raise SchemaError(f"interfaces/{path.name}: {error}") from error
     return build(parsed)
+
+
+def _with_lines(table: dict, text: str) -> dict:
+    """The fields of all structs as rows that know their lines; the parser does not tell them."""
+    lines, inside = [], False
+    for number, line in enumerate(text.splitlines(), 1):
+        bare = re.sub(r'"(\\.|[^"\\])*"', "", line).partition("#")[0]
+        if bare.startswith("["):
+            inside = bare.strip() == "[[struct]]"
+        lines += [number] * (bare.count("{") if inside else 0)
+    structs = table.get("struct", [])
+    if len(lines) != sum(len(struct.get("fields", [])) for struct in structs):
+        return table  # written in some way of its own: faults are told without a line
+    for struct in structs:
+        struct["fields"] = [Row(entry) for entry in struct.get("fields", [])]
+        for row in struct["fields"]:
+            row.line = lines.pop(0)
+    return table
 
 
 def build(parsed: list[tuple[str, dict]]) -> Schema:
@@ -210,6 +251,7 @@ def build(parsed: list[tuple[str, dict]]) -> Schema:
             struct.min_bytes = _min_bytes(schema, struct, ())
     for interface in schema.all():
         _bound_arrays(schema, interface)
+        _match_units(schema, interface)
     return schema
 
 
@@ -256,12 +298,13 @@ def _message(source: str, code: int | None, row: dict) -> Message:
 
 
 def _struct(source: str, row: dict) -> Struct:
-    where = f"{source}: struct {row.get('name', '?')}"
+    name = row.get("name", "?")
+    where = f"{source}: struct {name}"
     _keys(where, row, {"name", "c_name", "doc", "fields"}, set())
     if not STRUCT_NAME.match(row["name"]):
         raise SchemaError(f"{where}: not a name in PascalCase")
     _documented(where, row["doc"])
-    fields = [_field(where, entry) for entry in row["fields"]]
+    fields = [_field(source, name, entry) for entry in row["fields"]]
     if not fields:
         raise SchemaError(f"{where}: has no fields")
     names = [f.name for f in fields]
@@ -272,8 +315,13 @@ def _struct(source: str, row: dict) -> Struct:
     return Struct(row["name"], row["c_name"], row["doc"], fields)
 
 
-def _field(struct_where: str, row: dict) -> Field:
-    where = f"{struct_where}: field {row.get('name', '?')}"
+def _place(source: str, struct: str, field_name: str, line: int) -> str:
+    return f"{source}{f':{line}' if line else ''}: struct {struct}: field {field_name}"
+
+
+def _field(source: str, struct: str, row: dict) -> Field:
+    line = row.line if isinstance(row, Row) else 0
+    where = _place(source, struct, row.get("name", "?"), line)
     _keys(where, row, {"name", "type"}, {"unit", "frame", "doc", "max", "count_before"})
     if not NAME.match(row["name"]):
         raise SchemaError(f"{where}: not a name")
@@ -282,7 +330,7 @@ def _field(struct_where: str, row: dict) -> Field:
         raise SchemaError(f"{where}: unknown type {row['type']!r}")
     owner, base, brackets, length = shape.groups()
     f = Field(row["name"], base, (owner or "").rstrip("."), row.get("unit", ""), row.get("frame", ""),
-              row.get("doc", ""), count_before=row.get("count_before", ""))
+              row.get("doc", ""), count_before=row.get("count_before", ""), line=line)
     _shape(where, f, brackets, length, row.get("max"))
     if f.type in FLOATS and not f.unit:
         raise SchemaError(f'{where}: a float needs a unit ("1" for a plain number)')
@@ -290,7 +338,29 @@ def _field(struct_where: str, row: dict) -> Field:
         raise SchemaError(f"{where}: a {f.type} needs a frame")
     if f.frame and not (FRAME.match(f.frame) and set(f.frame[2:]) - {"_"} <= FRAME_LETTERS):
         raise SchemaError(f"{where}: frame {f.frame!r} is not a monogram such as X_OR")
+    if f.type in MEASURES and not f.unit:
+        raise SchemaError(f"{where}: a {f.type} needs a unit")
+    _known_units(where, f.unit)
     return f
+
+
+def _known_units(where: str, unit: str) -> None:
+    for part in unit.split(",") if unit else []:
+        for one in part.strip().split(" or "):
+            if one not in UNITS:
+                raise SchemaError(f"{where}: unknown unit {one!r} (did you mean {_nearest_unit(one)!r}? "
+                                  "codegen/model.py lists them all)")
+
+
+def _nearest_unit(text: str) -> str:
+    """The likeliest of the units; most of them are short for a word that begins like them."""
+    text = text.lower()
+
+    def likeness(unit: str) -> float:
+        unit = unit.lower()
+        return difflib.SequenceMatcher(None, text, unit).ratio() + text.startswith(unit) + text.startswith(unit[0])
+
+    return max(UNITS, key=likeness)
 
 
 def _shape(where: str, f: Field, brackets: str | None, length: str | None, bound) -> None:
@@ -329,7 +399,7 @@ def _resolve(schema: Schema, interface: Interface) -> None:
                 if f.owner:
                     raise SchemaError(f"{interface.source}: {struct.name}.{f.name}: unknown type")
                 continue
-            where = f"{interface.source}: struct {struct.name}: field {f.name}"
+            where = _place(interface.source, struct.name, f.name, f.line)
             f.owner, f.type = _find(schema, interface, where, f.owner, f.type)
     for m in interface.messages:
         if m.payload:
@@ -370,6 +440,22 @@ def _bound_arrays(schema: Schema, interface: Interface) -> None:
             if f.dynamic:
                 one = 1 if f.type in OPAQUE else SCALARS.get(f.type) or schema.struct_of(f).min_bytes
                 f.max = BODY_BYTES // one
+
+
+def _match_units(schema: Schema, interface: Interface) -> None:
+    """One unit for the whole value, or one for each of its parts."""
+    for struct in interface.structs:
+        for f in struct.fields:
+            units, parts = len(f.unit.split(",")), _parts(schema, f)
+            if units not in (1, parts):
+                where = _place(interface.source, struct.name, f.name, f.line)
+                raise SchemaError(f"{where}: {units} units for a value of {parts} part{'' if parts == 1 else 's'}")
+
+
+def _parts(schema: Schema, f: Field) -> int:
+    """Numbers in one value of the field. The elements of a list without a fixed length are alike and count once."""
+    one = 1 if f.is_scalar else sum(_parts(schema, inner) for inner in schema.struct_of(f).fields)
+    return one * (f.length or 1)
 
 
 def _keys(where: str, row: dict, needed: set[str], optional: set[str]) -> None:

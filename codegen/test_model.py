@@ -1,5 +1,6 @@
 """What the definitions may not say, and what the checked-in ones do say."""
 
+import tempfile
 import unittest
 from pathlib import Path
 
@@ -50,6 +51,29 @@ class Refused(unittest.TestCase):
     def test_a_frame_that_is_no_monogram(self):
         self.refuse("'robot' is not a monogram",
                     struct=[struct({"name": "pose", "type": "Pose2d", "frame": "robot"})])
+
+    def test_a_unit_that_nobody_knows(self):
+        self.refuse("field angle: unknown unit 'bananas'",
+                    struct=[struct({"name": "angle", "type": "float32", "unit": "bananas"})])
+        self.refuse("field n: unknown unit 'meters' (did you mean 'm'?",
+                    struct=[struct({"name": "n", "type": "uint8", "unit": "meters"})])
+
+    def test_a_unit_that_nobody_knows_of_a_pose_or_one_of_its_parts(self):
+        pose = {"name": "pose", "type": "Pose2d", "frame": "X_OR"}
+        self.refuse("unknown unit 'bananas'", struct=[struct(pose | {"unit": "bananas"})])
+        self.refuse("unknown unit 'Rad' (did you mean 'rad'?", struct=[struct(pose | {"unit": "m, m, Rad"})])
+        self.refuse("unknown unit 'rads'", struct=[struct(pose | {"unit": "m or rads"})])
+        self.refuse("unknown unit ''", struct=[struct(pose | {"unit": "m, m,"})])
+
+    def test_a_pose_without_a_unit(self):
+        self.refuse("a Pose2d needs a unit", struct=[struct({"name": "pose", "type": "Pose2d", "frame": "X_OR"})])
+
+    def test_a_unit_with_more_or_fewer_parts_than_the_value(self):
+        self.refuse("2 units for a value of 1 part", struct=[struct({"name": "angle", "type": "float32", "unit": "m, rad"})])
+        self.refuse("2 units for a value of 3 parts",
+                    struct=[struct({"name": "to", "type": "float32[3]", "unit": "m, m"})])
+        self.refuse("3 units for a value of 1 part",
+                    struct=[struct({"name": "pose", "type": "Pose2d", "unit": "m, m, rad", "frame": "X_OR"})])
 
     def test_an_unbounded_array(self):
         self.refuse("unbounded array", struct=[struct({"name": "n", "type": "uint8[]"})])
@@ -104,6 +128,29 @@ class Refused(unittest.TestCase):
         with self.assertRaises(SchemaError) as caught:
             build([common, arm, other])
         self.assertIn("interface code 54 is there twice", str(caught.exception))
+
+
+class Places(unittest.TestCase):
+    def test_a_fault_of_a_field_is_told_with_its_line(self):
+        text = """name = "common"
+doc = "Shared."
+# fields = [{name = "x", type = "uint8"}]
+
+[[struct]]
+name = "Point"
+c_name = "point_t"
+doc = "A { in a text."
+fields = [
+  {name = "x", type = "float32", unit = "m"},  # a remark {
+  {name = "y", type = "float32", unit = "bananas"},
+]
+"""
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "000_common.toml").write_text(text, encoding="utf-8")
+            with self.assertRaises(SchemaError) as caught:
+                load(Path(folder))
+        self.assertIn("interfaces/000_common.toml:11: struct Point: field y: unknown unit 'bananas'",
+                      str(caught.exception))
 
 
 class Accepted(unittest.TestCase):
