@@ -403,6 +403,22 @@ TEST_F(SimulationInterface, reset_puts_everything_back_to_the_start) {
   EXPECT_FALSE(driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), sim::kCmdSave, {}}));
 }
 
+TEST_F(SimulationInterface, of_many_resets_before_one_tick_only_the_last_is_carried_out) {
+  open(sim::kCode, "");
+  const world::ModelRow robot = still_.world().find("r0");
+  const geom::Pose start = still_.world().models.X_WM[robot.index];
+  const auto away = wire::encode(sim::Pose2dReq{wire::c_string("r0"), wire::Pose2d{-6, -5, 0.5}});
+  for (int i = 0; i < 3; ++i) {
+    driver_.request({kId, static_cast<std::uint8_t>(MessageType::kReq), sim::kReqSetPose2d, away},
+                    device::Replier(still_.notebook, ++ticket_));
+    EXPECT_TRUE(driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), sim::kCmdReset, {}}));
+  }
+  still_.world().teleported.clear();
+  still_.run(0);
+  EXPECT_EQ(still_.world().models.X_WM[robot.index], start);
+  EXPECT_EQ(still_.world().teleported.size(), 4u) << "three times away, once back";
+}
+
 TEST_F(SimulationInterface, pause_pauses_and_resumes) {
   open(sim::kCode, "");
   driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), sim::kCmdPause, {}});

@@ -58,9 +58,14 @@ bool SimulationDevice::command(const device::Message& message) {
   return true;
 }
 
+/// One that a newer one follows before it is carried out would be for nothing, and it is dear.
 bool SimulationDevice::reset(device::Receipt receipt) {
-  return simulation().post_to_all(
-      [receipt = std::move(receipt)](world::World& world) { world::return_to_start(world); });
+  const std::uint64_t number = newest_reset_ + 1;
+  const bool posted = simulation().post_to_all([=, this, receipt = std::move(receipt)](world::World& world) {
+    if (number >= newest_reset_) world::return_to_start(world);
+  });
+  if (posted) newest_reset_ = number;
+  return posted;
 }
 
 void SimulationDevice::request(const device::Message& message, device::Replier replier) {

@@ -3,6 +3,8 @@
 /// The whole world as interface simulation: poses and properties of models by name, pausing and starting over
 /// (docs/drivers.md).
 
+#include <atomic>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <set>
@@ -25,6 +27,8 @@ class SimulationDevice final : public SimulatedDevice {
   void pose_2d(const device::Message& message, device::Replier replier);
   void pose_3d(const device::Message& message, device::Replier replier);
   void property(const device::Message& message, device::Replier replier);
+
+  std::atomic<std::uint64_t> newest_reset_ = 0;  // that was posted; io thread writes
 
   // Tick thread.
   world::ModelRow find_or_warn(const world::World& world, const std::string& raw_name);
