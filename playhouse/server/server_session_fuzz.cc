@@ -44,7 +44,7 @@ void play(Script script) {
   FakeDriver wheels, laser;
   wheels.answers[1] = std::vector<std::byte>(72);
   wheels.properties.declare("rate", 0.5);
-  laser.holds_requests = true;
+  laser.holds_requests = laser.keeps_receipts = true;
   Server server(network);
   if (!server.listen(kPort)) return;
   const device::DeviceId ids[] = {*server.add_device({kPort, 4, 0}, wheels),
@@ -78,6 +78,7 @@ void play(Script script) {
         break;
       case 6:
         laser.held.clear();
+        laser.receipts.clear();
         break;
       case 7:
         network.run();
@@ -89,6 +90,7 @@ void play(Script script) {
   }
   network.run();
   laser.held.clear();
+  laser.receipts.clear();
 }
 
 }  // namespace

@@ -82,6 +82,12 @@ class Hostile(HouseTest):
             flooder.socket.sendall(GET_GEOM[sent % 40:])
             self.assertEqual(flooder.receive().type, ACK)
 
+    def test_more_requests_in_one_go_than_a_client_may_be_owed_are_all_answered(self):
+        client = self.client()
+        client.socket.sendall(GET_GEOM * 1600)      # 1024 may be owed; one read takes all of them
+        for _ in range(1600):
+            self.assertEqual(client.receive().type, ACK)
+
     def test_a_flooder_that_vanishes_leaves_nothing_behind(self):
         flooder = self.client()
         flooder.socket.settimeout(0.5)
