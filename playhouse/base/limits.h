@@ -21,6 +21,7 @@ inline constexpr std::size_t kSessionQueueMessages = 1024;        // data waitin
 inline constexpr std::size_t kSessionQueueBytes = 64u << 20;      // the same in bytes, headers included
 inline constexpr std::size_t kSessionRules = 256;                 // replace rules of one client
 inline constexpr std::size_t kSessionAnswers = 1024;              // answers one client is owed (docs/server.md); what it says next waits
+inline constexpr std::size_t kSessionAnswerBytes = 1u << 20;      // the same in bytes, of requests that drivers have and of answers
 inline constexpr std::size_t kRequestQueue = 16384;               // requests of all clients waiting for a tick
 inline constexpr std::size_t kInputBytes = 256u << 20;            // of messages of all clients that have not come whole
 inline constexpr std::size_t kSessionInputBytes = 128u << 10;     // of these, what each client may have uncounted

@@ -75,7 +75,7 @@ void Session::leave() {
 
 std::size_t Session::owed_answers() const {
   // Long requests and answers count for more, so that the limit holds in bytes too.
-  constexpr std::size_t kShare = limits::kSessionQueueBytes / limits::kSessionAnswers;
+  constexpr std::size_t kShare = limits::kSessionAnswerBytes / limits::kSessionAnswers;
   return std::max(pending_.size() + receipts_.size(), pending_bytes_ / kShare) +
          std::max(queue_.answers_waiting(), queue_.answer_bytes_waiting() / kShare);
 }
