@@ -1,7 +1,11 @@
 #include "playhouse/web_server/web_server.h"
 
+#include <arpa/inet.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <atomic>
+#include <cctype>
 #include <chrono>
 #include <mutex>
 #include <set>
@@ -29,12 +33,39 @@ std::string_view authority(std::string_view origin) {
   return at == std::string_view::npos ? origin : origin.substr(at + 3);
 }
 
-/// True for names of this very machine; `host` may carry a port.
+/// "host:port" or "host" to "host"; the brackets of an IPv6 address stay.
+std::string_view without_port(std::string_view authority) {
+  const std::size_t bracket = authority.find(']');
+  return authority.substr(0, authority.find(':', bracket == std::string_view::npos ? 0 : bracket));
+}
+
+/// True for what means this very machine to every browser.
 bool is_local(std::string_view host) {
-  const std::size_t bracket = host.find(']');
-  const std::size_t colon = host.find(':', bracket == std::string_view::npos ? 0 : bracket);
-  const std::string_view name = host.substr(0, colon);
-  return name == "localhost" || name == "127.0.0.1" || name == "[::1]";
+  return host == "localhost" || host == "127.0.0.1" || host == "[::1]";
+}
+
+bool is_address(std::string_view host) {
+  in6_addr address;
+  if (host.starts_with('[') && host.ends_with(']'))
+    return inet_pton(AF_INET6, std::string(host.substr(1, host.size() - 2)).c_str(), &address) == 1;
+  return inet_pton(AF_INET, std::string(host).c_str(), &address) == 1;
+}
+
+bool same_letters(std::string_view a, std::string_view b) {
+  return std::ranges::equal(
+      a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
+}
+
+/// True for "robo", "robo.local" and the whole name where the machine calls itself "robo.lab.example".
+bool is_name_of(std::string_view machine, std::string_view host) {
+  if (machine.empty()) return false;
+  const std::string first(machine.substr(0, machine.find('.')));
+  return same_letters(host, machine) || same_letters(host, first) || same_letters(host, first + ".local");
+}
+
+std::string machine_name() {
+  char name[256] = {};
+  return gethostname(name, sizeof name - 1) == 0 ? name : "";
 }
 
 /// Models of a robot that measure.
@@ -57,6 +88,7 @@ class WebServer::Impl final : public net::HttpService,
   Impl(net::IoLoop& loop, WebOptions options, world::Control& control, const world::World& world)
       : loop_(loop),
         options_(std::move(options)),
+        host_name_(options_.host_name.empty() ? machine_name() : options_.host_name),
         control_(control),
         layout_(world),
         scene_(std::make_shared<const std::string>(replicate::scene_text(world, layout_))) {
@@ -150,11 +182,9 @@ class WebServer::Impl final : public net::HttpService,
 
   Result<void> may_upgrade(const net::HttpRequest& request) override {
     if (request.path != "/live") return Error{"", "viewers connect to /live"};
-    const std::string_view from = authority(request.origin);
-    const bool same_site = from == request.host && (is_local(request.host) || !is_local(options_.bind));
-    if (!request.origin.empty() && !same_site && !is_local(from)) {
-      log::warn("web: {} refused: a page from {} may not control this program", request.peer,
-                in_quotes(request.origin));
+    if (!request.origin.empty() && !may_control(authority(request.origin), request.host)) {
+      log::warn("web: {} refused: a page from {} may not control this program (its address or own name may)",
+                request.peer, in_quotes(request.origin));
       return Error{"", "pages from " + in_quotes(request.origin) + " may not control this program"};
     }
     if (viewers_.size() < limits::kViewers) return {};
@@ -185,6 +215,15 @@ class WebServer::Impl final : public net::HttpService,
       interest_changed();
     }
     return {};
+  }
+
+  /// Whether a page from `origin` may watch and control the program that it calls `host`. It must have come
+  /// from here: from this machine, or under the name it calls us by. That name is an address or the machine's
+  /// own, for whoever owns another name can make it point at us once their page is in somebody's browser.
+  bool may_control(std::string_view origin, std::string_view host) const {
+    const std::string_view name = without_port(origin);
+    if (is_local(name)) return true;
+    return origin == host && (is_address(name) || is_name_of(host_name_, name));
   }
 
   Error too_many(const std::string& peer) {
@@ -273,6 +312,7 @@ class WebServer::Impl final : public net::HttpService,
 
   net::IoLoop& loop_;
   const WebOptions options_;
+  const std::string host_name_;
   world::Control& control_;
   const replicate::Layout layout_;
   const std::shared_ptr<const std::string> scene_;

@@ -23,6 +23,7 @@ struct WebOptions {
   std::string bind = "127.0.0.1";  // numeric address
   std::uint16_t port = 8080;       // 0: any free one
   std::span<const PageFile> page;  // usually page_files()
+  std::string host_name;           // of this machine; empty: the system is asked
 };
 
 struct WebStatus {

@@ -108,11 +108,16 @@ class Client {
     ask_to_upgrade(more);
     return upgraded();
   }
-  void ask_to_upgrade(const std::string& more = "") {
-    send(
-        "GET /live HTTP/1.1\r\nHost: 127.0.0.1\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
-        "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n" +
-        more + "\r\n");
+  /// As the browser of a page from `origin` that calls the program `host`.
+  bool upgrade_at(const std::string& host, const std::string& origin) {
+    ask_to_upgrade("Origin: " + origin + "\r\n", host);
+    return upgraded();
+  }
+  void ask_to_upgrade(const std::string& more = "", const std::string& host = "127.0.0.1") {
+    send("GET /live HTTP/1.1\r\nHost: " + host +
+         "\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+         "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n" +
+         more + "\r\n");
   }
   bool upgraded() {
     if (!read_until([](const std::string& text) { return text.find("\r\n\r\n") != std::string::npos; }))
@@ -168,8 +173,9 @@ class Client {
 
 class WebServerTest : public testing::Test {
  protected:
-  explicit WebServerTest(std::span<const PageFile> page = kPage)
-      : server_(loop_, {.bind = "127.0.0.1", .port = 0, .page = page}, notes_, small_.world) {
+  explicit WebServerTest(std::span<const PageFile> page = kPage, const std::string& bind = "127.0.0.1")
+      : server_(loop_, {.bind = bind, .port = 0, .page = page, .host_name = "robo.lab.example"}, notes_,
+                small_.world) {
     const Result<std::uint16_t> port = server_.listen();
     EXPECT_TRUE(port.ok());
     port_ = *port;
@@ -326,13 +332,33 @@ TEST_F(WebServerTest, pages_of_other_sites_are_refused) {
   EXPECT_FALSE(Client(port_).upgrade("Origin: http://elsewhere.example\r\n"));
   EXPECT_FALSE(Client(port_).upgrade("Origin: null\r\n"));
   EXPECT_FALSE(Client(port_).upgrade("Origin: http://localhost.elsewhere.example\r\n"));
-  Client rebound(port_);
-  const std::string answer = rebound.ask(
-      "GET /live HTTP/1.1\r\nHost: elsewhere.example\r\nOrigin: http://elsewhere.example\r\nUpgrade: "
-      "websocket\r\n"
-      "Connection: Upgrade\r\nSec-WebSocket-Version: 13\r\nSec-WebSocket-Key: "
-      "dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n");
-  EXPECT_TRUE(answer.starts_with("HTTP/1.1 403")) << answer;
+  EXPECT_FALSE(Client(port_).upgrade_at("192.168.7.5:8080", "http://192.168.7.6:8080"));
+}
+
+TEST_F(WebServerTest, a_page_is_known_by_its_address_or_the_name_of_the_machine) {
+  EXPECT_TRUE(Client(port_).upgrade_at("192.168.7.5:8080", "http://192.168.7.5:8080"));
+  EXPECT_TRUE(Client(port_).upgrade_at("[fd00::5]:8080", "http://[fd00::5]:8080"));
+  for (const std::string host : {"robo", "robo:8080", "robo.local:8080", "robo.lab.example:8080"})
+    EXPECT_TRUE(Client(port_).upgrade_at(host, "http://" + host)) << host;
+}
+
+TEST_F(WebServerTest, a_name_that_was_made_to_point_here_is_refused) {
+  for (const std::string host :
+       {"elsewhere.example", "elsewhere.example:8080", "192.168.7.5.elsewhere.example",
+        "[fd00::5].elsewhere.example", "robo.elsewhere.example", "robots", ""})
+    EXPECT_FALSE(Client(port_).upgrade_at(host, "http://" + host)) << host;
+}
+
+class WideOpenTest : public WebServerTest {
+ protected:
+  WideOpenTest() : WebServerTest(kPage, "0.0.0.0") {}
+};
+
+TEST_F(WideOpenTest, a_name_that_was_made_to_point_here_is_refused) {
+  EXPECT_FALSE(Client(port_).upgrade_at("elsewhere.example:8080", "http://elsewhere.example:8080"));
+  EXPECT_TRUE(Client(port_).upgrade_at("192.168.7.5:8080", "http://192.168.7.5:8080"));
+  EXPECT_TRUE(Client(port_).upgrade_at("Robo:8080", "http://Robo:8080"));
+  EXPECT_TRUE(Client(port_).upgrade()) << "no browser, no origin";
 }
 
 TEST_F(WebServerTest, a_viewer_over_the_limit_is_refused_until_another_leaves) {
