@@ -117,7 +117,7 @@ void Loaded::obey(World& world, Seat& seat) {
   } else if (seat.position && robot.order == Robot::Order::kGoTo) {
     obeyed = world::command_position(world, seat.position, robot.goal);
   }
-  if (!obeyed) return end(world, seat, "its command is not a finite number");
+  if (!obeyed) return end(world, seat, "its command has a number that is not finite or far too large");
   world.models.flags[seat.model.index] = robot.flags;
   std::string& say = world.models.say[seat.model.index];
   if (say != robot.say) say = robot.say;

@@ -36,7 +36,7 @@ Twist follow_velocity(const scene::PositionDesc& desc, const Twist& command) {
     case Drive::kOmni:
       return {command.x, command.y, 0, command.a};
     case Drive::kCar:
-      return car(command.x, command.a, desc.wheelbase);
+      return car(command.x, geom::normalize(command.a), desc.wheelbase);
   }
   return {};
 }

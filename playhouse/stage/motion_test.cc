@@ -235,6 +235,25 @@ TEST(Motion, exact_odometry_equals_the_true_motion) {
   }
 }
 
+TEST(Motion, the_largest_commands_leave_a_robot_somewhere) {
+  for (const scene::Drive drive : {scene::Drive::kDiff, scene::Drive::kOmni, scene::Drive::kCar}) {
+    scene::SceneDesc scene;
+    scene.models.push_back(robot("r", {}, {0.2, 0.2, 0.2}, drive));
+    scene.models[0].position->wheelbase = 0.3;
+    const auto engine = engine_of(scene);
+    world::World& world = engine->world();
+    const auto expect_somewhere = [&](bool taken) {
+      EXPECT_TRUE(taken);
+      for (int tick = 0; tick < 5; ++tick) engine->step();
+      EXPECT_TRUE(world::is_place(world.models.X_WM[0]) && world::is_place(world.positions.X_OM[0]));
+    };
+    expect_somewhere(world::command_velocity(world, {0}, {1e308, -1e308, 0, 1e308}));
+    expect_somewhere(world::command_heading(world, {0}, -1e308, 1e308));
+    expect_somewhere(world::set_odometry(world, {0}, {1e9, -1e9, 0, 1e308}));
+    expect_somewhere(world::command_position(world, {0}, {-1e9, 1e9, 0, -1e308}));
+  }
+}
+
 TEST(Motion, odometry_stands_still_while_the_robot_is_stalled) {
   scene::SceneDesc scene;
   scene.models.push_back(robot("r", {}, {0.2, 0.2, 0.2}));

@@ -210,6 +210,12 @@ void place_tree(World& world, ModelRow model) {
   for (const std::uint32_t child : world.children(model)) place_tree(world, {child});
 }
 
+bool is_place(const geom::Pose& X) {
+  constexpr double kFarthest = 1e9;  // m, as in world files: well inside all arithmetic
+  return finite(X.x, X.y, X.z, X.a) && std::fabs(X.x) <= kFarthest && std::fabs(X.y) <= kFarthest &&
+         std::fabs(X.z) <= kFarthest;
+}
+
 bool command_velocity(World& world, PositionRow robot, const geom::Twist& velocity) {
   if (!finite(velocity.x, velocity.y, velocity.z, velocity.a)) return false;
   world.positions.mode[robot.index] = ControlMode::kVelocity;
@@ -218,7 +224,7 @@ bool command_velocity(World& world, PositionRow robot, const geom::Twist& veloci
 }
 
 bool command_position(World& world, PositionRow robot, const geom::Pose& goal_O) {
-  if (!finite(goal_O.x, goal_O.y, goal_O.z, goal_O.a)) return false;
+  if (!is_place(goal_O)) return false;
   world.positions.mode[robot.index] = ControlMode::kPosition;
   world.positions.goal[robot.index] = {goal_O.x, goal_O.y, goal_O.z, geom::normalize(goal_O.a)};
   return true;
@@ -240,7 +246,7 @@ bool command_acceleration(World& world, PositionRow robot, const geom::Twist& ac
 }
 
 bool set_odometry(World& world, PositionRow robot, const geom::Pose& X_OM) {
-  if (!finite(X_OM.x, X_OM.y, X_OM.z, X_OM.a)) return false;
+  if (!is_place(X_OM)) return false;
   const geom::Pose believed{X_OM.x, X_OM.y, X_OM.z, geom::normalize(X_OM.a)};
   const geom::Pose& X_WM = world.models.X_WM[world.positions.model[robot.index].index];
   world.positions.X_OM[robot.index] = believed;
@@ -249,7 +255,7 @@ bool set_odometry(World& world, PositionRow robot, const geom::Pose& X_OM) {
 }
 
 bool set_pose(World& world, ModelRow model, const geom::Pose& X_PM) {
-  if (!finite(X_PM.x, X_PM.y, X_PM.z, X_PM.a)) return false;
+  if (!is_place(X_PM)) return false;
   world.models.X_PM[model.index] = {X_PM.x, X_PM.y, X_PM.z, geom::normalize(X_PM.a)};
   place_tree(world, model);
   world.teleported.push_back(model);

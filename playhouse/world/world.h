@@ -148,7 +148,11 @@ enum class Stream : std::uint64_t {
 /// Recomputes X_WM of a model and everything attached to it from X_PM; what robots with gps believe follows.
 void place_tree(World& world, ModelRow model);
 
-// Ways to change the world between ticks. Non-finite numbers are refused (false), nothing changes then.
+/// False for poses of which sums and products may be no numbers any more: not finite, or beyond any scene.
+bool is_place(const geom::Pose& X);
+
+// Ways to change the world between ticks. Non-finite numbers and poses that are no place are refused (false),
+// nothing changes then.
 
 bool command_velocity(World& world, PositionRow robot, const geom::Twist& velocity);
 bool command_position(World& world, PositionRow robot, const geom::Pose& goal_O);

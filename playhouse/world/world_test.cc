@@ -106,6 +106,19 @@ TEST(World, refuses_numbers_that_are_not_finite) {
   EXPECT_EQ(world.hash(), before);
 }
 
+TEST(World, refuses_places_whose_distance_is_no_number) {
+  const scene::SceneDesc scene = small_scene();
+  World world(scene, 1);
+  const std::uint64_t before = world.hash();
+  for (const geom::Pose& far : {geom::Pose{1e308, 0, 0, 0}, {0, -1e308, 0, 0}, {0, 0, 2e9, 0}}) {
+    EXPECT_FALSE(command_position(world, {0}, far));
+    EXPECT_FALSE(set_odometry(world, {0}, far));
+    EXPECT_FALSE(set_pose(world, {0}, far));
+  }
+  EXPECT_EQ(world.hash(), before);
+  EXPECT_TRUE(set_pose(world, {0}, {-1e9, 1e9, 0, 1e300})) << "any angle is one";
+}
+
 TEST(World, returns_to_its_start_but_keeps_its_time_and_users) {
   const scene::SceneDesc scene = small_scene();
   World world(scene, 1);

@@ -156,6 +156,8 @@ TEST_F(Position2dDevice, refuses_commands_that_are_no_numbers) {
     const std::vector<std::byte> body = wire::encode(p2d::CmdVel{{nothing, 0, 0}, 1});
     EXPECT_FALSE(driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), p2d::kCmdVel, body}));
   }
+  const std::vector<std::byte> nowhere = wire::encode(p2d::CmdPos{{-1e308, -1e308, 0}, {}, 1});
+  EXPECT_FALSE(driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), p2d::kCmdPos, nowhere}));
   still_.run(1);
   EXPECT_EQ(still_.world().positions.command[0].x, 0.3);
 }
@@ -190,6 +192,7 @@ TEST_F(Position2dDevice, odometry_can_be_set_and_reset) {
   EXPECT_TRUE(ask(p2d::kReqResetOdom).ack);
   EXPECT_NEAR(still_.world().positions.X_OM[0].x, 0, 1e-12);
   EXPECT_FALSE(ask_with(p2d::kReqSetOdom, p2d::SetOdomReq{{std::nan(""), 0, 0}}).ack);
+  EXPECT_FALSE(ask_with(p2d::kReqSetOdom, p2d::SetOdomReq{{1e308, 0, 0}}).ack);
   EXPECT_FALSE(ask(p2d::kReqSetOdom).ack) << "no payload, no odometry";
 }
 
@@ -342,6 +345,7 @@ TEST_F(SimulationInterface, refuses_unknown_models_and_poses_that_are_no_numbers
   open(sim::kCode, "");
   EXPECT_FALSE(ask_with(sim::kReqGetPose2d, sim::Pose2dReq{wire::c_string("nosuch"), {}}).ack);
   EXPECT_FALSE(ask_with(sim::kReqSetPose2d, sim::Pose2dReq{wire::c_string("r0"), {std::nan(""), 0, 0}}).ack);
+  EXPECT_FALSE(ask_with(sim::kReqSetPose2d, sim::Pose2dReq{wire::c_string("r0"), {1e308, 0, 0}}).ack);
   EXPECT_FALSE(ask(sim::kReqGetPose2d).ack);
 }
 

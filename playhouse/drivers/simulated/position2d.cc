@@ -35,6 +35,8 @@ bool Position2d::command(const device::Message& message) {
   const std::optional<PositionCommand> command = meaning(message);
   if (!command || !std::ranges::all_of(command->value, [](double part) { return std::isfinite(part); }))
     return false;
+  const auto& [x, y, a] = command->value;
+  if (command->kind == PositionCommand::Kind::kGoal && !world::is_place({x, y, 0, a})) return false;
   simulation().command(*command);
   return true;
 }
