@@ -97,6 +97,18 @@ test('speed changes how fast the world runs', async () => {
   await page.waitForFunction(() => Number.parseFloat(document.querySelector('[data-testid=factor]').textContent) < 1.5);
 });
 
+test('speed keys count however quickly they are pressed', async () => {
+  await by('speed').selectOption('50');
+  await page.waitForFunction(() => window.playhouse.speed === 50);
+  await page.evaluate(() => {
+    for (let k = 0; k < 3; ++k) window.dispatchEvent(new KeyboardEvent('keydown', { key: '<' }));
+  });
+  await page.waitForFunction(() => window.playhouse.speed === 2);
+  assert.equal(await by('speed').inputValue(), '2');
+  await page.keyboard.press('<');
+  await page.waitForFunction(() => window.playhouse.speed === 1);
+});
+
 test('a click on a robot shows its devices live', async () => {
   await pause();
   await page.waitForFunction(() => !window.playhouse.gliding);

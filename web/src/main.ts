@@ -7,6 +7,7 @@ import { byId } from './ui/dom';
 import { fillHelp } from './ui/help';
 import { listenForKeys } from './ui/keyboard';
 import { RobotList } from './ui/robot_list';
+import { SpeedWish, fasterBy } from './ui/speed_wish';
 import { Toolbar } from './ui/toolbar';
 import { Pointer } from './view/pointer';
 import type { Margins } from './view/camera_rig';
@@ -16,7 +17,6 @@ import { kDarkPage } from './view/theme';
 const kLookPeriodMs = 150;
 const kSensorScale = 8; // pixels per metre: seen from farther away, fans are a fog
 const kNoticeMs = 4000;
-const kFaster = [0.1, 0.25, 0.5, 1, 2, 5, 10, 50];
 const kLinkTexts: Record<LinkState, string> = {
   connecting: 'connecting',
   live: 'connected',
@@ -31,6 +31,7 @@ class Page {
   private looked = '';
   private lookTime = 0;
   private noticeTimer = 0;
+  private readonly speedWish = new SpeedWish();
 
   private readonly view = new StageView(byId<HTMLCanvasElement>('picture'), byId<HTMLCanvasElement>('overlay'), margins);
   private readonly link = new Link(new URL('live', location.href).href.replace(/^http/, 'ws'), {
@@ -42,7 +43,7 @@ class Page {
   private readonly toolbar = new Toolbar(byId('bar'), this.view.layers, {
     togglePause: () => this.link.send({ do: this.replica?.paused ? 'resume' : 'pause' }),
     step: () => this.link.send({ do: 'step' }),
-    speed: (times) => this.link.send({ do: 'speed', times_real_time: times }),
+    speed: (times) => this.askSpeed(times),
     layers: () => this.view.applyLayers(),
     tilt: () => this.tilt(),
     fit: () => this.fit(),
@@ -81,6 +82,7 @@ class Page {
     return {
       tick: replica?.tick ?? -1,
       paused: replica?.paused ?? false,
+      speed: replica?.speed ?? 1,
       gliding: view.rig.gliding,
       scans: replica?.scans.size ?? 0,
       robots: scene?.models.filter((model) => model.kind === 'position').map((model) => model.name) ?? [],
@@ -121,7 +123,7 @@ class Page {
     if (!scene || !replica) return;
     this.view.changed(performance.now());
     this.toolbar.showPaused(replica.paused);
-    this.toolbar.showSpeed(replica.speed);
+    this.toolbar.showSpeed(this.speedWish.over(replica.speed, performance.now()));
     this.clock.show(replica, scene.interval);
     this.robots.update();
     this.panel.update();
@@ -177,10 +179,13 @@ class Page {
   }
 
   private faster(steps: number): void {
-    const now = this.replica?.speed || 50;
-    const nearest = kFaster.reduce((best, speed, k) => (Math.abs(Math.log(speed / now)) < Math.abs(Math.log(kFaster[best] / now)) ? k : best), 0);
-    const wanted = kFaster[Math.min(Math.max(nearest + steps, 0), kFaster.length - 1)];
-    this.link.send({ do: 'speed', times_real_time: wanted });
+    if (this.replica) this.askSpeed(fasterBy(steps, this.speedWish.over(this.replica.speed, performance.now())));
+  }
+
+  private askSpeed(speed: number): void {
+    this.speedWish.ask(speed, performance.now());
+    this.toolbar.showSpeed(speed);
+    this.link.send({ do: 'speed', times_real_time: speed });
   }
 
   private keys(): Record<string, () => void> {
