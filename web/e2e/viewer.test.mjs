@@ -16,6 +16,20 @@ const pixel = (name, on = page) => on.evaluate((robot) => window.playhouse.pixel
 const apart = (a, b) => Math.hypot(a.x - b.x, a.y - b.y);
 const by = (id, on = page) => on.getByTestId(id);
 
+/** Carries a robot of a paused world to a pixel. */
+async function carry(name, to) {
+  const from = await pose(name);
+  const at = await pixel(name);
+  await page.mouse.move(at.x, at.y);
+  await page.mouse.down();
+  for (let k = 1; k <= 8; ++k) await page.mouse.move(at.x + ((to.x - at.x) * k) / 8, at.y + ((to.y - at.y) * k) / 8);
+  await page.mouse.up();
+  await page.waitForFunction(
+    ([robot, start]) => Math.hypot(window.playhouse.pose(robot).x - start.x, window.playhouse.pose(robot).y - start.y) > 0.2,
+    [name, from],
+  );
+}
+
 /** Everything at rest: the world paused, and its last tick on the page. */
 async function pause(on = page) {
   if (!(await on.evaluate(() => window.playhouse.paused))) await by('pause', on).click();
@@ -132,16 +146,29 @@ test('dragging a robot moves it in the world', async () => {
   await pause();
   await page.keyboard.press('f');
   await page.waitForFunction(() => !window.playhouse.gliding);
-  const from = await pose('guest');
   const at = await pixel('guest');
-  await page.mouse.move(at.x, at.y);
-  await page.mouse.down();
-  for (let k = 1; k <= 8; ++k) await page.mouse.move(at.x + 5 * k, at.y - 4 * k);
-  await page.mouse.up();
-  await page.waitForFunction((start) => Math.hypot(window.playhouse.pose('guest').x - start.x, window.playhouse.pose('guest').y - start.y) > 0.2, from);
+  await carry('guest', { x: at.x + 40, y: at.y - 32 });
   const second = await watch(browser, program.page);
   assert.ok(apart(await pose('guest', second.page), await pose('guest')) < 0.002, 'another viewer sees it there too');
   await second.page.close();
+});
+
+test('everything on the screen is also what was carried beyond the walls', async () => {
+  await pause();
+  for (let k = 0; k < 5; ++k) {
+    await page.mouse.move(640, 400);
+    await page.mouse.wheel(0, 240);
+  }
+  const back = await pose('guest');
+  await carry('guest', { x: 260, y: 780 });
+  await page.mouse.move(640, 400);
+  await page.mouse.wheel(0, -2400);
+  await page.keyboard.press('f');
+  await page.waitForFunction(() => !window.playhouse.gliding);
+  const at = await pixel('guest');
+  assert.ok(at && at.x > 0 && at.x < 1280 && at.y > 0 && at.y < 800, `the guest is at ${at?.x}, ${at?.y}`);
+  assert.ok(apart(await pose('guest'), back) > 8, 'it was carried far');
+  await carry('guest', await page.evaluate((p) => window.playhouse.pixelAt(p.x, p.y), back));
 });
 
 test('two viewers see the same and either may pause', async () => {

@@ -94,6 +94,7 @@ class Page {
         const row = rowOf(name);
         return row < 0 || !view.motion ? null : view.rig.pixelOf(view.motion.x[row], view.motion.y[row], 0.1);
       },
+      pixelAt: (x: number, y: number) => view.rig.pixelOf(x, y, 0),
     };
   }
 

@@ -37,7 +37,6 @@ class Drawn {
     readonly scene: Scene,
     readonly replica: Replica,
     readonly motion: Motion,
-    readonly extent: Box,
     rig: CameraRig,
     canvas: HTMLCanvasElement,
     theme: Theme,
@@ -47,7 +46,7 @@ class Drawn {
     this.sightings = new Sightings(scene, replica, motion);
     this.trails = new Trails(scene, replica);
     this.labels = new Labels(scene, motion, rig, canvas, theme);
-    this.ground = new Ground(extent, theme);
+    this.ground = new Ground(extentOf(scene, motion), theme);
     this.group.add(this.ground.group, this.trails.object, this.bodies.group, this.fans.group, this.sightings.group);
   }
 
@@ -98,7 +97,7 @@ export class StageView {
     this.drop();
     this.motion = new Motion(scene, replica);
     this.roots = rootsOf(scene);
-    this.drawn = new Drawn(scene, replica, this.motion, extentOf(scene, this.motion), this.rig, this.overlay, this.theme);
+    this.drawn = new Drawn(scene, replica, this.motion, this.rig, this.overlay, this.theme);
     this.picture.add(this.drawn.group);
     if (!again) this.frameAsTheFileWants();
     this.applyLayers();
@@ -136,7 +135,8 @@ export class StageView {
   }
 
   fitAll(): void {
-    if (this.drawn) this.rig.fit(this.drawn.extent, this.margins(), 'glide');
+    const { drawn } = this;
+    if (drawn) this.rig.fit(extentOf(drawn.scene, drawn.motion), this.margins(), 'glide');
     this.dirty = true;
   }
 
@@ -228,7 +228,7 @@ export class StageView {
     this.fitWindow();
     this.rig.pitch = Math.min(Math.abs(wanted.pitch), 1.3);
     this.rig.yaw = wanted.yaw;
-    this.rig.fit(this.drawn!.extent, this.margins(), 'jump');
+    this.rig.fit(extentOf(this.drawn!.scene, this.drawn!.motion), this.margins(), 'jump');
     this.rig.update(0);
   }
 
@@ -246,7 +246,7 @@ export class StageView {
   }
 }
 
-/** The floor that the scene's bodies cover. */
+/** The floor that the scene's bodies cover now: robots may have been carried beyond the walls. */
 function extentOf(scene: Scene, motion: Motion): Box {
   const box = { x_min: Infinity, y_min: Infinity, x_max: -Infinity, y_max: -Infinity };
   scene.models.forEach((model, row) => {
