@@ -142,6 +142,19 @@ test('a click on a robot shows its devices live', async () => {
   await page.waitForFunction(() => document.querySelector('#panel').hidden);
 });
 
+test('the name of a selected robot has room beside everything that is said of it', async () => {
+  await page.locator('[data-robot=amber]').click();
+  await by('follow').click();
+  const cut = await page.evaluate(() => {
+    for (const tag of document.querySelectorAll('#panel header .tag')) tag.hidden = false;
+    const name = document.querySelector('#panel h2');
+    return name.scrollWidth > name.clientWidth;
+  });
+  assert.equal(cut, false);
+  await page.screenshot({ path: join(results, 'panel.png') });
+  await page.keyboard.press('Escape');
+});
+
 test('dragging a robot moves it in the world', async () => {
   await pause();
   await page.keyboard.press('f');

@@ -71,7 +71,8 @@ export class DevicePanel {
       used.hidden = (replica.state[row] & kSubscribed) === 0;
     });
     const name = el('h2', { 'data-testid': 'selected', title: `${model.name}, a ${model.type}` }, model.name);
-    return el('header', {}, swatch, name, stalled, used, el('span', { class: 'gap' }), follow, close);
+    const tags = el('p', { class: 'tags' }, el('span', {}, model.type), stalled, used);
+    return el('header', {}, swatch, name, follow, close, tags);
   }
 
   private place(replica: Replica, row: number): Node[] {
