@@ -239,6 +239,15 @@ test('a browser that cannot draw is told why', async () => {
   await poor.close();
 });
 
+test('a page under a name that only points here is told what to do', async () => {
+  const other = await browser.newPage();
+  await other.goto(program.page.replace('127.0.0.1', 'elsewhere.localhost'));
+  await other.waitForFunction(() => !document.querySelector('#lost').hidden);
+  assert.match(await other.locator('#lost').textContent(), /No connection under the name elsewhere.localhost.*address/);
+  await other.screenshot({ path: join(results, 'refused.png') });
+  await other.close();
+});
+
 test('the page says so when the program is gone, and comes back with it', async () => {
   await page.waitForTimeout(1500);
   await page.screenshot({ path: join(results, 'viewer.png') });

@@ -134,7 +134,7 @@ class Page {
     this.toolbar.showLink(state, kLinkTexts[state]);
     const banner = byId('lost');
     banner.hidden = state === 'live' || state === 'connecting';
-    banner.textContent = kLinkTexts[state];
+    banner.textContent = state === 'lost' && !this.scene && isOnlyName(location.hostname) ? refusedText() : kLinkTexts[state];
   }
 
   private showNotice(text: string): void {
@@ -229,6 +229,15 @@ class Page {
     this.looked = text;
     this.link.send(look);
   }
+}
+
+/** Neither an address nor localhost: the program refuses pages under names that are not its machine's (docs/viewer.md). */
+function isOnlyName(host: string): boolean {
+  return host !== 'localhost' && !host.startsWith('[') && !/^[\d.]+$/.test(host);
+}
+
+function refusedText(): string {
+  return `No connection under the name ${location.hostname}. Open the page by the machine's address or own name; the program's log says if that is the reason.`;
 }
 
 /** What lies over the picture at its sides. */
