@@ -12,6 +12,7 @@
 #include "playhouse/app/bench_clients.h"
 #include "playhouse/app/house.h"
 #include "playhouse/base/log.h"
+#include "playhouse/base/log_output.h"
 #include "playhouse/scenarios/scenario.h"
 
 namespace playhouse::app {
@@ -98,6 +99,7 @@ int bench_server(const BenchOptions& options) {
   if (clients == 0) {
     close(port.ends[1]);
     const int code = be_clients(port.ends[0], robots);
+    log::flush();
     std::_Exit(code);
   }
   close(port.ends[0]);

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
-#include <cstdio>
 #include <cstdlib>
 #include <set>
 #include <thread>
 #include <utility>
 
 #include "playhouse/base/log.h"
+#include "playhouse/base/log_output.h"
 #include "playhouse/drivers/simulated/auto_map.h"
 #include "playhouse/drivers/simulated/device_factory.h"
 #include "playhouse/drivers/simulated/simulated_driver.h"
@@ -179,9 +179,8 @@ void House::show_progress() {
   // The factor is measured over a second: at first there is none to show.
   const bool measured = pace.paused || pace.real_time_factor > 0;
   const std::string factor = measured ? fmt::format("{:.2f}x real time, ", pace.real_time_factor) : "";
-  const std::string line = fmt::format("\r\x1b[K{:.1f} s simulated, {}{} clients ", simulation().time(),
-                                       factor, server_->status().sessions);
-  std::fputs(line.c_str(), stderr);  // fmt::print would throw when the terminal is gone
+  log::show_progress(fmt::format("{:.1f} s simulated, {}{} clients ", simulation().time(), factor,
+                                 server_->status().sessions));
   progress_ = loop_.after(kProgressSeconds, [this] { show_progress(); });
 }
 
@@ -197,7 +196,7 @@ Outcome House::run() {
   web_loop_.stop();
   io.join();
   web.join();
-  if (shows_progress) std::fputs("\r\x1b[K", stderr);
+  if (shows_progress) log::show_progress("");
   return outcome(wall_time);
 }
 

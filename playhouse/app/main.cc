@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <exception>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "playhouse/app/command_line.h"
@@ -13,6 +14,7 @@
 #include "playhouse/app/player_link.h"
 #include "playhouse/app/standard_streams.h"
 #include "playhouse/base/log.h"
+#include "playhouse/base/log_output.h"
 
 namespace playhouse::app {
 namespace {
@@ -35,15 +37,25 @@ bool called_player(std::string_view program) {
   return program.substr(program.rfind('/') + 1) == "player";
 }
 
+/// What was said before an exception that nobody catches may tell why it came.
+void flush_before_the_end() {
+  static const std::terminate_handler otherwise = std::get_terminate();
+  std::set_terminate([] {
+    log::flush();
+    otherwise();
+  });
+}
+
 int start(int argc, const char* const* argv) {
   std::signal(SIGPIPE, SIG_IGN);
+  flush_before_the_end();
   const std::span<const char* const> words(argv + (argc > 0),
                                            static_cast<std::size_t>(argc > 0 ? argc - 1 : 0));
   if (argc > 0 && called_player(argv[0])) return player_link(words);
   log::open(1);
   const Result<CommandLine> line = parse_command_line(words);
   if (!line) {
-    fmt::print(stderr, "playhouse: {}\n", line.error().text);
+    log::say("playhouse: " + line.error().text);
     return kUsage;
   }
   return std::visit(Dispatch{}, *line);
@@ -60,7 +72,7 @@ int main(int argc, char** argv) {
     code = start(argc, argv);
   } catch (const std::exception& error) {  // memory, threads, and standard output: nothing else throws
     if (std::ferror(stdout) == 0) {
-      std::fprintf(stderr, "playhouse: %s\n", error.what());
+      playhouse::log::say(std::string("playhouse: ") + error.what());
       return kFailed;
     }
   }

@@ -1,7 +1,6 @@
 #include "playhouse/app/player_link.h"
 
 #include <fmt/format.h>
-#include <spdlog/sinks/basic_file_sink.h>
 
 #include <charconv>
 #include <cstdio>
@@ -12,6 +11,7 @@
 #include "playhouse/app/open_house.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
+#include "playhouse/base/log_output.h"
 
 namespace playhouse::app {
 namespace {
@@ -26,7 +26,7 @@ constexpr const char* kHelp =
     "  -l FILE    append what is said to a file as well\n"
     "  -q         say errors and warnings only\n"
     "  -h         this text\n"
-    "This is playhouse under Player's name; `playhouse --help` shows what else it does.\n";
+    "This is playhouse under Player's name; `playhouse --help` shows what else it does.";
 
 struct PlayerOptions {
   std::uint16_t port = kPlayerPort;
@@ -84,18 +84,6 @@ Result<PlayerOptions> parse(std::span<const char* const> words) {
   return options;
 }
 
-Result<void> open_log(const PlayerOptions& options) {
-  log::open(options.level);
-  if (options.log_file.empty()) return {};
-  try {
-    auto file = std::make_shared<spdlog::sinks::basic_file_sink_mt>(options.log_file);
-    spdlog::default_logger()->sinks().push_back(std::move(file));
-  } catch (const spdlog::spdlog_ex&) {
-    return Error{options.log_file, "the log file cannot be written"};
-  }
-  return {};
-}
-
 /// Player ends with 255 for files and ports that cannot be used.
 int player_code(int code) {
   return code == kFailed || code == kUsage ? kPlayerUsage : code;
@@ -106,13 +94,15 @@ int player_code(int code) {
 int player_link(std::span<const char* const> words) {
   const Result<PlayerOptions> options = parse(words);
   if (!options || options->help || options->file.empty()) {
-    if (!options) fmt::print(stderr, "player: {}\n", options.error().text);
-    fmt::print(stderr, "{}", kHelp);
+    log::say(options ? kHelp : "player: " + options.error().text + "\n" + kHelp);
     return kPlayerUsage;
   }
-  if (const Result<void> opened = open_log(*options); !opened) {
-    log::error("{}", opened.error().line());
-    return kPlayerUsage;
+  log::open(options->level);
+  if (!options->log_file.empty()) {
+    if (const Result<void> opened = log::also_to(options->log_file); !opened) {
+      log::error("{}", opened.error().line());
+      return kPlayerUsage;
+    }
   }
   House house({.port = options->port, .web = std::nullopt, .bind = "0.0.0.0"}, {}, QuitTime::kIgnored);
   const int code = open_house(

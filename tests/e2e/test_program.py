@@ -1,5 +1,6 @@
 """The command line as people and scripts meet it: exit codes, single clear lines, signals, ports."""
 
+import fcntl
 import json
 import os
 import pty
@@ -204,6 +205,51 @@ class Terminal(HouseTest):
         while not re.search(pattern, shown, re.DOTALL):
             shown += os.read(terminal, 4096)
         return shown
+
+
+class UnreadLog(HouseTest):
+    """Nobody reads standard error: the house goes on, for its clients and for whoever ends it."""
+
+    def start(self, stderr) -> subprocess.Popen:
+        process = subprocess.Popen([PROGRAM, "run", str(self.world()), "--port", "0", "--headless"], stderr=stderr)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        return process
+
+    def port_from(self, reading: int) -> int:
+        shown = b""
+        while not (found := re.search(rb"Player clients: [\d.]+:(\d+)\r?\n", shown)):
+            shown += os.read(reading, 4096)
+        return int(found.group(1))
+
+    def check_serves_and_ends(self, process: subprocess.Popen, port: int):
+        for _ in range(200):    # 13 kB of warnings
+            with Client(port) as client:
+                client.request(99, 0, 1)
+        with Client(port) as client:
+            client.open(POSITION2D, 0)
+            first = client.next_data(POSITION2D, 0).time
+            while client.next_data(POSITION2D, 0).time < first + 1:
+                pass
+        process.send_signal(signal.SIGTERM)
+        self.assertEqual(process.wait(PATIENCE), 143)
+
+    def test_a_pipe_that_nobody_reads_stops_nobody(self):
+        ours, its = os.pipe()
+        self.addCleanup(os.close, ours)
+        fcntl.fcntl(its, fcntl.F_SETPIPE_SZ, 4096)
+        process = self.start(its)
+        os.close(its)
+        self.check_serves_and_ends(process, self.port_from(ours))
+
+    def test_a_terminal_that_stands_still_stops_nobody(self):
+        ours, its = pty.openpty()
+        self.addCleanup(os.close, ours)
+        process = self.start(its)
+        os.close(its)
+        port = self.port_from(ours)
+        os.write(ours, b"\x13")     # Ctrl-S
+        self.check_serves_and_ends(process, port)
 
 
 class Tools(HouseTest):
