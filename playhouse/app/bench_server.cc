@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -71,13 +72,16 @@ int be_server(House& house, int port_to, pid_t clients) {
   const std::uint16_t port = house.player_ports().front();
   // The child's `port` end closes if we fail before this, which ends it.
   if (write(port_to, &port, sizeof(port)) != static_cast<ssize_t>(sizeof(port))) return kFailed;
-  int status = 0;
   std::thread waiter([&] {
-    waitpid(clients, &status, 0);
+    siginfo_t end;
+    waitid(P_PID, static_cast<id_t>(clients), &end, WEXITED | WNOWAIT);
     house.stop();
   });
   const Outcome outcome = house.run();
+  if (outcome.signal != 0) kill(clients, SIGKILL);  // what it measures from here on is false
   waiter.join();
+  int status = 0;
+  waitpid(clients, &status, 0);
   if (outcome.signal != 0) return 128 + outcome.signal;
   return WIFEXITED(status) ? WEXITSTATUS(status) : kFailed;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <numbers>
+#include <string>
 
 #include "playhouse/app/commands.h"
 #include "playhouse/app/device_name.h"
@@ -67,12 +68,18 @@ Result<void> send(client::Device& robot, const Wheel& wheel) {
   return robot.command(p2d::kCmdVel, p2d::CmdVel{{wheel.forward, 0, wheel.turn}, 1});
 }
 
+/// A terminal that is gone is no reason to leave a robot driving: fmt::print would throw.
+void say(const std::string& text) {
+  std::fputs(text.c_str(), stdout);
+  std::fflush(stdout);
+}
+
 void show(const client::Device& robot, const Wheel& wheel) {
   const auto state = robot.latest<p2d::Data>(p2d::kDataState);
   if (!state) return;
-  fmt::print("\r{:+.2f} m/s {:+.2f} rad/s   at {:.2f} {:.2f} {:.2f}{}   ", wheel.forward, wheel.turn,
-             state->pos.px, state->pos.py, state->pos.pa, state->stall != 0 ? "  blocked" : "         ");
-  std::fflush(stdout);
+  say(fmt::format("\r{:+.2f} m/s {:+.2f} rad/s   at {:.2f} {:.2f} {:.2f}{}   ", wheel.forward, wheel.turn,
+                  state->pos.px, state->pos.py, state->pos.pa,
+                  state->stall != 0 ? "  blocked" : "         "));
 }
 
 Result<void> drive_by_keys(client::Client& client, client::Device& robot, const Interrupt& interrupt) {
@@ -101,17 +108,16 @@ int drive(const DriveOptions& options) {
   if (name->interf != p2d::kCode) return fail({"", "drive wants a position2d device"}, kUsage);
   const Result<client::Address> server = client::parse_address(options.server);
   if (!server) return fail(server.error(), kUsage);
-  const Interrupt interrupt;
   Result<client::Client> client =
       client::Client::connect(server->host, server->port, {.mode = client::Mode::kPush});
   if (!client) return fail(client.error());
   Result<client::Device> robot = client::Device::open(*client, name->interf, name->index);
   if (!robot)
     return fail({robot.error().where, robot.error().text + "; playhouse devices lists what there is"});
-  fmt::print("w a s d or arrows drive, space stops, + and - change the speed, q ends\n");
-  std::fflush(stdout);
+  const Interrupt interrupt;  // from here on there is a robot to stop
+  say("w a s d or arrows drive, space stops, + and - change the speed, q ends\n");
   if (const Result<void> done = drive_by_keys(*client, *robot, interrupt); !done) return fail(done.error());
-  fmt::print("\n");
+  say("\n");
   return interrupt.exit_code(kDone);
 }
 

@@ -11,6 +11,7 @@
 #include <thread>
 #include <utility>
 
+#include "playhouse/app/interrupt.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/log_output.h"
 #include "playhouse/drivers/simulated/auto_map.h"
@@ -168,10 +169,17 @@ std::vector<std::string> House::places() const {
 }
 
 void House::catch_signals() {
-  loop_.on_signal({SIGINT, SIGTERM}, [this](int signal) {
-    if (signal_.exchange(signal) != 0) std::_Exit(128 + signal);  // asked twice: at once
-    stop();
-  });
+  const auto end = [this](int signal) {
+    int none = 0;
+    if (signal_.compare_exchange_strong(none, signal)) return stop();
+    if (signal != SIGHUP)
+      std::_Exit(128 + signal);  // asked twice: at once; a closed terminal may say so twice
+  };
+  if (ends_on_hangup()) {
+    loop_.on_signal({SIGINT, SIGTERM, SIGHUP}, end);
+  } else {
+    loop_.on_signal({SIGINT, SIGTERM}, end);
+  }
 }
 
 void House::show_progress() {
@@ -196,6 +204,7 @@ Outcome House::run() {
   web_loop_.stop();
   io.join();
   web.join();
+  end_at_once_on_signals();  // the loop takes them no more
   if (shows_progress) log::show_progress("");
   return outcome(wall_time);
 }

@@ -1,5 +1,7 @@
 #include "playhouse/app/interrupt.h"
 
+#include <unistd.h>
+
 #include <csignal>
 
 namespace playhouse::app {
@@ -7,27 +9,45 @@ namespace {
 
 volatile std::sig_atomic_t caught = 0;  // a signal handler can reach nothing but a global
 
-void note(int signal) {
-  caught = signal;
+void end_at_once(int signal) {
+  _exit(128 + signal);
 }
 
-void handle(int signal, void (*handler)(int)) {
+void note(int signal) {
+  if (caught == 0) {
+    caught = signal;
+  } else if (signal != SIGHUP) {  // a closed terminal may say so twice
+    end_at_once(signal);
+  }
+}
+
+void handle(void (*handler)(int)) {
   struct sigaction action {};
   action.sa_handler = handler;  // without SA_RESTART: waiting calls return
-  sigaction(signal, &action, nullptr);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  if (ends_on_hangup()) sigaction(SIGHUP, &action, nullptr);
 }
 
 }  // namespace
 
+void end_at_once_on_signals() {
+  handle(end_at_once);
+}
+
+bool ends_on_hangup() {
+  struct sigaction now {};
+  sigaction(SIGHUP, nullptr, &now);
+  return now.sa_handler != SIG_IGN;
+}
+
 Interrupt::Interrupt() {
   caught = 0;
-  handle(SIGINT, note);
-  handle(SIGTERM, note);
+  handle(note);
 }
 
 Interrupt::~Interrupt() {
-  handle(SIGINT, SIG_DFL);
-  handle(SIGTERM, SIG_DFL);
+  end_at_once_on_signals();
 }
 
 int Interrupt::signal() const {

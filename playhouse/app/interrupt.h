@@ -1,9 +1,19 @@
 #pragma once
 
+/// The signals that end the program: SIGINT (Ctrl-C), SIGTERM, and SIGHUP (the terminal was closed) unless
+/// nohup has it ignored. The exit code is 128 and the number of the signal.
+
 namespace playhouse::app {
 
-/// Catches SIGINT and SIGTERM for commands that talk to a server, so that they can end cleanly. One at a
-/// time.
+/// From now on they end the program at once: there is nothing to clean. Call first, and again when those who
+/// caught them no longer look.
+void end_at_once_on_signals();
+
+/// Whether SIGHUP ends the program.
+bool ends_on_hangup();
+
+/// While it lives, the first signal is noted for commands that have something to clean, and the second ends
+/// the program at once. One at a time.
 class Interrupt {
  public:
   Interrupt();

@@ -29,6 +29,9 @@ Keyboard::Keyboard() {
   if (tcgetattr(STDIN_FILENO, &now) != 0) return;
   before_ = now;
   now.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
+  now.c_iflag &= ~static_cast<tcflag_t>(IXON);  // Ctrl-S: output would wait, and so would the next key
+  // Ctrl-Z, Ctrl-backslash: the robot would drive on, with nobody at the wheel.
+  now.c_cc[VSUSP] = now.c_cc[VQUIT] = _POSIX_VDISABLE;
   now.c_cc[VMIN] = 1;
   now.c_cc[VTIME] = 0;
   tcsetattr(STDIN_FILENO, TCSANOW, &now);
@@ -50,7 +53,8 @@ std::optional<Key> Keyboard::wait(int milliseconds) {
 }
 
 Key key_of(char first, const char* rest) {
-  constexpr char kEscape = 27, kEndOfInput = 4;
+  constexpr char kEscape = 27, kEndOfInput = 4, kSuspend = 26,
+                 kAbandon = 28;  // Ctrl-D, Ctrl-Z, Ctrl-backslash
   switch (static_cast<char>(std::tolower(static_cast<unsigned char>(first)))) {
     case kEscape:
       return arrow(rest);
@@ -75,6 +79,8 @@ Key key_of(char first, const char* rest) {
       return Key::kSlower;
     case 'q':
     case kEndOfInput:
+    case kSuspend:
+    case kAbandon:
       return Key::kQuit;
     default:
       return Key::kOther;

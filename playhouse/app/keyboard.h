@@ -1,6 +1,7 @@
 #pragma once
 
-/// Keys from a terminal, one at a time, without Enter. The terminal is as it was when this goes.
+/// Keys from a terminal, one at a time, without Enter. The terminal is as it was when this goes. Ctrl-C stays
+/// a signal; keys that would stop the program or its output behind its back are keys like others.
 
 #include <termios.h>
 
@@ -26,8 +27,8 @@ class Keyboard {
   std::optional<termios> before_;  // none: no terminal
 };
 
-/// Keys as programs know them: arrows or w a s d (i j k l), space stops, + and - change the speed, q or
-/// Ctrl-D ends. `rest` is what follows an escape character.
+/// Keys as programs know them: arrows or w a s d (i j k l), space stops, + and - change the speed, q,
+/// Ctrl-D, Ctrl-Z or Ctrl-backslash ends. `rest` is what follows an escape character.
 Key key_of(char first, const char* rest);
 
 }  // namespace playhouse::app

@@ -11,6 +11,7 @@
 
 #include "playhouse/app/command_line.h"
 #include "playhouse/app/commands.h"
+#include "playhouse/app/interrupt.h"
 #include "playhouse/app/player_link.h"
 #include "playhouse/app/standard_streams.h"
 #include "playhouse/base/log.h"
@@ -48,6 +49,7 @@ void flush_before_the_end() {
 
 int start(int argc, const char* const* argv) {
   std::signal(SIGPIPE, SIG_IGN);
+  end_at_once_on_signals();
   flush_before_the_end();
   const std::span<const char* const> words(argv + (argc > 0),
                                            static_cast<std::size_t>(argc > 0 ? argc - 1 : 0));

@@ -67,13 +67,13 @@ int watch(const WatchOptions& options) {
     return fail({"", "a device of this interface sends no data to watch"}, kUsage);
   const Result<client::Address> server = client::parse_address(options.server);
   if (!server) return fail(server.error(), kUsage);
-  const Interrupt interrupt;
   Result<client::Client> client =
       client::Client::connect(server->host, server->port, {.mode = client::Mode::kPush});
   if (!client) return fail(client.error());
   Result<client::Device> device = client::Device::open(*client, name->interf, name->index);
   if (!device)
     return fail({device.error().where, device.error().text + "; playhouse devices lists what there is"});
+  const Interrupt interrupt;  // from here on there are lines to end
   if (const Result<void> printed = print_data(*client, *device, options.count, interrupt); !printed) {
     return fail(printed.error());
   }

@@ -5,6 +5,7 @@ import json
 import os
 import pty
 import re
+import select
 import shutil
 import signal
 import socket
@@ -129,7 +130,7 @@ class Texts(unittest.TestCase):
 
 class Ending(HouseTest):
     def test_signals_end_a_run_cleanly_with_their_codes(self):
-        for by, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):
+        for by, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143), (signal.SIGHUP, 129)):
             with self.run_house("--json") as house:
                 port = house.port()
                 with Client(port) as client:
@@ -137,6 +138,30 @@ class Ending(HouseTest):
                     client.next_data(POSITION2D, 0)
                     self.assertEqual(house.end(by), code, house.log())
                 self.assertEqual(json.loads(house.output().splitlines()[-1])["robots"], 2)
+
+    def test_what_nohup_ignores_ends_nothing(self):
+        before = signal.signal(signal.SIGHUP, signal.SIG_IGN)
+        self.addCleanup(signal.signal, signal.SIGHUP, before)
+        with self.run_house() as house:
+            with Client(house.port()) as client:
+                house.process.send_signal(signal.SIGHUP)
+                client.open(POSITION2D, 0)
+            self.assertEqual(house.end(), 143)
+
+    def test_a_signal_while_a_world_loads_ends_with_its_code(self):
+        world = self.world('unknown_key 1\n' + 'model( size [0.1 0.1 0.1] )\n' * 5000)
+        for by, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):
+            with self.run_house(world=world) as house:
+                house.wait_for_line("unknown_key")     # it has read the file, and makes the models
+                self.assertEqual(house.end(by), code, house.log())
+
+    def test_a_bench_of_the_server_ends_with_the_code_and_without_figures(self):
+        with House("bench", "server", "--robots", "1") as bench:
+            threads = Path(f"/proc/{bench.process.pid}/task")
+            while bench.process.poll() is None and len(list(threads.iterdir())) < 4:     # it serves its clients
+                time.sleep(0.01)
+            self.assertEqual(bench.end(), 143, bench.log())
+            self.assertEqual((bench.output(), bench.log().strip()), ("", ""))
 
     def test_a_signal_ends_a_paused_run_too(self):
         with self.run_house("--paused") as house:
@@ -277,6 +302,15 @@ class Tools(HouseTest):
             watch.process.stdout.readline()
             self.assertEqual(watch.end(signal.SIGINT), 130)
 
+    def test_a_signal_ends_watch_and_drive_at_once_while_they_connect(self):
+        with socket.create_server(("127.0.0.1", 0)) as silent:
+            server = f"127.0.0.1:{silent.getsockname()[1]}"
+            for command in (("watch", server, "laser:0"), ("drive", server, "position2d:0"), ("devices", server)):
+                for by, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143), (signal.SIGHUP, 129)):
+                    with House(*command) as tool:
+                        with silent.accept()[0]:
+                            self.assertEqual(tool.end(by), code, tool.log())
+
     def test_a_device_that_is_not_there_fails(self):
         done = finish("watch", self.server, "gripper:0")
         self.assertEqual(done.returncode, 1)
@@ -299,6 +333,52 @@ class Tools(HouseTest):
             self.wait_for_speed(watcher, 0)
         self.assertEqual(termios.tcgetattr(its)[3], before[3])
         os.close(its)
+
+    def test_however_drive_ends_the_robot_stops_although_another_client_has_it_open(self):
+        import termios
+        ends = {"q": (b"q", 0), "Ctrl-D": (b"\x04", 0), "Ctrl-Z": (b"\x1a", 0), "Ctrl-\\": (b"\x1c", 0),
+                "Ctrl-C": (b"\x03", 130), "Ctrl-S": (b"\x13q", 0),
+                "SIGTERM": (signal.SIGTERM, 143), "SIGHUP": (signal.SIGHUP, 129), "a closed terminal": (None, None)}
+        for name, (by, code) in ends.items():
+            with self.subTest(name), Client(self.house.port()) as watcher:
+                watcher.open(POSITION2D, 0)
+                pid, terminal = pty.fork()
+                if pid == 0:
+                    os.execv(PROGRAM, [PROGRAM, "drive", self.server, "position2d:0"])
+                shown = b""
+                while b"q ends" not in shown:
+                    shown += os.read(terminal, 4096)
+                os.write(terminal, b"w")
+                self.wait_for_speed(watcher, 0.1)
+                if isinstance(by, bytes):
+                    os.write(terminal, by)
+                elif by is not None:
+                    os.kill(pid, by)
+                else:
+                    os.close(terminal)
+                self.wait_for_speed(watcher, 0)
+                ended = self.exit_code(pid, terminal if by is not None else None)
+                if code is not None:
+                    self.assertEqual(ended, code)
+                    self.assertEqual(termios.tcgetattr(terminal)[3] & (termios.ECHO | termios.ICANON),
+                                     termios.ECHO | termios.ICANON)
+                    os.close(terminal)
+
+    def exit_code(self, pid: int, terminal) -> int:
+        """Of a child that may have to say something before it ends."""
+        deadline = time.monotonic() + PATIENCE
+        while time.monotonic() < deadline:
+            if terminal is not None and select.select([terminal], [], [], 0.01)[0]:
+                try:
+                    os.read(terminal, 4096)
+                except OSError:
+                    pass     # it is gone
+            ended, status = os.waitpid(pid, os.WNOHANG)
+            if ended:
+                return os.waitstatus_to_exitcode(status)
+        os.kill(pid, signal.SIGKILL)
+        os.waitpid(pid, 0)
+        self.fail("it never ended")
 
     def wait_for_speed(self, client, speed):
         deadline = time.monotonic() + PATIENCE
