@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,9 +17,18 @@
 
 namespace example {
 
-inline volatile std::sig_atomic_t interrupted = 0;
+inline volatile std::sig_atomic_t interrupted = 0;  // the signal that asks the program to end; 0: none
 
-/// How long the program may still run: until a time, or until Ctrl-C.
+/// From now on the robot is stopped before the program ends by Ctrl-C, SIGTERM, or because its terminal was
+/// closed (SIGHUP), which nohup makes it ignore.
+inline void catch_signals() {
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    const auto before = std::signal(number, [](int caught) { interrupted = caught; });
+    if (number == SIGHUP && before == SIG_IGN) std::signal(number, SIG_IGN);
+  }
+}
+
+/// How long the program may still run: until a time, or until a signal.
 class Clock {
  public:
   /// 0 seconds means without end.
@@ -36,29 +47,39 @@ class Clock {
 using Behaviour = playhouse::Result<void> (*)(playhouse::client::Client&, std::uint16_t index, const Clock&,
                                               const std::vector<int>& more);
 
-/// Connects and behaves; the exit code is 0 when done, 1 on an error, 2 on wrong arguments, 130 on Ctrl-C.
+/// Seconds, or a whole number up to 65535; none if the text is something else.
+inline std::optional<double> parse_number(const char* text, bool seconds) {
+  char* end = nullptr;
+  const double number = std::strtod(text, &end);
+  if (end == text || *end != '\0' || !std::isfinite(number) || number < 0) return std::nullopt;
+  if (!seconds && (number > 65535 || number != std::floor(number))) return std::nullopt;
+  return number;
+}
+
+/// Connects and behaves; the exit code is 0 when done, 1 on an error, 2 on wrong arguments, and 128 and its
+/// number on a signal (130 on Ctrl-C).
 inline int run(int argc, char** argv, Behaviour behave) {
   const std::string address = argc > 1 ? argv[1] : "127.0.0.1:6665";
   std::vector<double> numbers;
   for (int i = 2; i < argc; ++i) {
-    char* end = nullptr;
-    numbers.push_back(std::strtod(argv[i], &end));
-    if (*end != '\0' || numbers.back() < 0 || numbers.back() > 65535) {
+    const std::optional<double> number = parse_number(argv[i], i == 3);
+    if (!number) {
       std::fprintf(stderr, "usage: %s [HOST:PORT [INDEX [SECONDS ...]]]\n", argv[0]);
       return 2;
     }
+    numbers.push_back(*number);
   }
-  std::signal(SIGINT, [](int) { interrupted = 1; });
   numbers.resize(std::max<std::size_t>(numbers.size(), 2));
   auto client = playhouse::client::Client::connect(address);
   if (!client) {
     std::fprintf(stderr, "%s\n", client.error().line().c_str());
     return 1;
   }
+  catch_signals();
   const auto done = behave(*client, static_cast<std::uint16_t>(numbers[0]), Clock(numbers[1]),
                            std::vector<int>(numbers.begin() + 2, numbers.end()));
   if (!done) std::fprintf(stderr, "%s\n", done.error().line().c_str());
-  return !done ? 1 : interrupted != 0 ? 130 : 0;
+  return !done ? 1 : interrupted != 0 ? 128 + interrupted : 0;
 }
 
 /// Reads until the device has new data; false when the time is up.

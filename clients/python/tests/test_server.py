@@ -122,17 +122,25 @@ class Examples(unittest.TestCase):
                 self.assertFalse(any(stalls))
                 self.assert_stands(client, simulator, 0, "r0")
 
-    def test_ctrl_c_stops_the_robot(self) -> None:
+    def test_signals_stop_the_robot_although_another_client_has_it_open(self) -> None:
         for language, command in examples("wander").items():
-            with self.subTest(language), World("simple.world") as world, connect(world.address) as client:
-                simulator = client.simulation(0)
-                start = simulator.pose("r0")
-                process = subprocess.Popen([*command, world.address])
-                while process.poll() is None and distance(start, simulator.pose("r0")) < 0.2:
-                    time.sleep(0.01)
-                process.send_signal(signal.SIGINT)
-                self.assertEqual(process.wait(HANG), 130)
-                self.assert_stands(client, simulator, 0, "r0")
+            for by in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+                with self.subTest(language, by=by), World("simple.world") as world, connect(world.address) as client:
+                    simulator, _ = client.simulation(0), client.position2d(0, Access.READ)
+                    start = simulator.pose("r0")
+                    process = subprocess.Popen([*command, world.address])
+                    while process.poll() is None and distance(start, simulator.pose("r0")) < 0.2:
+                        time.sleep(0.01)
+                    process.send_signal(by)
+                    self.assertEqual(process.wait(HANG), 128 + by)
+                    self.assert_stands(client, simulator, 0, "r0")
+
+    def test_wrong_numbers_are_refused_alike(self) -> None:
+        for language, command in examples("wander").items():
+            for words in (["-1"], ["65536"], ["1.5"], [""], ["0", "-1"], ["0", "nan"], ["0", "inf"]):
+                with self.subTest(language, words=words):
+                    done = subprocess.run([*command, "127.0.0.1:1", *words], stderr=subprocess.PIPE, text=True)
+                    self.assertEqual(done.returncode, 2, done.stderr)
 
     def test_follow_stays_with_its_leader(self) -> None:
         for language, command in examples("follow").items():
