@@ -108,8 +108,18 @@ class StandardStreams(HouseTest):
         done = self.shell("| true; exit ${PIPESTATUS[0]}")
         self.assertEqual(done.returncode, 0, done.stderr)
 
-    def test_closed_streams_are_none(self):
-        self.assertEqual(self.shell(">&-").returncode, 0)
+    def test_a_closed_standard_output_is_a_failure(self):
+        done = self.shell(">&-")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("standard output cannot be written", done.stderr)
+
+    def test_watch_ends_where_it_cannot_write(self):
+        with self.run_house() as house:
+            done = subprocess.run(["bash", "-c", f'"{PROGRAM}" watch 127.0.0.1:{house.port()} laser:0 >&-'],
+                                  capture_output=True, text=True, timeout=PATIENCE)
+            self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
+
+    def test_closed_streams_that_carry_no_result_are_none(self):
         done = self.shell("<&- 2>&-")
         self.assertEqual((done.returncode, json.loads(done.stdout)["ticks"]), (0, 10))
 
