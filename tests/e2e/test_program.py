@@ -435,6 +435,20 @@ class PlayerLink(HouseTest):
             self.assertEqual(house.end(), 143)
             self.assertIn("Quitting.", house.output())
 
+    def test_the_log_file_gets_the_lines_too(self):
+        log = self.folder / "player.log"
+        log.write_text("before\n")
+        with House("-p", 0, "-l", log, self.cfg, program=str(self.player)) as house:
+            house.process.stdout.readline()
+            self.assertEqual(house.end(), 143)
+            self.assertRegex(log.read_text(), r"\Abefore\n\[[-0-9: .]+\] info: simulated .*\n\Z")
+
+    def test_a_log_file_whose_folder_is_not_there_is_refused(self):
+        folder = self.folder / "none"
+        done = finish("-l", folder / "log", self.cfg, program=str(self.player))
+        self.assertEqual((done.returncode, len(done.stderr.splitlines())), (255, 1), done.stderr)
+        self.assertFalse(folder.exists())
+
     def test_help_and_faults_end_with_players_code(self):
         for arguments in (["-h"], [], ["-x", self.cfg], ["-p"], [self.folder / "nosuch.cfg"]):
             self.assertEqual(finish(*arguments, program=str(self.player)).returncode, 255, arguments)
