@@ -1,5 +1,6 @@
 #include "playhouse/app/command_line.h"
 
+#include <arpa/inet.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -11,6 +12,7 @@
 
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
+#include "playhouse/scenarios/scenario.h"
 
 namespace playhouse::app {
 namespace {
@@ -59,11 +61,20 @@ std::string check_web(const std::string& text) {
   return "a port or \"off\" is wanted, not " + in_quotes(text);
 }
 
-template <typename Number>
+template <typename Number, Number least = 0, Number most = std::numeric_limits<Number>::max()>
 std::string check_count(const std::string& text) {
-  if (is_whole<Number>(text)) return {};
-  return fmt::format("a whole number from 0 to {} is wanted, not {}", std::numeric_limits<Number>::max(),
-                     in_quotes(text));
+  if (is_whole<Number>(text, least, most)) return {};
+  return fmt::format("a whole number from {} to {} is wanted, not {}", least, most, in_quotes(text));
+}
+
+constexpr auto check_robots = check_count<std::uint32_t, 1, scenarios::kMostRobots>;
+
+/// As net's listen() takes it: an address, which may name its interface (fe80::1%eth0).
+std::string check_bind(const std::string& text) {
+  in6_addr address;
+  const bool good = text == "localhost" || inet_pton(AF_INET, text.c_str(), &address) == 1 ||
+                    inet_pton(AF_INET6, text.substr(0, text.find('%')).c_str(), &address) == 1;
+  return good ? "" : "an IPv4 or IPv6 address is wanted, without a port, not " + in_quotes(text);
 }
 
 std::string check_workers(const std::string& text) {
@@ -76,13 +87,21 @@ std::string check_not_negative(const std::string& text) {
   return "a number that is not negative is wanted, not " + in_quotes(text);
 }
 
+std::string check_positive(const std::string& text) {
+  double value = 0;
+  if (CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value > 0) return {};
+  return "a number above 0 is wanted, not " + in_quotes(text);
+}
+
 void add_serving(CLI::App& app, Raw& raw, Serving& serving) {
   app.add_option("--port", serving.port, "port for Player clients; 0: any free one, printed")
       ->check(check_port)
       ->capture_default_str();
   app.add_option("--web", raw.web, "port of the web page, or off; 0: any free one, printed (8080)")
       ->check(check_web);
-  app.add_option("--bind", serving.bind, "address to listen on; 0.0.0.0: everybody's")->capture_default_str();
+  app.add_option("--bind", serving.bind, "address to listen on; 0.0.0.0: everybody's")
+      ->check(check_bind)
+      ->capture_default_str();
   app.add_flag("--headless", raw.headless, "no web page, as --web off");
 }
 
@@ -121,7 +140,7 @@ void add_commands(CLI::App& app, Raw& raw) {
   watch->add_option("HOST[:PORT]", raw.watch.server, "the server")->required();
   watch->add_option("INTERFACE:INDEX", raw.watch.device, "the device, e.g. laser:0")->required();
   watch->add_option("--count", raw.watch.count, "end after so many messages")
-      ->check(check_count<std::uint64_t>);
+      ->check(check_count<std::uint64_t, 1>);
 
   CLI::App* drive = app.add_subcommand("drive", "drive a robot by the keyboard");
   drive->add_option("HOST[:PORT]", raw.drive.server, "the server")->required();
@@ -133,9 +152,9 @@ void add_commands(CLI::App& app, Raw& raw) {
   CLI::App* bench = app.add_subcommand("bench", "measure: sonar, laser, cave or server");
   bench->add_option("SCENARIO", raw.bench.scenario, "sonar, laser, cave or server")->required();
   bench->add_option("--robots", raw.bench.robots, "how many (the scenario's own number)")
-      ->check(check_count<std::uint32_t>);
-  bench->add_option("--duration", raw.bench.duration, "simulated seconds (the scenario's own)")
-      ->check(check_not_negative);
+      ->check(check_robots);
+  bench->add_option("--duration", raw.bench.duration, "simulated seconds (the scenario's own); not of server")
+      ->check(check_positive);
   bench->add_option("--seed", raw.bench.seed, "seed of all random numbers")
       ->check(check_count<std::uint64_t>)
       ->capture_default_str();
@@ -236,11 +255,16 @@ Result<CommandLine> parse_command_line(std::span<const char* const> words) {
   } catch (const CLI::CallForVersion& version) {
     return CommandLine(Answer{std::string(version.what()) + "\n"});
   } catch (const CLI::ArgumentMismatch& error) {
-    const std::string_view text = error.what();  // "--port: 1 required UINT missing"
-    return Error{"", fmt::format("{} wants a value", text.substr(0, text.find(':')))};
+    // "--port: 1 required UINT missing", "--port: At Most 1 required but received 2"
+    const std::string_view text = error.what();
+    const bool twice = text.find("At Most") != std::string_view::npos;
+    return Error{"", fmt::format("{} {}", text.substr(0, text.find(':')),
+                                 twice ? "is given more than once" : "wants a value")};
   } catch (const CLI::ParseError& error) {
     return Error{"", error.what()};
   }
+  if (raw.bench.scenario == "server" && raw.bench.duration > 0)
+    return Error{"", "--duration: bench server measures for a time of its own"};
   return chosen(app, raw);
 }
 

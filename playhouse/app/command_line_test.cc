@@ -1,5 +1,6 @@
 #include "playhouse/app/command_line.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -88,10 +89,26 @@ TEST(CommandLine, a_whole_number_that_does_not_fit_is_refused) {
   for (const char* text : {"-1", "99999999999999999999999", "1.5", "1e3", ""}) {
     EXPECT_THAT(fault({"run", "w", "--seed", text}), HasSubstr("--seed: a whole number")) << text;
     EXPECT_THAT(fault({"watch", "localhost", "laser:0", "--count", text}), HasSubstr("--count")) << text;
-    EXPECT_THAT(fault({"bench", "laser", "--robots", text}), HasSubstr("--robots")) << text;
+    EXPECT_EQ(fault({"bench", "laser", "--robots", text}),
+              fmt::format("--robots: a whole number from 1 to 100000 is wanted, not \"{}\"", text));
   }
   EXPECT_EQ(parsed<RunOptions>({"run", "w", "--seed", "18446744073709551615"}).running.seed,
             18446744073709551615u);
+}
+
+TEST(CommandLine, what_means_nothing_is_refused) {
+  EXPECT_THAT(fault({"bench", "laser", "--robots", "0"}), HasSubstr("from 1 to 100000"));
+  EXPECT_THAT(fault({"bench", "cave", "--duration", "0"}), HasSubstr("above 0"));
+  EXPECT_THAT(fault({"bench", "server", "--duration", "3"}), HasSubstr("--duration"));
+  EXPECT_THAT(fault({"watch", "localhost", "laser:0", "--count", "0"}), HasSubstr("from 1 to"));
+  EXPECT_EQ(fault({"run", "w", "--port", "0", "--port", "1"}), "--port is given more than once");
+}
+
+TEST(CommandLine, only_an_address_can_be_bound) {
+  for (const char* text : {"abc", "", "127.0.0.1:80", "1.2.3", "[::1]"})
+    EXPECT_THAT(fault({"run", "w", "--bind", text}), HasSubstr("--bind: an IPv4 or IPv6 address")) << text;
+  for (const char* text : {"0.0.0.0", "localhost", "::", "fe80::1%lo"})
+    EXPECT_EQ(parsed<RunOptions>({"run", "w", "--bind", text}).serving.bind, text);
 }
 
 TEST(CommandLine, a_letter_has_no_nearest_option_and_two_dashes_end_the_options) {
