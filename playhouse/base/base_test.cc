@@ -28,6 +28,10 @@ TEST(InQuotes, keeps_words_as_they_are_and_takes_the_sting_out_of_others) {
   EXPECT_EQ(in_quotes(std::string(198, 'x') + "\u20ac" + "y"), "\"" + std::string(198, 'x') + "...\"");
   EXPECT_EQ(in_quotes(std::string(198, 'x') + "\u00f6" + "y"), "\"" + std::string(198, 'x') + "\u00f6...\"");
   EXPECT_EQ(in_quotes(std::string(65536, 'x')), "\"" + std::string(200, 'x') + "...\"");
+  EXPECT_EQ(escaped("\xff"
+                    "a\xc3 \xc0\x80 \xed\xa0\x80 \xf0\x9f\xa4\x96 \xe2\x82"),
+            "\\xffa\\xc3 \\xc0\\x80 \\xed\\xa0\\x80 \xf0\x9f\xa4\x96 \\xe2\\x82")
+      << "only UTF-8 is left as it is";
   EXPECT_EQ(escaped("a\nb" + std::string(300, 'x')), "a\\x0ab" + std::string(300, 'x'));
 }
 
