@@ -6,6 +6,8 @@ WEB_SOURCES := $(shell find web -path web/node_modules -prune -o -path web/dist 
 PLAYER_PORT ?= 6665
 WEB_PORT ?= 8080
 WORLD ?= worlds/cave.world
+# The robot that a visitor drives: the cave's guest has no mind of its own; other worlds have a first one.
+GUEST = $(if $(filter %cave.world,$(WORLD)),12,0)
 
 .PHONY: help setup setup-test build demo test tsan fuzzers fuzz bench clean web
 
@@ -49,8 +51,8 @@ demo: build
 	@echo "    look      http://127.0.0.1:$(WEB_PORT)/"
 	@echo "    devices   $(PROGRAM) devices 127.0.0.1:$(PLAYER_PORT)"
 	@echo "    scan      $(PROGRAM) watch 127.0.0.1:$(PLAYER_PORT) laser:0"
-	@echo "    drive     $(PROGRAM) drive 127.0.0.1:$(PLAYER_PORT) position2d:12   (the white robot, guest)"
-	@echo "    program   python3 clients/python/examples/wander.py 127.0.0.1:$(PLAYER_PORT) 12"
+	@echo "    drive     $(PROGRAM) drive 127.0.0.1:$(PLAYER_PORT) position2d:$(GUEST)$(if $(filter 12,$(GUEST)),   (the guest: white))"
+	@echo "    program   python3 clients/python/examples/wander.py 127.0.0.1:$(PLAYER_PORT) $(GUEST)"
 	@echo "  Ctrl-C ends it."
 	@echo
 	@$(PROGRAM) run $(WORLD) --port $(PLAYER_PORT) --web $(WEB_PORT)
