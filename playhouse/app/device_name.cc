@@ -30,4 +30,9 @@ Result<DeviceName> parse_device_name(std::string_view text) {
   return device;
 }
 
+Result<client::Address> parse_server(const std::string& text) {
+  const bool is_port = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+  return client::parse_address(is_port ? ":" + text : text);
+}
+
 }  // namespace playhouse::app

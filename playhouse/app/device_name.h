@@ -1,9 +1,13 @@
 #pragma once
 
+/// How devices and servers are named on the command line.
+
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "playhouse/base/result.h"
+#include "playhouse_client/client.h"
 
 namespace playhouse::app {
 
@@ -15,5 +19,9 @@ struct DeviceName {
 
 /// Fails with the nearest interface name. A name without an index means index 0.
 Result<DeviceName> parse_device_name(std::string_view text);
+
+/// "HOST", "HOST:PORT", "" for this machine; a number alone is a port of this machine, for no host has such a
+/// name.
+Result<client::Address> parse_server(const std::string& text);
 
 }  // namespace playhouse::app

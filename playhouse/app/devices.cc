@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "playhouse/app/commands.h"
+#include "playhouse/app/device_name.h"
 #include "playhouse/app/fail.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse_client/client.h"
@@ -8,7 +9,7 @@
 namespace playhouse::app {
 
 int devices(const DevicesOptions& options) {
-  const Result<client::Address> server = client::parse_address(options.server);
+  const Result<client::Address> server = parse_server(options.server);
   if (!server) return fail(server.error(), kUsage);
   Result<client::Client> client = client::Client::connect(server->host, server->port);
   if (!client) return fail(client.error());

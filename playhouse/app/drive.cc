@@ -106,7 +106,7 @@ int drive(const DriveOptions& options) {
   const Result<DeviceName> name = parse_device_name(options.device);
   if (!name) return fail(name.error(), kUsage);
   if (name->interf != p2d::kCode) return fail({"", "drive wants a position2d device"}, kUsage);
-  const Result<client::Address> server = client::parse_address(options.server);
+  const Result<client::Address> server = parse_server(options.server);
   if (!server) return fail(server.error(), kUsage);
   Result<client::Client> client =
       client::Client::connect(server->host, server->port, {.mode = client::Mode::kPush});

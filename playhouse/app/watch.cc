@@ -65,7 +65,7 @@ int watch(const WatchOptions& options) {
   if (!name) return fail(name.error(), kUsage);
   if (!sends_data(name->interf))
     return fail({"", "a device of this interface sends no data to watch"}, kUsage);
-  const Result<client::Address> server = client::parse_address(options.server);
+  const Result<client::Address> server = parse_server(options.server);
   if (!server) return fail(server.error(), kUsage);
   Result<client::Client> client =
       client::Client::connect(server->host, server->port, {.mode = client::Mode::kPush});

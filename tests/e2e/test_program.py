@@ -298,6 +298,11 @@ class Tools(HouseTest):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn(["position2d:0", "stage"], [line.split() for line in done.stdout.splitlines()])
 
+    def test_a_number_alone_is_a_port_of_this_machine(self):
+        done = finish("devices", self.house.port())
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(finish("devices", "70000").returncode, 2)
+
     def test_watch_prints_json_lines(self):
         done = finish("watch", self.server, "laser:0", "--count", 2)
         self.assertEqual(done.returncode, 0, done.stderr)
