@@ -149,7 +149,7 @@ Result<device::DeviceId> House::add_device(device::Address address, device::Driv
 Result<void> House::open_page() {
   if (!serving_.web) return {};
   const web_server::WebOptions options{
-      .bind = serving_.bind, .port = *serving_.web, .page = web_server::page_files()};
+      .bind = serving_.bind, .port = *serving_.web, .page = web_server::page_files(), .host_name = {}};
   web_ = std::make_unique<web_server::WebServer>(web_loop_, options, simulation(), simulation().world());
   const Result<std::uint16_t> port = web_->listen();
   if (!port) return port.error();
