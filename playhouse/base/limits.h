@@ -46,6 +46,7 @@ inline constexpr unsigned kMotionSteps = 1024;                    // collision t
 // Files.
 inline constexpr std::size_t kFileBytes = 16u << 20;
 inline constexpr int kIncludeDepth = 32;
+inline constexpr std::size_t kWarningsOfAKind = 20;               // of one file; the others are counted
 inline constexpr int kEntityDepth = 64;
 inline constexpr std::size_t kEntities = 1u << 20;                // after macro expansion
 inline constexpr std::size_t kExpandedFields = 1u << 27;          // properties of all entities, macros' included

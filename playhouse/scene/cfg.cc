@@ -7,6 +7,7 @@
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/scene/colors.h"
+#include "playhouse/scene/warnings.h"
 
 namespace playhouse::scene {
 
@@ -135,20 +136,25 @@ std::vector<DeviceAddress> CfgSection::addresses(std::string_view key) const {
 
 std::vector<std::string> CfgSection::unread() const {
   const std::vector<std::string_view> asked(asked_.begin(), asked_.end());
-  std::vector<std::string> lines;
+  const std::string tail = " is not used by driver " + in_quotes(name());
+  Warnings warnings(file_->document.sources);
   for (const Field* field : fields_.all()) {
     if (asked_.contains(field->key)) continue;
-    lines.push_back(at(field->key) + ": " + in_quotes(field->key) + " is not used by driver " +
-                    in_quotes(name()) + did_you_mean(field->key, asked));
+    warnings.add(Warning::kUnknownWord, field->where, in_quotes(field->key) + tail,
+                 [&] { return did_you_mean(field->key, asked); });
   }
-  return lines;
+  return warnings.take();
 }
 
 /// Turns a parsed file into driver sections and checks what does not depend on the drivers.
 class CfgLoader {
  public:
   CfgLoader(std::shared_ptr<CfgDocument> file, std::uint16_t port)
-      : file_(std::move(file)), document_(file_->document), macros_(document_), port_(port) {}
+      : file_(std::move(file)),
+        document_(file_->document),
+        macros_(document_),
+        warnings_(document_.sources),
+        port_(port) {}
 
   Result<CfgFile> load();
 
@@ -158,13 +164,11 @@ class CfgLoader {
   Result<void> add_driver(const Instance& instance);
   Result<void> check_interface(const Instance& instance);
   Result<void> check_unique(const CfgSection& driver);
-  void warn(SourceLine where, const std::string& text) {
-    cfg_.warnings.push_back(document_.sources.at(where) + ": " + text);
-  }
 
   std::shared_ptr<CfgDocument> file_;
   const Document& document_;
   Macros macros_;
+  Warnings warnings_;
   std::uint16_t port_;
   CfgFile cfg_;
   std::map<std::tuple<std::string, std::uint16_t, std::string, std::uint16_t>, std::string>
@@ -178,8 +182,9 @@ Result<CfgFile> CfgLoader::load() {
   for (const Statement& statement : document_.statements) {
     if (!statement.base.empty()) {
       if (!macros_.define(statement)) {
-        warn(statement.section.where, "macro " + in_quotes(statement.section.name) +
-                                          " is defined already; the first definition counts");
+        warnings_.add(Warning::kMacro, statement.section.where,
+                      "macro " + in_quotes(statement.section.name) +
+                          " is defined already; the first definition counts");
       }
       continue;
     }
@@ -189,6 +194,7 @@ Result<CfgFile> CfgLoader::load() {
     return Error{
         cfg_.path,
         "has no driver ( ... ) section, so there is nothing to serve (a world file is for playhouse run)"};
+  cfg_.warnings = warnings_.take();
   return std::move(cfg_);
 }
 
@@ -197,12 +203,14 @@ Result<void> CfgLoader::read_globals() {
   for (const Field& field : document_.fields) {
     if (field.key == "unit_length" || field.key == "unit_angle") continue;
     if (field.key == "plugin" || field.key == "test") {
-      warn(field.where,
-           in_quotes(field.key) + " has no effect: " +
-               (field.key == "test" ? "use playhouse check" : "all drivers are part of the program"));
+      warnings_.add(
+          Warning::kNoEffect, field.where,
+          in_quotes(field.key) + " has no effect: " +
+              (field.key == "test" ? "use playhouse check" : "all drivers are part of the program"));
     } else {
-      warn(field.where, "unknown field " + in_quotes(field.key) + " outside all sections" +
-                            did_you_mean(field.key, kWords));
+      warnings_.add(Warning::kUnknownWord, field.where,
+                    "unknown field " + in_quotes(field.key) + " outside all sections",
+                    [&field] { return did_you_mean(field.key, kWords); });
     }
   }
   const Result<Units> units = read_units(document_, FieldSet(std::span<const Field>(document_.fields)));
@@ -216,10 +224,12 @@ Result<void> CfgLoader::add_section(const Section& section) {
   if (!instance) return instance.error();
   if (instance->type == "driver") return add_driver(*instance);
   if (instance->type == "interface") return check_interface(*instance);
-  std::vector<std::string_view> words = macros_.names();
-  words.insert(words.end(), {"driver", "interface"});
-  warn(section.where,
-       "section " + in_quotes(section.name) + " has no effect" + did_you_mean(section.name, words));
+  warnings_.add(Warning::kUnknownWord, section.where, "section " + in_quotes(section.name) + " has no effect",
+                [&] {
+                  std::vector<std::string_view> words = macros_.names();
+                  words.insert(words.end(), {"driver", "interface"});
+                  return did_you_mean(section.name, words);
+                });
   return {};
 }
 
@@ -235,7 +245,8 @@ Result<void> CfgLoader::add_driver(const Instance& instance) {
   }
   for (const Section* part : instance.parts) {
     for (const Section& inner : part->sections) {
-      warn(inner.where, "section " + in_quotes(inner.name) + " inside a driver has no effect");
+      warnings_.add(Warning::kNoEffect, inner.where,
+                    "section " + in_quotes(inner.name) + " inside a driver has no effect");
     }
   }
   if (const auto unique = check_unique(driver); !unique) return unique;
@@ -267,8 +278,9 @@ Result<void> CfgLoader::check_interface(const Instance& instance) {
   const int code = section.integer("code", 0);
   if (const auto fault = section.fault(); !fault) return fault;
   if (code < 0 || code > 65535) return Error{section.at("code"), "\"code\" must be from 0 to 65535"};
-  warn(instance.where,
-       "interface " + in_quotes(section.name()) + " has no effect: interfaces cannot be added by plug-ins");
+  warnings_.add(
+      Warning::kNoEffect, instance.where,
+      "interface " + in_quotes(section.name()) + " has no effect: interfaces cannot be added by plug-ins");
   return {};
 }
 

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "playhouse/base/limits.h"
+
 namespace playhouse::scene {
 namespace {
 
@@ -108,6 +110,18 @@ TEST(Cfg, fields_that_nobody_reads_are_told_with_the_nearest_word_that_was_asked
   EXPECT_THAT(driver.unread(),
               ElementsAre("dir/t.cfg:3: \"port\" is not used by driver \"d\"",
                           "dir/t.cfg:3: \"sped\" is not used by driver \"d\" (did you mean \"speed\"?)"));
+}
+
+TEST(Cfg, of_many_warnings_of_a_kind_the_first_are_lines_and_the_rest_a_count) {
+  std::string fields, sections;
+  for (int i = 0; i < 50; ++i) fields += " word" + std::to_string(i) + " 1";
+  for (int i = 0; i < 50; ++i) sections += "section" + std::to_string(i) + " ( )\n";
+  const std::vector<std::string> unread = driver_with(fields).unread();
+  ASSERT_EQ(unread.size(), limits::kWarningsOfAKind + 1);
+  EXPECT_EQ(unread.back(), "dir/t.cfg: and 30 more unknown words");
+  const CfgFile cfg = loaded(sections + "driver ( name \"d\" provides \"gps:0\" )");
+  ASSERT_EQ(cfg.warnings.size(), limits::kWarningsOfAKind + 1);
+  EXPECT_EQ(cfg.warnings.back(), "dir/t.cfg: and 30 more unknown words");
 }
 
 TEST(Cfg, a_key_given_twice_has_its_last_value) {

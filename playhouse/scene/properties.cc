@@ -19,10 +19,6 @@ void LoadState::fail(SourceLine where, std::string text) {
   if (!error) error = document.error(where, std::move(text));
 }
 
-void LoadState::warn(SourceLine where, std::string text) {
-  warnings.push_back(document.sources.at(where) + ": " + text);
-}
-
 SourceLine Properties::where(std::string_view key) const {
   const Field* field = fields_.find(key);
   return field ? field->where : where_;
@@ -122,7 +118,8 @@ Color Properties::color(Color otherwise, std::size_t row) const {
     return {r, g, b, 1};
   }
   if (const auto known = color_by_name(name)) return *known;
-  state_.warn(where("color"), "unknown color " + in_quotes(name) + ", red is used" + color_hint(name));
+  state_.warnings.add(Warning::kColor, where("color"), "unknown color " + in_quotes(name) + ", red is used",
+                      [&name] { return color_hint(name); });
   return {1, 0, 0, 1};
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "playhouse/scene/expand.h"
+#include "playhouse/scene/warnings.h"
 
 namespace playhouse::scene {
 
@@ -18,11 +19,10 @@ namespace playhouse::scene {
 struct LoadState {
   const Document& document;
   Units units;
-  std::optional<Error> error;         // the first fault
-  std::vector<std::string> warnings;  // "file:line: text"
+  std::optional<Error> error;  // the first fault
+  Warnings warnings;
 
   void fail(SourceLine where, std::string text);
-  void warn(SourceLine where, std::string text);
 };
 
 /// How an element of a tuple is scaled: N as it is, L by the unit of length, A by the unit of angle.

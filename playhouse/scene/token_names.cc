@@ -18,16 +18,20 @@ void TokenNames::name(ModelDesc& model, std::string_view given, int index) {
   }
   if (const auto taken = rows_.find(model.name); taken != rows_.end()) {
     const std::size_t earlier = taken->second;
-    state_.warn(model.where, "the name " + in_quotes(model.name) + " was given at " +
-                                 scene_.at(scene_.models[earlier].where) + " already; this model has it now");
+    state_.warnings.add(Warning::kName, model.where,
+                        "the name " + in_quotes(model.name) + " was given at " +
+                            scene_.at(scene_.models[earlier].where) + " already; this model has it now");
     rename_subtree(earlier);
   }
   rows_[model.name] = scene_.models.size();
 }
 
-std::string TokenNames::unused(std::string name) const {
+std::string TokenNames::unused(const std::string& name) {
   std::string candidate = name;
-  for (int i = 2; rows_.contains(candidate); ++i) candidate = name + "~" + std::to_string(i);
+  // Goes on where the search for the same name ended last, or many of one name would take quadratic time.
+  for (int& i = suffixes_.try_emplace(name, 2).first->second; rows_.contains(candidate); ++i) {
+    candidate = name + "~" + std::to_string(i);
+  }
   return candidate;
 }
 
@@ -53,7 +57,7 @@ void TokenNames::rename_subtree(std::size_t row) {
   }
 }
 
-void TokenNames::check_follow_model() {
+void TokenNames::check_follow_model(SourceLine follow_where) {
   const std::string& wanted = scene_.window.follow_model;
   if (wanted.empty() || rows_.contains(wanted)) return;
   std::vector<std::string_view> names;
@@ -61,8 +65,9 @@ void TokenNames::check_follow_model() {
     if (model.alias == wanted) return;
     names.push_back(model.name);
   }
-  state_.warnings.push_back(scene_.path + ": the window follows " + in_quotes(wanted) +
-                            ", which is no model" + did_you_mean(wanted, names));
+  state_.warnings.add(
+      Warning::kNoEffect, follow_where,
+      "the window follows " + in_quotes(wanted) + ", which is no model" + did_you_mean(wanted, names));
 }
 
 }  // namespace playhouse::scene

@@ -19,16 +19,18 @@ class TokenNames {
   /// original would find it, and the earlier model and its children fall back to their default names.
   void name(ModelDesc& model, std::string_view given, int index);
 
-  /// Warns when the window follows a model that does not exist.
-  void check_follow_model();
+  /// Warns, at `follow_where`, when the window follows a model that does not exist.
+  void check_follow_model(SourceLine follow_where);
 
  private:
   void rename_subtree(std::size_t row);
-  std::string unused(std::string name) const;
+  /// `name`, or `name~2`, `name~3` and so on.
+  std::string unused(const std::string& name);
 
   SceneDesc& scene_;
   LoadState& state_;
   std::map<std::string, std::size_t> rows_;
+  std::map<std::string, int> suffixes_;  // to try next, by name
 };
 
 }  // namespace playhouse::scene

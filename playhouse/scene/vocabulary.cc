@@ -222,11 +222,14 @@ void VocabularyCheck::check(Vocabulary vocabulary, std::string_view type, const 
     const std::string subject = in_quotes(word);
     const std::string whose = " of " + std::string(owner(vocabulary, type));
     if (!known) {
-      state.warn(field->where, "unknown property " + subject + whose + hint(vocabulary, type, word));
+      state.warnings.add(Warning::kUnknownWord, field->where, "unknown property " + subject + whose,
+                         [&] { return hint(vocabulary, type, word); });
     } else if (known->use == Use::kLater) {
-      state.warn(field->where, subject + " is not simulated yet and has no effect");
+      state.warnings.add(Warning::kNoEffect, field->where,
+                         subject + " is not simulated yet and has no effect");
     } else {
-      state.warn(field->where, subject + whose + " has no effect" + instead_of(vocabulary, word));
+      state.warnings.add(Warning::kNoEffect, field->where,
+                         subject + whose + " has no effect" + instead_of(vocabulary, word));
     }
   }
 }

@@ -25,7 +25,7 @@ class WorldLoader {
         files_(files),
         limits_(limits),
         macros_(document),
-        state_{document, {}, {}, {}},
+        state_{document, {}, {}, Warnings(document.sources)},
         corners_{limits.corners, limits.corners, "corners of bodies"},
         beams_{limits.beams, limits.beams, "beams of rangers"} {}
 
@@ -72,6 +72,7 @@ class WorldLoader {
   std::map<std::string, Loops> bitmaps_;
   std::set<std::string_view> plain_types_;  // warned of
   bool has_window_ = false;
+  SourceLine follow_where_;  // of the window's follow_model
   std::size_t fields_ = 0;
   Budget corners_, beams_;
   int depth_ = 1;  // of the model being loaded
@@ -96,8 +97,8 @@ Result<SceneDesc> WorldLoader::load() {
     }
   }
   if (state_.error) return *state_.error;
-  names_.check_follow_model();
-  scene_.warnings = std::move(state_.warnings);
+  names_.check_follow_model(follow_where_);
+  scene_.warnings = state_.warnings.take();
   return std::move(scene_);
 }
 
@@ -125,9 +126,10 @@ void WorldLoader::read_globals() {
 void WorldLoader::define(const Statement& statement) {
   if (macros_.define(statement)) return;
   const std::string_view name = statement.section.name;
-  state_.warn(statement.section.where, "macro " + in_quotes(name) + " is defined at " +
-                                           document_.sources.at(macros_.find(name)->section.where) +
-                                           " already; the first definition counts");
+  state_.warnings.add(Warning::kMacro, statement.section.where,
+                      "macro " + in_quotes(name) + " is defined at " +
+                          document_.sources.at(macros_.find(name)->section.where) +
+                          " already; the first definition counts");
 }
 
 std::optional<Instance> WorldLoader::instance(const Section& section) {
@@ -147,13 +149,14 @@ std::optional<Instance> WorldLoader::instance(const Section& section) {
 
 void WorldLoader::load_window(const Instance& window) {
   if (has_window_) {
-    state_.warn(window.where, "a second window has no effect");
+    state_.warnings.add(Warning::kNoEffect, window.where, "a second window has no effect");
     return;
   }
   has_window_ = true;
   const Properties properties(state_, window);
   vocabulary_.check(Vocabulary::kWindow, "", properties);
   scene_.window = read_window(properties);
+  follow_where_ = properties.where("follow_model");
 }
 
 void WorldLoader::fail_unknown_type(const Instance& entity) {
@@ -183,9 +186,10 @@ const ModelType* WorldLoader::type_of(const Instance& entity) {
     state_.fail(entity.where, "the world holds more than " + std::to_string(limits_.models) + " models");
     return nullptr;
   } else if (!type->simulated && plain_types_.insert(type->name).second) {
-    state_.warn(entity.where, "model type " + in_quotes(type->name) +
-                                  " is not simulated yet and loads as a plain " +
-                                  (type->has_body ? "body" : "model without a body"));
+    state_.warnings.add(Warning::kNoEffect, entity.where,
+                        "model type " + in_quotes(type->name) +
+                            " is not simulated yet and loads as a plain " +
+                            (type->has_body ? "body" : "model without a body"));
   }
   return type;
 }
@@ -303,7 +307,8 @@ const WorldLoader::Loops* WorldLoader::load_bitmap(const Properties& properties)
     return nullptr;
   }
   if (loops->empty())
-    state_.warn(where, "bitmap " + in_quotes(path) + " has no dark pixel, so it is no body");
+    state_.warnings.add(Warning::kShape, where,
+                        "bitmap " + in_quotes(path) + " has no dark pixel, so it is no body");
   return &bitmaps_.emplace(std::move(path), std::move(*loops)).first->second;
 }
 

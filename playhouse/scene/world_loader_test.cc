@@ -580,8 +580,8 @@ TEST(WorldGlobals, the_first_window_counts) {
 }
 
 TEST(WorldGlobals, following_a_model_that_does_not_exist_is_a_warning) {
-  EXPECT_THAT(loaded("window( follow_model \"r\" ) model( name \"r0\" )").warnings,
-              ElementsAre(HasSubstr("which is no model (did you mean \"r0\"?)")));
+  EXPECT_THAT(loaded("window(\nfollow_model \"r\" ) model( name \"r0\" )").warnings,
+              ElementsAre("w/t.world:2: the window follows \"r\", which is no model (did you mean \"r0\"?)"));
 }
 
 TEST(WorldWarnings, an_unknown_property_is_told_once_per_line_with_the_nearest_word) {
@@ -592,6 +592,18 @@ TEST(WorldWarnings, an_unknown_property_is_told_once_per_line_with_the_nearest_w
       ElementsAre("w/t.world:4: unknown property \"resolutoin\" of the world (did you mean \"resolution\"?)",
                   "w/t.world:1: unknown property \"colour\" of model (did you mean \"color\"?)",
                   "w/t.world:3: unknown property \"boundry\" of model (did you mean \"boundary\"?)"));
+}
+
+TEST(WorldWarnings, of_each_kind_the_first_are_lines_and_the_rest_a_count) {
+  std::string text = "position(\n";
+  for (int i = 0; i < 50; ++i) text += "word" + std::to_string(i) + " 1\n";
+  text += ")\n" + repeated("model( name \"x\" color \"boo\" )\n", 30);
+  const SceneDesc scene = loaded(text);
+  EXPECT_EQ(scene.warnings.size(), 3 * limits::kWarningsOfAKind + 3);
+  EXPECT_EQ(scene.warnings.front(), "w/t.world:2: unknown property \"word0\" of position");
+  EXPECT_THAT(std::vector(scene.warnings.end() - 3, scene.warnings.end()),
+              ElementsAre("w/t.world: and 30 more unknown words", "w/t.world: and 10 more unknown colors",
+                          "w/t.world: and 9 more names that were given already"));
 }
 
 TEST(WorldWarnings, words_of_other_versions_say_that_they_have_no_effect) {

@@ -1,0 +1,39 @@
+#include "playhouse/scene/warnings.h"
+
+#include <string_view>
+#include <utility>
+
+#include "playhouse/base/limits.h"
+
+namespace playhouse::scene {
+namespace {
+
+/// What is counted, by kind.
+constexpr std::array<std::string_view, kWarningKinds> kSubjects = {
+    "unknown words",
+    "words without effect",
+    "unknown colors",
+    "names that were given already",
+    "macros that are defined already",
+    "bodies that are not what they seem",
+    "values out of range",
+};
+
+}  // namespace
+
+bool Warnings::has_room(Warning kind) {
+  return counts_[static_cast<std::size_t>(kind)]++ < limits::kWarningsOfAKind;
+}
+
+std::vector<std::string> Warnings::take() {
+  for (std::size_t kind = 0; kind < kWarningKinds; ++kind) {
+    if (counts_[kind] <= limits::kWarningsOfAKind) continue;
+    lines_.push_back(escaped(sources_->file_names().front()) + ": and " +
+                     std::to_string(counts_[kind] - limits::kWarningsOfAKind) + " more " +
+                     std::string(kSubjects[kind]));
+  }
+  counts_ = {};
+  return std::exchange(lines_, {});
+}
+
+}  // namespace playhouse::scene

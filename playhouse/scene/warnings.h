@@ -1,0 +1,46 @@
+#pragma once
+
+/// The warnings of one load, in the order in which they came up. Of each kind the first
+/// limits::kWarningsOfAKind are lines and the others a count, so that a file full of faults costs no more
+/// than a good one and still shows its reader every kind.
+
+#include <array>
+#include <concepts>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "playhouse/scene/source_text.h"
+
+namespace playhouse::scene {
+
+enum class Warning : std::uint8_t { kUnknownWord, kNoEffect, kColor, kName, kMacro, kShape, kValue };
+inline constexpr std::size_t kWarningKinds = 7;
+
+class Warnings {
+ public:
+  explicit Warnings(const SourceTexts& sources) : sources_(&sources) {}
+
+  void add(Warning kind, SourceLine where, std::string text) {
+    if (has_room(kind)) lines_.push_back(sources_->at(where) + ": " + std::move(text));
+  }
+  /// `hint()` is the tail of the text: looking for the nearest word costs more than all else, so it is called
+  /// for lines that are kept only.
+  template <std::invocable Hint>
+  void add(Warning kind, SourceLine where, std::string text, Hint hint) {
+    if (has_room(kind)) lines_.push_back(sources_->at(where) + ": " + std::move(text) + hint());
+  }
+
+  /// All lines, and one for each kind that has more.
+  std::vector<std::string> take();
+
+ private:
+  /// Counts one more of a kind.
+  bool has_room(Warning kind);
+
+  const SourceTexts* sources_;
+  std::vector<std::string> lines_;
+  std::array<std::size_t, kWarningKinds> counts_{};
+};
+
+}  // namespace playhouse::scene
