@@ -46,12 +46,15 @@ inline constexpr unsigned kMotionSteps = 1024;                    // collision t
 // Files.
 inline constexpr std::size_t kFileBytes = 16u << 20;
 inline constexpr int kIncludeDepth = 32;
+inline constexpr std::size_t kIncludes = 1u << 16;                // of all include statements, each as often as it is met
 inline constexpr std::size_t kWarningsOfAKind = 20;               // of one file; the others are counted
 inline constexpr int kEntityDepth = 64;
 inline constexpr std::size_t kEntities = 1u << 20;                // after macro expansion
 inline constexpr std::size_t kExpandedFields = 1u << 27;          // properties of all entities, macros' included
 inline constexpr std::size_t kBitmapPixels = 1u << 28;
 inline constexpr std::size_t kCorners = 1u << 22;                 // of all bodies of a world, bitmaps' contours included
+inline constexpr std::size_t kTextBytes = 1u << 27;               // names and texts of all models
+inline constexpr std::size_t kSensors = 1u << 20;                 // of all rangers of a world
 inline constexpr int kRangerSamples = 1 << 16;                    // beams of one sensor
 inline constexpr std::size_t kBeams = 1u << 26;                   // of all sensors of a world
 

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "playhouse/base/in_quotes.h"
+#include "playhouse/base/limits.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/scene/colors.h"
 #include "playhouse/scene/warnings.h"
@@ -169,6 +170,7 @@ class CfgLoader {
   const Document& document_;
   Macros macros_;
   Warnings warnings_;
+  std::size_t fields_ = 0;  // of all sections
   std::uint16_t port_;
   CfgFile cfg_;
   std::map<std::tuple<std::string, std::uint16_t, std::string, std::uint16_t>, std::string>
@@ -222,6 +224,11 @@ Result<void> CfgLoader::read_globals() {
 Result<void> CfgLoader::add_section(const Section& section) {
   const Result<Instance> instance = macros_.instance(section);
   if (!instance) return instance.error();
+  for (const Section* part : instance->parts) fields_ += part->fields.size();
+  if (fields_ > limits::kEntities) {
+    return document_.error(section.where, "the file holds more than " + std::to_string(limits::kEntities) +
+                                              " fields, those of its macros included");
+  }
   if (instance->type == "driver") return add_driver(*instance);
   if (instance->type == "interface") return check_interface(*instance);
   warnings_.add(Warning::kUnknownWord, section.where, "section " + in_quotes(section.name) + " has no effect",

@@ -128,6 +128,14 @@ TEST(Cfg, a_key_given_twice_has_its_last_value) {
   EXPECT_EQ(driver_with("rate [1 2 3] rate [4]").count("rate"), 1u);
 }
 
+TEST(Cfg, a_few_lines_cannot_expand_without_bound) {
+  std::string text = "define m driver ( name \"d\"";
+  for (int i = 0; i < 1200; ++i) text += " w" + std::to_string(i) + " 1";
+  text += " )\n";
+  for (int i = 0; i < 1000; ++i) text += "m ( provides \"gps:" + std::to_string(i) + "\" )\n";
+  EXPECT_THAT(error_of(text), HasSubstr("the file holds more than 1048576 fields"));
+}
+
 TEST(Cfg, tuples_may_span_lines) {
   EXPECT_THAT(driver_with("list [ \"a\"\n\"b\"\n ]").texts("list"), ElementsAre("a", "b"));
 }

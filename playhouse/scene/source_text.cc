@@ -39,14 +39,29 @@ Result<std::string> MemoryFiles::read(const std::string& path) {
   return found->second;
 }
 
+Result<void> SourceTexts::count(std::size_t bytes) {
+  bytes_ += bytes;
+  if (bytes_ <= limits::kFileBytes) return {};
+  return Error{{},
+               "more than " + std::to_string(limits::kFileBytes >> 20) + " MiB of text with all includes"};
+}
+
 Result<std::uint32_t> SourceTexts::add(const std::string& path, std::string text) {
-  bytes_ += text.size();
-  if (bytes_ > limits::kFileBytes) return too_large();
-  const auto name = std::find(names_.begin(), names_.end(), path);
-  files_.push_back(static_cast<std::uint32_t>(name - names_.begin()));
-  if (name == names_.end()) names_.push_back(path);
+  if (const Result<void> counted = count(text.size()); !counted) return counted.error();
+  const auto row = static_cast<std::uint32_t>(texts_.size());
+  rows_.emplace(path, row);
+  names_.push_back(path);
   texts_.push_back(std::move(text));
-  return static_cast<std::uint32_t>(texts_.size() - 1);
+  return row;
+}
+
+std::optional<std::uint32_t> SourceTexts::find(const std::string& path) const {
+  const auto found = rows_.find(path);
+  return found == rows_.end() ? std::nullopt : std::optional(found->second);
+}
+
+Result<void> SourceTexts::use_again(std::uint32_t row) {
+  return count(texts_[row].size());
 }
 
 std::string folder_of(std::string_view path) {

@@ -5,7 +5,9 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,21 +45,26 @@ class MemoryFiles final : public FileReader {
 /// Owns every text of one scene, so that views into them stay valid as long as it lives.
 class SourceTexts {
  public:
-  /// Keeps `text` under `path`. Fails when all texts together exceed limits::kFileBytes.
+  /// Keeps `text` under `path` and gives its row, which is also that of its name. Fails, with a text that
+  /// names no file, when all uses of texts together exceed limits::kFileBytes.
   Result<std::uint32_t> add(const std::string& path, std::string text);
+  /// The row of a file that is here already.
+  std::optional<std::uint32_t> find(const std::string& path) const;
+  /// Counts one more use of a text, as add() does.
+  Result<void> use_again(std::uint32_t row);
 
   std::string_view text(std::uint32_t row) const { return texts_[row]; }
-  /// Row of `file_names()` of a text; a file included twice has one name and two texts.
-  std::uint32_t file_of(std::uint32_t row) const { return files_[row]; }
   const std::vector<std::string>& file_names() const { return names_; }
   std::string at(SourceLine where) const {
     return escaped(names_[where.file]) + ":" + std::to_string(where.line);
   }
 
  private:
+  Result<void> count(std::size_t bytes);
+
   std::deque<std::string> texts_;  // a deque, so that views survive growth
-  std::vector<std::uint32_t> files_;
   std::vector<std::string> names_;
+  std::map<std::string, std::uint32_t, std::less<>> rows_;
   std::size_t bytes_ = 0;
 };
 

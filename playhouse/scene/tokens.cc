@@ -81,7 +81,7 @@ void TokenStream::push(std::uint32_t row) {
 }
 
 SourceLine TokenStream::here() const {
-  return {sources_.file_of(stack_.back().row), stack_.back().line};
+  return {stack_.back().row, stack_.back().line};
 }
 
 bool TokenStream::is_word_character(char c) const {
@@ -103,27 +103,40 @@ const Token& TokenStream::peek() {
   return *peeked_;
 }
 
+Result<std::uint32_t> TokenStream::open(std::string_view name) {
+  const auto path_beside = [&](const Cursor& cursor) {
+    return resolve(folder_of(sources_.file_names()[cursor.row]), name);
+  };
+  const std::string path = path_beside(stack_.front());
+  const std::string beside = path_beside(stack_.back());
+  std::string why;
+  for (const std::string& candidate : {path, beside}) {
+    if (const auto row = sources_.find(candidate)) {
+      if (const Result<void> used = sources_.use_again(*row); !used) return used.error();
+      return *row;
+    }
+    Result<std::string> text = files_.read(candidate);
+    if (text) return sources_.add(candidate, std::move(*text));
+    if (why.empty()) why = text.error().text;
+  }
+  return Error{{}, "included file " + in_quotes(path) + " " + why};
+}
+
 Result<void> TokenStream::include(std::string_view name, SourceLine where) {
   PLAYHOUSE_ASSERT(!peeked_);
   const std::string at = sources_.at(where);
-  const auto path_of = [&](std::uint32_t row) { return sources_.file_names()[sources_.file_of(row)]; };
   if (stack_.size() > static_cast<std::size_t>(limits::kIncludeDepth)) {
     return Error{at, "more than " + std::to_string(limits::kIncludeDepth) + " files include each other"};
   }
-  std::string path = resolve(folder_of(path_of(stack_.front().row)), name);
-  Result<std::string> text = files_.read(path);
-  if (!text) {
-    const std::string beside = resolve(folder_of(path_of(stack_.back().row)), name);
-    Result<std::string> second = beside == path ? text : files_.read(beside);
-    if (!second) return Error{at, "included file " + in_quotes(path) + " " + text.error().text};
-    path = beside;
-    text = std::move(second);
+  if (++includes_ > limits::kIncludes) {
+    return Error{at, "more than " + std::to_string(limits::kIncludes) + " files are included"};
   }
+  const Result<std::uint32_t> row = open(name);
+  if (!row) return Error{at, row.error().text};
   for (const Cursor& cursor : stack_) {
-    if (path_of(cursor.row) == path) return Error{at, "file " + in_quotes(path) + " includes itself"};
+    if (cursor.row != *row) continue;
+    return Error{at, "file " + in_quotes(sources_.file_names()[*row]) + " includes itself"};
   }
-  const Result<std::uint32_t> row = sources_.add(path, std::move(*text));
-  if (!row) return Error{at, "included file " + in_quotes(path) + " " + row.error().text};
   push(*row);
   return {};
 }

@@ -48,8 +48,8 @@ class TokenStream {
   Token next();
   /// The token next() will return.
   const Token& peek();
-  /// Continues with the text of `name`, then after the include statement. Fails on a missing file, a cycle
-  /// and more than limits::kIncludeDepth files inside each other.
+  /// Continues with the text of `name`, then after the include statement. Fails on a missing file, a cycle,
+  /// more than limits::kIncludeDepth files inside each other and more than limits::kIncludes in all.
   Result<void> include(std::string_view name, SourceLine where);
   /// What stopped the stream, if anything; "bad character" and "unterminated string".
   const std::optional<Error>& error() const { return error_; }
@@ -61,6 +61,8 @@ class TokenStream {
     std::uint32_t line = 1;
   };
 
+  /// The row of an included file, which is read once however often it is included.
+  Result<std::uint32_t> open(std::string_view name);
   void push(std::uint32_t row);
   Token scan();
   Token scan_line_end(std::string_view text, Cursor& cursor);
@@ -74,6 +76,7 @@ class TokenStream {
   SourceTexts& sources_;
   FileReader& files_;
   std::vector<Cursor> stack_;
+  std::size_t includes_ = 0;
   std::optional<Token> peeked_;
   std::optional<Error> error_;
 };

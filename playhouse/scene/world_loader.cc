@@ -9,6 +9,7 @@
 #include "playhouse/scene/bitmap.h"
 #include "playhouse/scene/body.h"
 #include "playhouse/scene/expand.h"
+#include "playhouse/scene/expansion.h"
 #include "playhouse/scene/properties.h"
 #include "playhouse/scene/syntax.h"
 #include "playhouse/scene/token_names.h"
@@ -17,6 +18,12 @@
 
 namespace playhouse::scene {
 namespace {
+
+std::size_t text_bytes_of(const ModelDesc& model) {
+  std::size_t bytes = model.name.size() + model.alias.size() + model.say.size();
+  for (const std::string& ctrl : model.ctrl) bytes += ctrl.size();
+  return bytes;
+}
 
 class WorldLoader {
  public:
@@ -27,7 +34,8 @@ class WorldLoader {
         macros_(document),
         state_{document, {}, {}, Warnings(document.sources)},
         corners_{limits.corners, limits.corners, "corners of bodies"},
-        beams_{limits.beams, limits.beams, "beams of rangers"} {}
+        beams_{limits.beams, limits.beams, "beams of rangers"},
+        text_bytes_{limits.text_bytes, limits.text_bytes, "bytes of names and texts"} {}
 
   Result<SceneDesc> load();
 
@@ -41,7 +49,7 @@ class WorldLoader {
 
   void read_globals();
   void define(const Statement& statement);
-  /// The section with its macros applied, counted against the limits.
+  /// The section with its macros applied.
   std::optional<Instance> instance(const Section& section);
   void load_window(const Instance& window);
   /// A model and everything inside it. `siblings` counts the models of each type in the parent.
@@ -56,7 +64,7 @@ class WorldLoader {
   const Loops* load_bitmap(const Properties& properties);
   /// Macros and bitmaps make much of little text: a fault when the world has no room for `amount` more.
   void spend(Budget& budget, std::size_t amount, SourceLine where);
-  /// The type of a model; null, and a fault, when it has none or the world is full.
+  /// The type of a model; null, and a fault, when it has none.
   const ModelType* type_of(const Instance& entity);
   void fail_unknown_type(const Instance& entity);
 
@@ -73,9 +81,8 @@ class WorldLoader {
   std::set<std::string_view> plain_types_;  // warned of
   bool has_window_ = false;
   SourceLine follow_where_;  // of the window's follow_model
-  std::size_t fields_ = 0;
-  Budget corners_, beams_;
-  int depth_ = 1;  // of the model being loaded
+  Expansion expansion_{document_, macros_, limits_};
+  Budget corners_, beams_, text_bytes_;
 };
 
 Result<SceneDesc> WorldLoader::load() {
@@ -88,6 +95,8 @@ Result<SceneDesc> WorldLoader::load() {
     if (state_.error) break;
     if (!statement.base.empty()) {
       define(statement);
+    } else if (const Result<void> counted = expansion_.add(statement.section); !counted) {
+      state_.error = counted.error();
     } else if (const auto entity = instance(statement.section)) {
       if (entity->type == "window") {
         load_window(*entity);
@@ -138,12 +147,6 @@ std::optional<Instance> WorldLoader::instance(const Section& section) {
     state_.error = instance.error();
     return std::nullopt;
   }
-  for (const Section* part : instance->parts) fields_ += 1 + part->fields.size();
-  if (fields_ > limits_.fields) {
-    state_.fail(section.where,
-                "the macros expand to more than " + std::to_string(limits_.fields) + " properties");
-    return std::nullopt;
-  }
   return std::move(*instance);
 }
 
@@ -182,9 +185,6 @@ const ModelType* WorldLoader::type_of(const Instance& entity) {
   const ModelType* type = find_model_type(entity.type);
   if (!type) {
     fail_unknown_type(entity);
-  } else if (scene_.models.size() >= limits_.models) {
-    state_.fail(entity.where, "the world holds more than " + std::to_string(limits_.models) + " models");
-    return nullptr;
   } else if (!type->simulated && plain_types_.insert(type->name).second) {
     state_.warnings.add(Warning::kNoEffect, entity.where,
                         "model type " + in_quotes(type->name) +
@@ -209,22 +209,18 @@ void WorldLoader::load_model(const Instance& entity, std::int32_t parent,
     model.X_PM.z += scene_.models[static_cast<std::size_t>(parent)].size.z;
   }
   names_.name(model, properties.text("name", ""), siblings[type->name]++);
+  spend(text_bytes_, text_bytes_of(model), entity.where);
 
   Shape shape;
   const std::vector<Instance> children = load_parts(entity, *type, model, shape);
   read_body(properties, *type, std::move(shape), model);
   stacks_children_.push_back(properties.flag("stack_children", true));
   scene_.models.push_back(std::move(model));
-  if (!children.empty() && depth_ == limits::kEntityDepth) {
-    state_.fail(entity.where, "models nested more than " + std::to_string(limits::kEntityDepth) + " deep");
-  }
   std::map<std::string_view, int> grandchildren;
-  ++depth_;
   for (const Instance& child : children) {
     if (state_.error) return;
     load_model(child, static_cast<std::int32_t>(row), grandchildren);
   }
-  --depth_;
 }
 
 std::vector<Instance> WorldLoader::load_parts(const Instance& entity, const ModelType& type, ModelDesc& model,

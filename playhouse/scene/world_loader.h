@@ -23,6 +23,8 @@ struct WorldLimits {
   std::size_t pixels = limits::kBitmapPixels;
   std::size_t corners = limits::kCorners;
   std::size_t beams = limits::kBeams;
+  std::size_t sensors = limits::kSensors;
+  std::size_t text_bytes = limits::kTextBytes;  // names and texts of models
 };
 
 /// The same for a text that was read from `path`; included files and bitmaps come from `files`.

@@ -175,6 +175,19 @@ TEST(WorldText, an_include_cycle_is_reported_not_followed) {
   EXPECT_THAT(error_of("include \"0\"", chain), HasSubstr("more than 32 files include each other"));
 }
 
+TEST(WorldText, a_few_lines_cannot_include_without_bound) {
+  Files doubling{{"w/20", ""}};
+  for (int i = 0; i < 20; ++i) {
+    const std::string next = "include \"" + std::to_string(i + 1) + "\"\n";
+    doubling["w/" + std::to_string(i)] = next + next;
+  }
+  EXPECT_THAT(error_of("include \"0\"", doubling), HasSubstr("more than 65536 files are included"));
+  const std::string big = "#" + std::string(std::size_t{6} << 20, '-') + "\n";
+  EXPECT_THAT(
+      error_of(repeated("include \"big\"\n", 3), {{"w/big", big}}),
+      testing::AllOf(HasSubstr("w/t.world:3: "), HasSubstr("more than 16 MiB of text with all includes")));
+}
+
 // ---- macros
 // -----------------------------------------------------------------------------------------------------
 
@@ -238,6 +251,20 @@ TEST(WorldMacros, a_few_lines_cannot_expand_without_bound) {
   const auto fields = load(wide + ")\nm( m( ) m( ) m( ) )", {}, {.fields = 350});
   ASSERT_FALSE(fields.ok());
   EXPECT_THAT(fields.error().line(), HasSubstr("more than 350 properties"));
+}
+
+TEST(WorldMacros, a_few_lines_cannot_make_texts_and_sensors_without_bound) {
+  const auto fault = [](const std::string& text, const WorldLimits& limits) {
+    const Result<SceneDesc> scene = load(text, {}, limits);
+    return scene ? "none" : scene.error().line();
+  };
+  const std::string talk = "define t model( say \"0123456789\" )\nt( ) t( )\n";
+  EXPECT_EQ(fault(talk, {.text_bytes = 60}), "none");
+  EXPECT_EQ(fault(talk + "t( )", {.text_bytes = 60}),
+            "w/t.world:3: the world holds more than 60 bytes of names and texts");
+  const std::string sonars = "define r ranger( sensor( ) sensor( ) )\nr( ) r( )\n";
+  EXPECT_EQ(fault(sonars, {.sensors = 4}), "none");
+  EXPECT_EQ(fault(sonars + "r( )", {.sensors = 4}), "w/t.world:3: the world holds more than 4 sensors");
 }
 
 TEST(WorldMacros, a_few_lines_cannot_make_bodies_and_beams_without_bound) {

@@ -1,0 +1,30 @@
+#include "playhouse/scene/expansion.h"
+
+namespace playhouse::scene {
+
+Result<void> Expansion::add(const Section& section, SourceLine top, int depth) {
+  const Result<Instance> instance = macros_.instance(section);
+  if (!instance) return instance.error();
+  const auto too_many = [&](std::size_t limit, const char* what) {
+    return document_.error(top, "the world holds more than " + std::to_string(limit) + " " + what);
+  };
+  for (const Section* part : instance->parts) fields_ += 1 + part->fields.size();
+  if (fields_ > limits_.fields) return too_many(limits_.fields, "properties, those of its macros included");
+  if (instance->type == "window" || instance->type == "block") return {};
+  if (instance->type == "sensor") {
+    return ++sensors_ > limits_.sensors ? too_many(limits_.sensors, "sensors") : Result<void>();
+  }
+  if (++models_ > limits_.models) return too_many(limits_.models, "models");
+  if (depth > limits::kEntityDepth) {
+    return document_.error(section.where,
+                           "models nested more than " + std::to_string(limits::kEntityDepth) + " deep");
+  }
+  for (const Section* part : instance->parts) {
+    for (const Section& inner : part->sections) {
+      if (const Result<void> added = add(inner, top, depth + 1); !added) return added;
+    }
+  }
+  return {};
+}
+
+}  // namespace playhouse::scene

@@ -1,0 +1,29 @@
+#pragma once
+
+/// How much sections become with their macros applied, counted before any of it is made: forty lines of
+/// macros that double each other must cost neither memory nor time.
+
+#include "playhouse/scene/expand.h"
+#include "playhouse/scene/world_loader.h"
+
+namespace playhouse::scene {
+
+class Expansion {
+ public:
+  Expansion(const Document& document, const Macros& macros, const WorldLimits& limits)
+      : document_(document), macros_(macros), limits_(limits) {}
+
+  /// Counts a section at top level and all inside it. Fails as soon as a limit is passed, and on models
+  /// inside each other more than limits::kEntityDepth deep.
+  Result<void> add(const Section& section) { return add(section, section.where, 1); }
+
+ private:
+  Result<void> add(const Section& section, SourceLine top, int depth);
+
+  const Document& document_;
+  const Macros& macros_;
+  const WorldLimits& limits_;
+  std::size_t models_ = 0, sensors_ = 0, fields_ = 0;
+};
+
+}  // namespace playhouse::scene
