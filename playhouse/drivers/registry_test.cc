@@ -89,6 +89,11 @@ TEST(StageDriver, says_what_is_wrong_and_where) {
   EXPECT_THAT(fault(stage + "driver( name \"stage\" provides [\"positon2d:0\"] model \"r0\" )"),
               HasSubstr("did you mean \"position2d\"?"));
   EXPECT_THAT(fault(stage + stage), HasSubstr("test.cfg:2"));
+  EXPECT_THAT(
+      fault("driver( name \"stage\" provides [\"simulation:0\"] worldfil \"t.world\" )"),
+      HasSubstr("needs a worldfile; test.cfg:1: \"worldfil\" is unknown (did you mean \"worldfile\"?)"));
+  EXPECT_THAT(fault(stage + "driver( name \"stage\" provides [\"position2d:0\"] modle \"r0\" )"),
+              HasSubstr("; test.cfg:2: \"modle\" is unknown (did you mean \"model\"?)"));
 }
 
 TEST(Registry, an_unknown_driver_gets_the_nearest_name) {
@@ -188,6 +193,12 @@ TEST(RangerToLaser, says_what_is_wrong_and_where) {
   EXPECT_THAT(
       fault(stage + "driver( name \"rangertolaser\" provides [\"sonar:0\"] requires [\"ranger:0\"] )"),
       HasSubstr("provides one laser"));
+  EXPECT_THAT(fault(stage + "driver( name \"rangertolaser\" provides [\"laser:0\"] requirs [\"ranger:0\"] )"),
+              HasSubstr("; test.cfg:2: \"requirs\" is unknown (did you mean \"requires\"?)"));
+  EXPECT_THAT(fault(stage + "driver( name \"rangertolaser\" provides [\"laser:0\"] requires [\"rangr:7\"] )"),
+              HasSubstr("found \"rangr:7\" (did you mean \"ranger\"?)"));
+  EXPECT_THAT(fault(stage + "driver( name \"rangertolaser\" provides [\"lasr:0\"] requires [\"ranger:0\"] )"),
+              HasSubstr("found \"lasr:0\" (did you mean \"laser\"?)"));
 }
 
 }  // namespace

@@ -89,7 +89,8 @@ bool CfgSection::flag(std::string_view key, bool otherwise) const {
   if (text == "yes" || text == "true") return true;
   if (text == "no" || text == "false") return false;
   if (const auto number = parse_number(text)) return *number != 0;
-  fail(*field, in_quotes(key) + " is yes or no, found " + in_quotes(text));
+  static constexpr std::string_view kWords[] = {"yes", "no", "true", "false"};
+  fail(*field, in_quotes(key) + " is yes or no, found " + in_quotes(text) + did_you_mean(text, kWords));
   return otherwise;
 }
 
@@ -135,8 +136,19 @@ std::vector<DeviceAddress> CfgSection::addresses(std::string_view key) const {
   return addresses;
 }
 
+std::string CfgSection::slip_for(std::string_view key) const {
+  const std::string_view keys[] = {key};
+  for (const Field* field : fields_.all()) {
+    if (asked_.contains(field->key)) continue;
+    if (const std::string hint = did_you_mean(field->key, keys); !hint.empty())
+      return "; " + at(field->key) + ": " + in_quotes(field->key) + " is unknown" + hint;
+  }
+  return {};
+}
+
 std::vector<std::string> CfgSection::unread() const {
-  const std::vector<std::string_view> asked(asked_.begin(), asked_.end());
+  std::vector<std::string_view> asked(asked_.begin(), asked_.end());
+  asked.push_back("include");
   const std::string tail = " is not used by driver " + in_quotes(name());
   Warnings warnings(file_->document.sources);
   for (const Field* field : fields_.all()) {
@@ -160,6 +172,7 @@ class CfgLoader {
   Result<CfgFile> load();
 
  private:
+  Result<void> read_file();
   Result<void> read_globals();
   Result<void> add_section(const Section& section);
   Result<void> add_driver(const Instance& instance);
@@ -180,7 +193,13 @@ class CfgLoader {
 Result<CfgFile> CfgLoader::load() {
   cfg_.path = document_.sources.file_names().front();
   file_->folder = folder_of(cfg_.path);
-  if (const auto globals = read_globals(); !globals) return globals.error();
+  if (const Result<void> read = read_file(); !read) return warnings_.with_slip(read.error());
+  cfg_.warnings = warnings_.take();
+  return std::move(cfg_);
+}
+
+Result<void> CfgLoader::read_file() {
+  if (const auto globals = read_globals(); !globals) return globals;
   for (const Statement& statement : document_.statements) {
     if (!statement.base.empty()) {
       if (!macros_.define(statement)) {
@@ -190,18 +209,18 @@ Result<CfgFile> CfgLoader::load() {
       }
       continue;
     }
-    if (const auto added = add_section(statement.section); !added) return added.error();
+    if (const auto added = add_section(statement.section); !added) return added;
   }
   if (cfg_.drivers.empty())
     return Error{
         cfg_.path,
         "has no driver ( ... ) section, so there is nothing to serve (a world file is for playhouse run)"};
-  cfg_.warnings = warnings_.take();
-  return std::move(cfg_);
+  return {};
 }
 
 Result<void> CfgLoader::read_globals() {
-  static constexpr std::string_view kWords[] = {"unit_length", "unit_angle", "plugin", "test"};
+  static constexpr std::string_view kWords[] = {"unit_length", "unit_angle", "plugin",
+                                                "test",        "include",    "define"};
   for (const Field& field : document_.fields) {
     if (field.key == "unit_length" || field.key == "unit_angle") continue;
     if (field.key == "plugin" || field.key == "test") {
@@ -243,12 +262,14 @@ Result<void> CfgLoader::add_section(const Section& section) {
 Result<void> CfgLoader::add_driver(const Instance& instance) {
   CfgSection driver(file_, instance);
   if (driver.name().empty())
-    return document_.error(instance.where, "a driver needs a name, as in: name \"stage\"");
+    return document_.error(instance.where,
+                           "a driver needs a name, as in: name \"stage\"" + driver.slip_for("name"));
   driver.ask("plugin");  // all drivers are built in; naming where one used to come from is no mistake
   if (driver.count("provides") == 0) {
     return document_.error(instance.where,
                            "driver " + in_quotes(driver.name()) +
-                               " needs the devices it provides, as in: provides [ \"position2d:0\" ]");
+                               " needs the devices it provides, as in: provides [ \"position2d:0\" ]" +
+                               driver.slip_for("provides"));
   }
   for (const Section* part : instance.parts) {
     for (const Section& inner : part->sections) {
@@ -280,7 +301,8 @@ Result<void> CfgLoader::check_unique(const CfgSection& driver) {
 Result<void> CfgLoader::check_interface(const Instance& instance) {
   const CfgSection section(file_, instance);
   for (const std::string_view key : {"name", "code", "plugin"}) {
-    if (!section.has(key)) return document_.error(instance.where, "an interface needs " + std::string(key));
+    if (section.has(key)) continue;
+    return document_.error(instance.where, "an interface needs " + std::string(key) + section.slip_for(key));
   }
   const int code = section.integer("code", 0);
   if (const auto fault = section.fault(); !fault) return fault;

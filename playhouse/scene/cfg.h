@@ -48,6 +48,10 @@ class CfgSection {
   /// The addresses of `provides`, `requires` or another field of that form.
   std::vector<DeviceAddress> addresses(std::string_view key) const;
 
+  /// For an error that says that `key` is missing: "; file:line: "modle" is unknown (did you mean "model"?)"
+  /// when the section has a field that nothing has read and that resembles it, else "".
+  std::string slip_for(std::string_view key) const;
+
   /// The first field that could not be read as asked for, "file:line: what".
   Result<void> fault() const;
   /// One line for each field that nothing has read, with the nearest word that was asked for.

@@ -192,6 +192,21 @@ TEST(Cfg, faults_of_a_file_are_one_line_with_the_place) {
   EXPECT_THAT(error_of("define driver driver ( )\ndriver ( )"), HasSubstr("based on itself"));
 }
 
+TEST(Cfg, a_slip_in_a_word_that_must_be_there_is_told_with_the_error) {
+  EXPECT_EQ(error_of("driver ( name \"d\"\nprovids [ \"gps:0\" ] rate 5 )"),
+            "dir/t.cfg:1: driver \"d\" needs the devices it provides, as in: provides [ \"position2d:0\" ]; "
+            "dir/t.cfg:2: \"provids\" is unknown (did you mean \"provides\"?)");
+  EXPECT_THAT(error_of("driver ( nme \"d\" provides \"gps:0\" )"), HasSubstr("(did you mean \"name\"?)"));
+  EXPECT_THAT(error_of("interface ( name \"foo\" cod 128 plugin \"p\" )"),
+              HasSubstr("(did you mean \"code\"?)"));
+  EXPECT_THAT(error_of("drivr ( name \"d\" provides \"gps:0\" )"),
+              HasSubstr("; dir/t.cfg:1: section \"drivr\" has no effect (did you mean \"driver\"?)"));
+  EXPECT_THAT(error_of("inclde \"more.inc\""), HasSubstr("(did you mean \"include\"?)"));
+  EXPECT_THAT(error_of("defin robot driver ( )"), HasSubstr("(did you mean \"define\"?)"));
+  EXPECT_THAT(error_of("driver ( name \"d\" provides \"gps:0\" alwayson \"yse\" )"),
+              HasSubstr("found \"yse\" (did you mean \"yes\"?)"));
+}
+
 TEST(Cfg, names_of_any_length_and_bytes_are_short_lines) {
   const std::string escape = "\"\x1b[2J\x01" + std::string(100'000, 'x') + "\"";
   const std::string word = "a" + std::string(100'000, 'x');

@@ -70,11 +70,12 @@ const Field* FieldSet::find(std::string_view key) const {
 
 Result<Units> read_units(const Document& document, const FieldSet& fields) {
   struct Unit {
-    std::string_view name;
+    std::string_view name, also;  // as the file says it, and as somebody may have meant it
     double factor;
   };
-  static constexpr Unit kLengths[] = {{"m", 1}, {"cm", 0.01}, {"mm", 0.001}};
-  static constexpr Unit kAngles[] = {{"degrees", geom::kPi / 180}, {"radians", 1}};
+  static constexpr Unit kLengths[] = {
+      {"m", "metres", 1}, {"cm", "centimetres", 0.01}, {"mm", "millimetres", 0.001}};
+  static constexpr Unit kAngles[] = {{"degrees", "deg", geom::kPi / 180}, {"radians", "rad", 1}};
   const auto read = [&](std::string_view key, std::span<const Unit> units, double& factor) -> Result<void> {
     const Field* field = fields.find(key);
     if (!field) return {};
@@ -86,11 +87,17 @@ Result<Units> read_units(const Document& document, const FieldSet& fields) {
         factor = unit.factor;
         return {};
       }
-      names.push_back(unit.name);
+      names.insert(names.end(), {unit.name, unit.also});
       choices += (choices.empty() ? "" : ", ") + in_quotes(unit.name);
     }
-    return document.error(field->where, std::string(key) + " is one of " + choices + ", found " +
-                                            in_quotes(name) + did_you_mean(name, names));
+    std::string hint;
+    const std::string_view nearest = nearest_word(name, names);
+    for (const Unit& unit : units) {
+      if (!nearest.empty() && (nearest == unit.name || nearest == unit.also))
+        hint = " (did you mean " + in_quotes(unit.name) + "?)";
+    }
+    return document.error(field->where,
+                          std::string(key) + " is one of " + choices + ", found " + in_quotes(name) + hint);
   };
   Units units;
   if (const auto length = read("unit_length", kLengths, units.length); !length) return length.error();

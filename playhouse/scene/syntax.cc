@@ -4,6 +4,7 @@
 
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/limits.h"
+#include "playhouse/base/nearest_word.h"
 
 namespace playhouse::scene {
 namespace {
@@ -139,8 +140,10 @@ Result<void> Parser::parse_item(const Token& name, std::vector<Field>& fields, s
     return error(name.where, "the value of " + subject + " must be on the same line");
   }
   if (open.kind == TokenKind::kWord && !ends_line) {
-    return error(name.where,
-                 subject + " needs a value, found " + describe(open) + " (text takes double quotes)");
+    static constexpr std::string_view kKeywords[] = {"include", "define"};
+    const std::string hint = did_you_mean(name.text, kKeywords);
+    return error(name.where, subject + " needs a value, found " + describe(open) +
+                                 (hint.empty() ? " (text takes double quotes)" : hint));
   }
   return error(name.where, subject + " needs a value or \"(\"");
 }

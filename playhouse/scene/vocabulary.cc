@@ -157,7 +157,8 @@ const Words* find_word(Vocabulary vocabulary, std::string_view type, std::string
 }
 
 std::string hint(Vocabulary vocabulary, std::string_view type, std::string_view word) {
-  std::vector<std::string_view> candidates;
+  std::vector<std::string_view> candidates = {"include"};
+  if (vocabulary == Vocabulary::kWorld) candidates.push_back("define");
   for (const Words& words : kWords) {
     if (!applies(words, vocabulary, type) || words.use == Use::kOld) continue;
     any_word(words.words, [&candidates](std::string_view w) {

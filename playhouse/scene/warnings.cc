@@ -25,6 +25,11 @@ bool Warnings::has_room(Warning kind) {
   return counts_[static_cast<std::size_t>(kind)]++ < limits::kWarningsOfAKind;
 }
 
+Error Warnings::with_slip(Error error) const {
+  if (!slip_.empty()) error.text += "; " + slip_;
+  return error;
+}
+
 std::vector<std::string> Warnings::take() {
   for (std::size_t kind = 0; kind < kWarningKinds; ++kind) {
     if (counts_[kind] <= limits::kWarningsOfAKind) continue;

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "playhouse/base/result.h"
 #include "playhouse/scene/source_text.h"
 
 namespace playhouse::scene {
@@ -28,8 +29,15 @@ class Warnings {
   /// for lines that are kept only.
   template <std::invocable Hint>
   void add(Warning kind, SourceLine where, std::string text, Hint hint) {
-    if (has_room(kind)) lines_.push_back(sources_->at(where) + ": " + std::move(text) + hint());
+    if (!has_room(kind)) return;
+    const std::string tail = hint();
+    lines_.push_back(sources_->at(where) + ": " + std::move(text) + tail);
+    if (kind == Warning::kUnknownWord && !tail.empty() && slip_.empty()) slip_ = lines_.back();
   }
+
+  /// `error` and, after it, the first unknown word that resembles a known one: a slip there often is why
+  /// something is missing later, and the warnings are not shown when an error ends the load.
+  Error with_slip(Error error) const;
 
   /// All lines, and one for each kind that has more.
   std::vector<std::string> take();
@@ -40,6 +48,7 @@ class Warnings {
 
   const SourceTexts* sources_;
   std::vector<std::string> lines_;
+  std::string slip_;
   std::array<std::size_t, kWarningKinds> counts_{};
 };
 

@@ -105,7 +105,7 @@ Result<SceneDesc> WorldLoader::load() {
       }
     }
   }
-  if (state_.error) return *state_.error;
+  if (state_.error) return state_.warnings.with_slip(*state_.error);
   names_.check_follow_model(follow_where_);
   scene_.warnings = state_.warnings.take();
   return std::move(scene_);
@@ -113,13 +113,13 @@ Result<SceneDesc> WorldLoader::load() {
 
 void WorldLoader::read_globals() {
   const Properties properties(state_, document_.fields);
+  vocabulary_.check(Vocabulary::kWorld, "", properties);
   const Result<Units> units = read_units(document_, properties.fields());
   if (!units) {
     state_.error = units.error();
     return;
   }
   state_.units = *units;
-  vocabulary_.check(Vocabulary::kWorld, "", properties);
   scene_.name = properties.text("name", scene_.path);
   scene_.interval = std::round(properties.number("interval_sim", 100) * 1000) / 1e6;
   if (!(scene_.interval > 0))

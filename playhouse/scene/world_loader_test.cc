@@ -131,6 +131,24 @@ std::vector<std::string> lines_of(const std::string& text, Files others = {}) {
   return scene ? scene->warnings : std::vector{scene.error().line()};
 }
 
+TEST(WorldText, a_slip_in_a_keyword_is_told_also_when_an_error_follows_from_it) {
+  EXPECT_EQ(error_of("inclde \"map.inc\"\nfloorplan( name \"x\" )"),
+            "w/t.world:2: unknown model type \"floorplan\"; w/t.world:1: unknown property \"inclde\" of the "
+            "world (did you mean \"include\"?)");
+  EXPECT_EQ(error_of("defnie foo position ( )"),
+            "w/t.world:1: \"defnie\" needs a value, found the word \"foo\" (did you mean \"define\"?)");
+  EXPECT_THAT(
+      loaded("inlcude \"map.inc\"\nmodel( includ \"more.inc\" )").warnings,
+      ElementsAre(HasSubstr("(did you mean \"include\"?)"), HasSubstr("(did you mean \"include\"?)")));
+  EXPECT_THAT(error_of("model(\nblock( ponits 4 point[0] [0 0] ) )"),
+              testing::AllOf(HasSubstr("a block needs \"points\""),
+                             HasSubstr("; w/t.world:2: unknown property \"ponits\" of block (did you mean "
+                                       "\"points\"?)")));
+  EXPECT_THAT(error_of("unit_length \"metre\""), HasSubstr("found \"metre\" (did you mean \"m\"?)"));
+  EXPECT_THAT(error_of("unit_angle \"rad\""), HasSubstr("found \"rad\" (did you mean \"radians\"?)"));
+  EXPECT_THAT(error_of("unit_length \"feet\""), testing::EndsWith("found \"feet\""));
+}
+
 TEST(WorldText, names_of_any_length_and_bytes_are_one_short_line) {
   const std::string escape = "\"\x1b[2J\x01" + std::string(100'000, 'x') + "\"";
   const std::string word = "a" + std::string(100'000, 'x');

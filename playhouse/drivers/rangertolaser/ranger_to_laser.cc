@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "playhouse/base/in_quotes.h"
+#include "playhouse/base/nearest_word.h"
 #include "playhouse/geom/pose.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/header.h"
@@ -50,6 +51,17 @@ void convert_answer(device::Replier& replier, const std::optional<std::vector<st
   const Result<From> value = wire::decode<From>(*body);
   if (!value) return replier.nack();
   replier.ack(wire::encode(convert(*value)));
+}
+
+/// What to say of addresses that lack the one interface that is wanted, when one of them nearly is it.
+std::string interface_hint(const std::vector<scene::DeviceAddress>& addresses, std::string_view wanted) {
+  const std::string_view words[] = {wanted};
+  for (const scene::DeviceAddress& address : addresses) {
+    if (address.interf == wanted) continue;
+    if (const std::string hint = did_you_mean(address.interf, words); !hint.empty())
+      return ", found " + in_quotes(address.text()) + hint;
+  }
+  return {};
 }
 
 }  // namespace
@@ -163,10 +175,12 @@ Result<std::unique_ptr<device::Driver>> make_ranger_to_laser(const scene::CfgSec
   const std::vector<scene::DeviceAddress> provides = section.addresses("provides");
   const std::vector<scene::DeviceAddress> needs = section.addresses("requires");
   if (provides.size() != 1 || provides.front().interf != "laser") {
-    return Error{section.at("provides"), "driver \"rangertolaser\" provides one laser, e.g. [\"laser:0\"]"};
+    return Error{section.at("provides"), "driver \"rangertolaser\" provides one laser, e.g. [\"laser:0\"]" +
+                                             interface_hint(provides, "laser")};
   }
   if (needs.size() != 1 || needs.front().interf != "ranger") {
-    return Error{section.at("requires"), "driver \"rangertolaser\" requires one ranger, e.g. [\"ranger:0\"]"};
+    return Error{section.at("requires"), "driver \"rangertolaser\" requires one ranger, e.g. [\"ranger:0\"]" +
+                                             interface_hint(needs, "ranger") + section.slip_for("requires")};
   }
   const Result<device::Address> laser = site.resolve(provides.front());
   if (!laser) return Error{section.at("provides"), laser.error().text};

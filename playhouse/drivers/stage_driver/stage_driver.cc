@@ -28,7 +28,10 @@ Result<void> open_world(const scene::CfgSection& section, Site& site) {
     if (has_world) return Error{section.at("worldfile"), "the world is open already; only one is possible"};
     return {};
   }
-  if (!has_world) return Error{section.at(), "the first driver \"stage\" needs a worldfile"};
+  if (!has_world) {
+    return Error{section.at(),
+                 "the first driver \"stage\" needs a worldfile" + section.slip_for("worldfile")};
+  }
   const Result<void> opened = site.open_world(path);
   if (opened) return opened;
   // A fault inside the world has its own line; one of the whole world is where the world is named.
@@ -53,8 +56,8 @@ Result<world::ModelRow> choose_model(const scene::CfgSection& section, const sce
                                      std::uint16_t interf, world::ModelRow top, Site& site) {
   if (interf == wire::simulation::kCode) return world::ModelRow{};
   if (!top) {
-    return Error{section.at("provides"),
-                 fmt::format("{} needs a model: add `model \"name\"`", in_quotes(provided.text()))};
+    return Error{section.at("provides"), fmt::format("{} needs a model: add `model \"name\"`{}",
+                                                     in_quotes(provided.text()), section.slip_for("model"))};
   }
   const world::World& world = site.simulation()->world();
   const world::ModelRow model = find_model(world, top, interf, site.taken_models());
