@@ -1,6 +1,7 @@
 #include "playhouse/scene/body.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "playhouse/base/in_quotes.h"
 
@@ -20,15 +21,31 @@ Block rectangle(double x_min, double y_min, double x_max, double y_max, double h
   return {{{x_min, y_min}, {x_max, y_min}, {x_max, y_max}, {x_min, y_max}}, 0, height};
 }
 
+/// The rectangle around the line on which `points` lie, counter-clockwise; nothing when they are one point.
+std::vector<geom::Vec2> thin_wall(const std::vector<geom::Vec2>& points) {
+  const auto [first, last] =
+      std::minmax_element(points.begin(), points.end(),
+                          [](geom::Vec2 a, geom::Vec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+  const geom::Vec2 p = *first, q = *last;
+  const double dx = q.x - p.x, dy = q.y - p.y, length = std::sqrt(dx * dx + dy * dy);
+  if (!(length > 0)) return {};
+  const double x = -dy / length * kWall / 2, y = dx / length * kWall / 2;  // to the left of the line
+  return {{p.x - x, p.y - y}, {q.x - x, q.y - y}, {q.x + x, q.y + y}, {p.x + x, p.y + y}};
+}
+
 /// Maps the joint bounding box of a shape onto a size.
 struct Stretch {
   geom::Box box;
   Bounds z{1e300, -1e300};
   geom::Size size;
 
+  /// All points lie on one line along an axis.
+  bool flat() const { return !(box.x_max > box.x_min) || !(box.y_max > box.y_min); }
   geom::Vec2 operator()(geom::Vec2 p) const {
-    return {((p.x - box.x_min) / (box.x_max - box.x_min) - 0.5) * size.x,
-            ((p.y - box.y_min) / (box.y_max - box.y_min) - 0.5) * size.y};
+    const auto onto = [](double v, double min, double max, double width) {
+      return max > min ? ((v - min) / (max - min) - 0.5) * width : 0.0;
+    };
+    return {onto(p.x, box.x_min, box.x_max, size.x), onto(p.y, box.y_min, box.y_max, size.y)};
   }
   /// A shape without extent in z is as high as the model, like one that does not mention z.
   Bounds operator()(std::optional<Bounds> b) const {
@@ -65,15 +82,18 @@ Shape::Prism read_block(const Properties& properties) {
   LoadState& state = properties.state();
   Shape::Prism prism{{}, {}, properties.where("points")};
   const int count = properties.integer("points", 0);
-  if (count < 3) state.fail(prism.where, "a block needs \"points\" of at least 3");
+  if (count < 2) state.fail(prism.where, "a block needs \"points\" of at least 2");
+  std::string first_missing;
   for (int i = 0; i < count && !state.error; ++i) {
     const std::string key = "point[" + std::to_string(i) + "]";
     double v[2] = {};
-    if (!properties.tuple(key, "LL", v, "[x y]")) {
-      state.fail(prism.where,
-                 "the block has " + std::to_string(count) + " points, but " + in_quotes(key) + " is missing");
-    }
+    if (!properties.tuple(key, "LL", v, "[x y]") && first_missing.empty()) first_missing = key;
     prism.points.push_back({v[0], v[1]});
+  }
+  if (!first_missing.empty()) {
+    state.warnings.add(Warning::kShape, prism.where,
+                       "the block has " + std::to_string(count) + " points, but " + in_quotes(first_missing) +
+                           " is missing; what is missing is [0 0]");
   }
   double z[2] = {};
   if (properties.tuple("z", "LL", z, "[min max]")) {
@@ -86,14 +106,16 @@ Shape::Prism read_block(const Properties& properties) {
 void fit_shape(const Shape& shape, const geom::Size& size, LoadState& state, ModelDesc& model) {
   const Stretch stretch = stretch_of(shape, size);
   if (stretch.box.empty()) return;
-  if (!(stretch.box.x_max > stretch.box.x_min) || !(stretch.box.y_max > stretch.box.y_min)) {
-    state.fail(shape.prisms.empty() ? model.where : shape.prisms.front().where,
-               "the points of the blocks lie on one line");
-    return;
-  }
   for (const Shape::Prism& prism : shape.prisms) {
     const Bounds z = stretch(prism.z);
     Block block{stretch(prism.points), z.min, z.max};
+    if (stretch.flat() || block.points.size() == 2) {
+      block.points = thin_wall(block.points);
+      state.warnings.add(Warning::kShape, prism.where,
+                         block.points.empty() ? "all points of the block are one point, so it is no body"
+                                              : "the block is a line; it is a wall 0.01 m thick");
+      if (block.points.empty()) continue;
+    }
     if (signed_area(block.points) < 0) std::reverse(block.points.begin(), block.points.end());
     model.blocks.push_back(std::move(block));
   }

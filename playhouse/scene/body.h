@@ -22,11 +22,11 @@ struct Shape {
   std::vector<std::vector<geom::Vec2>> contours;  // of one bitmap, in pixels; z from 0 to 1
 };
 
-/// Reads a `block ( points N point[i] [x y] ... z [min max] )`.
+/// Reads a `block ( points N point[i] [x y] ... z [min max] )`. A missing point is [0 0], with a warning.
 Shape::Prism read_block(const Properties& properties);
 
 /// Stretches `shape` so that its bounding box is `size`: centred on the origin in x and y, standing on z = 0.
-/// Fails, in `state`, on a shape without extent in x or y.
+/// A block that is a line becomes a thin wall, with a warning.
 void fit_shape(const Shape& shape, const geom::Size& size, LoadState& state, ModelDesc& model);
 
 /// One block that fills `size`.

@@ -1,6 +1,6 @@
 #include "playhouse/scene/warnings.h"
 
-#include <string_view>
+#include <algorithm>
 #include <utility>
 
 #include "playhouse/base/limits.h"
@@ -20,6 +20,10 @@ constexpr std::array<std::string_view, kWarningKinds> kSubjects = {
 };
 
 }  // namespace
+
+bool Warnings::is_known(std::string_view line) const {
+  return std::ranges::any_of(lines_, [line](const std::string& known) { return known.starts_with(line); });
+}
 
 bool Warnings::has_room(Warning kind) {
   return counts_[static_cast<std::size_t>(kind)]++ < limits::kWarningsOfAKind;

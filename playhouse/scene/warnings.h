@@ -8,6 +8,7 @@
 #include <concepts>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "playhouse/base/result.h"
@@ -22,16 +23,18 @@ class Warnings {
  public:
   explicit Warnings(const SourceTexts& sources) : sources_(&sources) {}
 
+  /// What is said of a line already, as of a macro's by an instance before, is not said again.
   void add(Warning kind, SourceLine where, std::string text) {
-    if (has_room(kind)) lines_.push_back(sources_->at(where) + ": " + std::move(text));
+    add(kind, where, std::move(text), [] { return std::string(); });
   }
   /// `hint()` is the tail of the text: looking for the nearest word costs more than all else, so it is called
   /// for lines that are kept only.
   template <std::invocable Hint>
   void add(Warning kind, SourceLine where, std::string text, Hint hint) {
-    if (!has_room(kind)) return;
+    std::string line = sources_->at(where) + ": " + text;
+    if (is_known(line) || !has_room(kind)) return;
     const std::string tail = hint();
-    lines_.push_back(sources_->at(where) + ": " + std::move(text) + tail);
+    lines_.push_back(std::move(line) + tail);
     if (kind == Warning::kUnknownWord && !tail.empty() && slip_.empty()) slip_ = lines_.back();
   }
 
@@ -43,6 +46,7 @@ class Warnings {
   std::vector<std::string> take();
 
  private:
+  bool is_known(std::string_view line) const;
   /// Counts one more of a kind.
   bool has_room(Warning kind);
 

@@ -239,8 +239,9 @@ std::vector<Instance> WorldLoader::load_parts(const Instance& entity, const Mode
       const Properties properties(state_, *child);
       vocabulary_.check(block ? Vocabulary::kBlock : Vocabulary::kSensor, "", properties);
       if (block) {
+        spend(corners_, static_cast<std::size_t>(std::max(0, properties.integer("points", 0))), child->where);
+        if (state_.error) return {};
         shape.prisms.push_back(read_block(properties));
-        spend(corners_, shape.prisms.back().points.size(), child->where);
       } else {
         model.sensors.push_back(read_sensor(properties, scene_.models.size()));
         spend(beams_, model.sensors.back().samples, child->where);

@@ -458,14 +458,41 @@ TEST(WorldBodies, wrong_shapes_are_errors_with_the_place) {
   EXPECT_THAT(error_of("model( bitmap \"gone.png\" )"),
               HasSubstr("w/t.world:1: bitmap \"w/gone.png\" cannot be opened: no such file"));
   EXPECT_THAT(error_of("model( bitmap \"b\" )", {{"w/b", "text"}}), HasSubstr("bitmap \"w/b\" is no PNG"));
-  EXPECT_THAT(error_of("model(\nblock( points 2 ) )"), HasSubstr("w/t.world:2: a block needs \"points\""));
-  EXPECT_THAT(error_of("model( block( points 3 point[0] [0 0] point[2] [1 1] ) )"),
-              HasSubstr("\"point[1]\" is missing"));
-  EXPECT_THAT(error_of("model( block( points 3 point[0] [0 0] point[1] [1 0] point[2] [2 0] ) )"),
-              HasSubstr("lie on one line"));
+  EXPECT_THAT(error_of("model(\nblock( points 1 ) )"), HasSubstr("w/t.world:2: a block needs \"points\""));
+  EXPECT_THAT(error_of("model( block( points 1000000000 ) )"), HasSubstr("corners of bodies"));
   EXPECT_THAT(error_of("model( block( z [2 1] points 3 point[0] [0 0] point[1] [1 0] point[2] [2 1] ) )"),
               HasSubstr("ends below its start"));
   EXPECT_THAT(error_of("model( block( model( ) ) )"), HasSubstr("a block holds no entities"));
+}
+
+TEST(WorldBodies, a_missing_point_is_the_origin_with_one_warning) {
+  const std::string block =
+      "define m model( size [1 1 1]\nblock( points 4 point[1] [1 0] point[2] [1 1] ) )\n";
+  const SceneDesc scene = loaded(block + "m( ) m( )");
+  EXPECT_THAT(scene.models[1].blocks.at(0).points, ElementsAre(geom::Vec2{-0.5, -0.5}, geom::Vec2{0.5, -0.5},
+                                                               geom::Vec2{0.5, 0.5}, geom::Vec2{-0.5, -0.5}));
+  EXPECT_THAT(scene.warnings,
+              ElementsAre("w/t.world:2: the block has 4 points, but \"point[0]\" is missing; what "
+                          "is missing is [0 0]"));
+}
+
+TEST(WorldBodies, a_block_that_is_a_line_is_a_thin_wall_with_a_warning) {
+  const SceneDesc two =
+      loaded("model( size [4 2 1] block( points 2 point[0] [3 5] point[1] [1 5] z [0 1] ) )");
+  EXPECT_EQ(extent(two.models[0].blocks.at(0).points), (std::array<double, 4>{-2, 2, -0.005, 0.005}));
+  EXPECT_GT(signed_area(two.models[0].blocks[0].points), 0);
+  EXPECT_THAT(two.warnings, ElementsAre("w/t.world:1: the block is a line; it is a wall 0.01 m thick"));
+  const SceneDesc three =
+      loaded("model( size [4 2 1] block( points 3 point[0] [7 0] point[1] [7 1] point[2] [7 2] ) )");
+  EXPECT_EQ(extent(three.models[0].blocks.at(0).points), (std::array<double, 4>{-0.005, 0.005, -1, 1}));
+  const SceneDesc slanted =
+      loaded(std::string("model( size [1 1 1] block( points 2 point[0] [0 0] point[1] [1 1] ) block( ") +
+             kTriangle + ") )");
+  EXPECT_EQ(slanted.models[0].blocks.at(0).points.size(), 4u);
+  EXPECT_EQ(slanted.models[0].blocks.at(1).points.size(), 3u);
+  const SceneDesc dot = loaded("model( block( points 2 ) )");
+  EXPECT_TRUE(dot.models[0].blocks.empty());
+  EXPECT_THAT(dot.warnings, ElementsAre(HasSubstr("\"point[0]\" is missing"), HasSubstr("no body")));
 }
 
 TEST(WorldBodies, a_bitmap_without_dark_pixels_is_no_body_and_a_warning) {
@@ -500,6 +527,10 @@ TEST(WorldModels, base_properties_are_read_and_have_their_defaults) {
   EXPECT_TRUE(defaults.models[0].obstacle_return);
   EXPECT_EQ(defaults.models[0].ranger_return, 1);
   EXPECT_EQ(defaults.models[0].update_interval, 0.1) << "at most once a tick";
+  const SceneDesc below = loaded("model( update_interval -5 )");
+  EXPECT_EQ(below.models[0].update_interval, 0.1);
+  EXPECT_THAT(below.warnings,
+              ElementsAre("w/t.world:1: \"update_interval\" is below 0; every tick is meant"));
   EXPECT_TRUE(defaults.models[0].gui_move);
   EXPECT_FALSE(defaults.models[1].gui_move);
 }

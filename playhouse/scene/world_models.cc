@@ -90,6 +90,10 @@ void read_model(const Properties& properties, const ModelType& type, std::size_t
   model.gripper_return = properties.flag("gripper_return", false);
   model.mass = properties.number("mass", 0);
   const double update_ms = properties.number("update_interval", 100);
+  if (update_ms < 0) {
+    properties.state().warnings.add(Warning::kValue, properties.where("update_interval"),
+                                    "\"update_interval\" is below 0; every tick is meant");
+  }
   model.update_interval = std::max(update_ms / 1000, interval);
   model.alwayson = properties.flag("alwayson", false);
   model.gui_move = properties.flag("gui_move", model.parent < 0);
