@@ -1,9 +1,11 @@
 #include "playhouse/scene/source_text.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
+#include <memory>
 
 #include "playhouse/base/limits.h"
 
@@ -14,22 +16,30 @@ Error too_large() {
   return {{}, "cannot be read: larger than " + std::to_string(limits::kFileBytes >> 20) + " MiB"};
 }
 
+/// Everything up to the end: pipes and the kernel's files do not say beforehand how much that is.
+Result<std::string> read_all(std::FILE& file) {
+  std::string text;
+  char chunk[1 << 16];
+  while (const std::size_t count = std::fread(chunk, 1, sizeof chunk, &file)) {
+    text.append(chunk, count);
+    if (text.size() > limits::kFileBytes) return too_large();
+  }
+  if (std::ferror(&file)) return Error{{}, std::string("cannot be read: ") + std::strerror(errno)};
+  return text;
+}
+
 }  // namespace
 
 Result<std::string> DiskFiles::read(const std::string& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) return Error{{}, "cannot be opened: no such file"};
-  if (!std::filesystem::is_regular_file(status)) return Error{{}, "cannot be opened: not a regular file"};
-  const auto bytes = std::filesystem::file_size(path, error);
-  if (error) return Error{{}, "cannot be opened: " + error.message()};
-  if (bytes > limits::kFileBytes) return too_large();
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return Error{{}, std::string("cannot be opened: ") + std::strerror(errno)};
-  std::string text(bytes, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(bytes));
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  return text;
+  if (!std::filesystem::is_regular_file(status) && !std::filesystem::is_fifo(status)) {
+    return Error{{}, "cannot be opened: neither a regular file nor a pipe"};
+  }
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
+  if (!file) return Error{{}, std::string("cannot be opened: ") + std::strerror(errno)};
+  return read_all(*file);
 }
 
 Result<std::string> MemoryFiles::read(const std::string& path) {

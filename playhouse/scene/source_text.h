@@ -26,7 +26,7 @@ class FileReader {
   virtual Result<std::string> read(const std::string& path) = 0;
 };
 
-/// Regular files of this machine.
+/// Regular files and pipes of this machine.
 class DiskFiles final : public FileReader {
  public:
   Result<std::string> read(const std::string& path) override;

@@ -2,10 +2,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 namespace playhouse::scene {
 namespace {
@@ -720,7 +722,24 @@ TEST(WorldFiles, a_world_is_found_in_stagepath_by_its_base_name) {
   EXPECT_EQ(missing.error().line(),
             "nowhere/missing.world: cannot be opened: no such file, also not in STAGEPATH");
   EXPECT_EQ(load_world(folder.string()).error().line(),
-            folder.string() + ": cannot be opened: not a regular file");
+            folder.string() + ": cannot be opened: neither a regular file nor a pipe");
+}
+
+TEST(WorldFiles, a_pipe_is_read_to_its_end_and_a_file_that_fails_midway_is_an_error) {
+  const std::string path = testing::TempDir() + "scene_pipe";
+  std::filesystem::remove(path);
+  ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+  std::thread writer(
+      [&path] { std::ofstream(path) << repeated("# comment\n", 10'000) << "model( name \"piped\" )"; });
+  const auto scene = load_world(path);
+  writer.join();
+  std::filesystem::remove(path);
+  ASSERT_TRUE(scene.ok()) << scene.error().line();
+  EXPECT_EQ(scene->models.at(0).name, "piped");
+  if (std::filesystem::exists("/proc/self/mem")) {
+    EXPECT_EQ(load_world("/proc/self/mem").error().line(),
+              "/proc/self/mem: cannot be read: Input/output error");
+  }
 }
 
 }  // namespace
