@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
+#include <system_error>
 
 #include "playhouse/app/commands.h"
 #include "playhouse/app/house.h"
@@ -33,6 +35,12 @@ int check(const CheckOptions& options) {
   for (const std::string& line : report.lines) fmt::print("{}\n", line);
   if (!report.ok) return kUsage;
   if (options.file.ends_with(".inc")) return kDone;
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(options.file, ignored)) {  // a pipe gives what it has only once
+    fmt::print("warning: {}: not a regular file, so engine, controllers and drivers were not tried\n",
+               options.file);
+    return kDone;
+  }
   log::open(0);
   if (const Result<void> tried = try_out(options.file, report); !tried) {
     fmt::print("error: {}\n", tried.error().line());

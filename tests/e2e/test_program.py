@@ -11,11 +11,12 @@ import signal
 import socket
 import struct
 import subprocess
+import threading
 import time
 import unittest
 from pathlib import Path
 
-from house import (PATIENCE, POSITION2D, PROGRAM, Client, House, HouseTest, finish)
+from house import (PATIENCE, POSITION2D, PROGRAM, WORLD, Client, House, HouseTest, finish)
 
 
 class Faults(HouseTest):
@@ -410,6 +411,15 @@ class Check(HouseTest):
         done = finish("check", self.world("gui_speed 3\nposition( name \"r0\" colour \"red\" )\n"))
         self.assertEqual(done.returncode, 0, done.stdout)
         self.assertIn("test.world:2", done.stdout)
+
+    def test_a_pipe_is_read_once(self):
+        pipe = os.path.join(self.folder, "pipe.world")
+        os.mkfifo(pipe)
+        writer = threading.Thread(target=lambda: Path(pipe).write_text(WORLD, encoding="utf-8"), daemon=True)
+        writer.start()
+        done = finish("check", pipe)
+        self.assertEqual(done.returncode, 0, done.stdout)
+        self.assertIn("not a regular file", done.stdout)
 
     def test_a_bad_file_is_two(self):
         self.assertEqual(finish("check", self.world("position(")).returncode, 2)
