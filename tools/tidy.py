@@ -31,6 +31,7 @@ UNREPRODUCIBLE = re.compile(
     r"std::(sin|cos|tan|atan2?|asin|acos|exp|log|pow|hypot|rand)\(|\brand\(|random_device|unordered_|"
     r"system_clock|steady_clock|\btime\(nullptr")
 EMPTY_NAME = re.compile(r"\b(?:class|struct|enum class)\s+(\w*(?:Manager|Handler|Helper|Util|Utils|Data|Info))\b")
+CLIENT = ROOT / "clients/cpp/include"  # which the command line is made of
 INCLUDE = re.compile(r'#include "playhouse/(\w+)/')
 
 
@@ -64,7 +65,7 @@ def check_header(path):
     with tempfile.NamedTemporaryFile("w", suffix=".cc") as alone:
         alone.write(f'#include "{path.relative_to(ROOT)}"\n')
         alone.flush()
-        done = subprocess.run(["g++", "-std=c++20", "-fsyntax-only", "-DPLAYHOUSE_VERSION=\"0\"", f"-I{ROOT}", alone.name], capture_output=True, text=True)
+        done = subprocess.run(["g++", "-std=c++20", "-fsyntax-only", "-DPLAYHOUSE_VERSION=\"0\"", f"-I{ROOT}", f"-I{CLIENT}", alone.name], capture_output=True, text=True)
     if done.returncode:
         first = next((line for line in done.stderr.splitlines() if "error" in line), done.stderr[:200])
         yield f"{path.relative_to(ROOT)}:1: does not compile alone: {first}"
