@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
@@ -29,12 +30,12 @@ using EightInts = std::int32_t __attribute__((vector_size(kEight * sizeof(std::i
 
 template <typename Vector, typename Number>
 PLAYHOUSE_INLINE void load(Vector& v, const Number* from) {
-  static_assert(sizeof v % sizeof(Number) == 0);
+  static_assert(std::is_same_v<std::remove_cvref_t<decltype(v[0])>, Number>);
   std::memcpy(&v, from, sizeof v);
 }
 template <typename Vector, typename Number>
 PLAYHOUSE_INLINE void store(Number* to, const Vector& v) {
-  static_assert(sizeof v % sizeof(Number) == 0);
+  static_assert(std::is_same_v<std::remove_cvref_t<decltype(v[0])>, Number>);
   std::memcpy(to, &v, sizeof v);
 }
 
