@@ -206,7 +206,8 @@ class Ending(HouseTest):
 class Terminal(HouseTest):
     """The progress line, and log lines in between."""
 
-    def test_a_log_line_takes_the_place_of_the_progress_line(self):
+    def start_on_terminal(self) -> tuple[subprocess.Popen, int]:
+        """The program, and our end of its terminal."""
         ours, its = pty.openpty()
         self.addCleanup(os.close, ours)
         process = subprocess.Popen([PROGRAM, "run", str(self.world()), "--port", "0", "--headless"], stdin=its, stdout=its,
@@ -214,6 +215,10 @@ class Terminal(HouseTest):
         os.close(its)
         self.addCleanup(process.wait)
         self.addCleanup(process.kill)
+        return process, ours
+
+    def test_a_log_line_takes_the_place_of_the_progress_line(self):
+        process, ours = self.start_on_terminal()
         shown = self.read_until(ours, b"", rb"Player clients: 127\.0\.0\.1:(\d+)\r\n")
         port = int(re.search(rb"clients: [\d.]+:(\d+)", shown).group(1))
         shown = self.read_until(ours, shown, b"s simulated.*clients ")
@@ -225,13 +230,7 @@ class Terminal(HouseTest):
         self.assertEqual(process.wait(PATIENCE), 130)
 
     def test_the_progress_line_has_a_speed_once_it_is_measured(self):
-        ours, its = pty.openpty()
-        self.addCleanup(os.close, ours)
-        process = subprocess.Popen([PROGRAM, "run", str(self.world()), "--port", "0", "--headless"], stdin=its, stdout=its,
-                                   stderr=its)
-        os.close(its)
-        self.addCleanup(process.wait)
-        self.addCleanup(process.kill)
+        process, ours = self.start_on_terminal()
         shown = self.read_until(ours, b"", b"s simulated, [\d.]+x real time, 0 clients ")
         self.assertNotIn(b" 0.00x", shown)
         process.send_signal(signal.SIGINT)
