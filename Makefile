@@ -40,8 +40,7 @@ web: web/dist/index.html
 
 build: setup web
 	@echo "== building the program"
-	@mkdir -p build
-	@cmake --preset release -Wno-dev > build/configure.log 2>&1 || (cat build/configure.log; exit 1)
+	@tools/configure.sh release
 	@cmake --build --preset release --target playhouse
 	@echo "== $(PROGRAM) is ready"
 
@@ -59,8 +58,7 @@ demo: build
 
 fuzzers: setup-test
 	@echo "== building the fuzzers"
-	@mkdir -p build
-	@cmake --preset fuzz -Wno-dev > build/configure-fuzz.log 2>&1 || (cat build/configure-fuzz.log; exit 1)
+	@tools/configure.sh fuzz
 	@cmake --build --preset fuzz --target fuzzers
 
 test: setup-test build fuzzers

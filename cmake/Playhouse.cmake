@@ -1,25 +1,11 @@
-# The build's own vocabulary: flags for every target and playhouse_module(), which declares one module.
+# The build's own vocabulary: flags for every target and playhouse_module(), which declares one module. Needs nothing
+# but a compiler, so that the client library can be built alone (clients/cpp/CMakeLists.txt).
+
+get_filename_component(PLAYHOUSE_ROOT ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)
 
 find_program(CCACHE ccache)
 if(CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
-endif()
-
-find_package(Threads REQUIRED)
-find_package(fmt REQUIRED)
-find_package(spdlog REQUIRED)
-find_package(ZLIB REQUIRED)
-find_package(PNG REQUIRED)
-find_package(TBB REQUIRED)
-find_package(Boost 1.81 REQUIRED COMPONENTS json)
-find_package(CLI11 REQUIRED)
-if(PLAYHOUSE_TESTS)
-  find_package(GTest REQUIRED)
-  find_package(rapidcheck REQUIRED)
-  include(GoogleTest)
-endif()
-if(PLAYHOUSE_BENCHES)
-  find_package(benchmark REQUIRED)
 endif()
 
 # Warnings are for this folder and those below it: a project that takes this one in as a part chooses its own.
@@ -30,7 +16,7 @@ endif()
 
 # What whoever links one of our libraries needs as well.
 add_library(playhouse_flags INTERFACE)
-target_include_directories(playhouse_flags INTERFACE ${PROJECT_SOURCE_DIR})
+target_include_directories(playhouse_flags INTERFACE ${PLAYHOUSE_ROOT})
 target_compile_features(playhouse_flags INTERFACE cxx_std_20)  # for projects that take this one in as a part
 # Results must not depend on the optimiser: no fused multiply-add, no fast-math. Our headers compute as well.
 target_compile_options(playhouse_flags INTERFACE -ffp-contract=off)
@@ -47,17 +33,20 @@ if(PLAYHOUSE_FUZZ)
   add_custom_target(fuzzers)
 endif()
 
-# playhouse_module(NAME DEPS a b c)
+# playhouse_module(NAME DEPS a b c EXCEPT x.cc)
 # Declares the library playhouse_NAME from the folder's *.cc (and generated/*.cc, and one level of folders below it).
 # Beside a foo.cc: foo_test.cc goes into the test program, foo_bench.cc into the bench program and
-# each foo_fuzz.cc becomes a libFuzzer program of its own. main.cc is left to the caller.
+# each foo_fuzz.cc becomes a libFuzzer program of its own. main.cc and what EXCEPT names are left to the caller.
 function(playhouse_module NAME)
-  cmake_parse_arguments(ARG "" "" "DEPS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "DEPS;EXCEPT" ${ARGN})
   file(GLOB SOURCES CONFIGURE_DEPENDS *.cc */*.cc)
   set(TESTS ${SOURCES})
   set(BENCHES ${SOURCES})
   set(FUZZERS ${SOURCES})
   list(FILTER SOURCES EXCLUDE REGEX "(_test|_bench|_fuzz|/main)\\.cc$")
+  foreach(FILE ${ARG_EXCEPT})
+    list(REMOVE_ITEM SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/${FILE})
+  endforeach()
   list(FILTER TESTS INCLUDE REGEX "_test\\.cc$")
   list(FILTER BENCHES INCLUDE REGEX "_bench\\.cc$")
   list(FILTER FUZZERS INCLUDE REGEX "_fuzz\\.cc$")
@@ -70,7 +59,7 @@ function(playhouse_module NAME)
     add_library(${TARGET} INTERFACE)
     set(SCOPE INTERFACE)
   endif()
-  target_link_libraries(${TARGET} ${SCOPE} playhouse_flags ${ARG_DEPS})
+  target_link_libraries(${TARGET} ${SCOPE} $<BUILD_INTERFACE:playhouse_flags> ${ARG_DEPS})
 
   if(PLAYHOUSE_TESTS AND TESTS)
     add_executable(${TARGET}_test ${TESTS})

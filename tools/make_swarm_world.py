@@ -1,12 +1,9 @@
 #!/usr/bin/env python3
-"""Writes worlds/swarm.world: hundreds of small robots, packed like the seeds of a sunflower, that spread out.
+"""Prints worlds/swarm.world: hundreds of small robots, packed like the seeds of a sunflower, that spread out."""
 
-usage: tools/make_swarm_world.py [ROBOTS] > worlds/swarm.world      (default: 400)
-"""
-
+import argparse
 import colorsys
 import math
-import sys
 
 HEAD = """\
 # {count} small robots start packed like the seeds of a sunflower and spread out until each has room.
@@ -51,8 +48,17 @@ define seed position
 """
 
 
+def robots(text):
+    count = int(text)
+    if count < 1:
+        raise ValueError(text)
+    return count
+
+
 def main():
-    count = int(sys.argv[1]) if len(sys.argv) > 1 else 400
+    parser = argparse.ArgumentParser(description=__doc__, epilog="example: tools/make_swarm_world.py > worlds/swarm.world")
+    parser.add_argument("robots", metavar="ROBOTS", nargs="?", type=robots, default=400, help="how many, 1 or more (%(default)s)")
+    count = parser.parse_args().robots
     side = 1.1 * math.sqrt(count)
     at = side / 2 + 0.1
     print(HEAD.format(count=count, scale=900 / side, at=at, minus=-at, long=side + 0.4, side=side), end="")

@@ -5,8 +5,7 @@ set -eu
 cd "$(dirname "$0")/.."
 
 echo "== building the tests (thread sanitizer)"
-mkdir -p build
-cmake --preset tsan -Wno-dev > build/configure-tsan.log 2>&1 || { cat build/configure-tsan.log; exit 1; }
+tools/configure.sh tsan
 cmake --build --preset tsan
 
 reports=$PWD/build/tsan/reports

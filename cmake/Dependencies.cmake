@@ -1,0 +1,18 @@
+# Libraries of others that the program and its tests are made with. The client library needs none.
+
+find_package(Threads REQUIRED)
+find_package(fmt REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(ZLIB REQUIRED)
+find_package(PNG REQUIRED)
+find_package(TBB REQUIRED)
+find_package(Boost 1.81 REQUIRED COMPONENTS json)
+find_package(CLI11 REQUIRED)
+if(PLAYHOUSE_TESTS)
+  find_package(GTest REQUIRED)
+  find_package(rapidcheck REQUIRED)
+  include(GoogleTest)
+endif()
+if(PLAYHOUSE_BENCHES)
+  find_package(benchmark REQUIRED)
+endif()
