@@ -20,21 +20,19 @@ constexpr double kDistance = 1.0;  // m
 constexpr double kSpeed = 0.5;     // m/s
 constexpr double kTurn = 1.0;      // rad/s
 
-/// Where the nearest marker of the wanted number is.
-std::optional<wire::Pose3d> choose(const std::vector<wire::fiducial::Item>& markers,
-                                   std::optional<int> wanted) {
-  std::optional<wire::Pose3d> nearest;
-  for (const auto& marker : markers) {
+/// The nearest marker of the wanted number.
+std::optional<Marker> choose(const std::vector<Marker>& markers, std::optional<int> wanted) {
+  std::optional<Marker> nearest;
+  for (const Marker& marker : markers) {
     if (wanted && marker.id != *wanted) continue;
-    if (!nearest || std::hypot(marker.pose.px, marker.pose.py) < std::hypot(nearest->px, nearest->py))
-      nearest = marker.pose;
+    if (!nearest || marker.distance() < nearest->distance()) nearest = marker;
   }
   return nearest;
 }
 
-Result<void> step(Position2d& robot, const wire::Pose3d& marker) {
-  const double bearing = std::atan2(marker.py, marker.px);
-  const double speed = std::clamp(std::hypot(marker.px, marker.py) - kDistance, -kSpeed, kSpeed);
+Result<void> step(Position2d& robot, const Marker& marker) {
+  const double bearing = marker.bearing();
+  const double speed = std::clamp(marker.distance() - kDistance, -kSpeed, kSpeed);
   return robot.drive(std::abs(bearing) < 1.0 ? speed : 0.0, std::clamp(2.0 * bearing, -kTurn, kTurn));
 }
 
@@ -52,7 +50,7 @@ Result<void> follow(Client& client, std::uint16_t index, const example::Clock& c
     if (!fresh) return fresh.error();
     if (!*fresh) return robot->close();
     const auto marker = choose(finder->markers(), wanted);
-    if (marker) lost_to_the_left = marker->py > 0;
+    if (marker) lost_to_the_left = marker->pose.y > 0;
     // Out of sight: it looks around, beginning where the marker was last.
     const auto driven =
         marker ? step(*robot, *marker) : robot->drive(0, lost_to_the_left ? kTurn / 2 : -kTurn / 2);

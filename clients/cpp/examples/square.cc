@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 #include "playhouse_client/position2d.h"
 #include "program.h"
@@ -29,21 +30,31 @@ double turn_for(double aside) {
 }
 
 /// The same place in the frame of `origin`.
-wire::Pose2d seen_from(const wire::Pose2d& origin, const wire::Pose2d& pose) {
-  const double dx = pose.px - origin.px, dy = pose.py - origin.py;
-  const double c = std::cos(origin.pa), s = std::sin(origin.pa);
-  return {c * dx + s * dy, c * dy - s * dx, normalized(pose.pa - origin.pa)};
+Pose seen_from(const Pose& origin, const Pose& pose) {
+  const double dx = pose.x - origin.x, dy = pose.y - origin.y;
+  const double c = std::cos(origin.a), s = std::sin(origin.a);
+  return {c * dx + s * dy, c * dy - s * dx, normalized(pose.a - origin.a)};
+}
+
+/// Where odometry has the robot, once new data came; none when the time is up.
+Result<std::optional<Pose>> next_pose(Client& client, Position2d& robot, const example::Clock& clock) {
+  for (;;) {
+    const auto fresh = example::next_data(client, robot.device(), clock);
+    if (!fresh) return fresh.error();
+    if (!*fresh) return std::optional<Pose>();
+    if (const auto state = robot.state()) return std::optional(state->pose);
+  }
 }
 
 /// One step towards a corner, or false when it is reached.
-Result<bool> approach(Position2d& robot, const wire::Pose2d& here, const wire::Point2d& corner) {
-  const double ahead = corner.px - here.px, left = corner.py - here.py;
+Result<bool> approach(Position2d& robot, const Pose& here, const Point& corner) {
+  const double ahead = corner.x - here.x, left = corner.y - here.y;
   const double distance = std::hypot(ahead, left);
   if (distance < kReached) {
     if (const auto stopped = robot.stop(); !stopped) return stopped.error();
     return false;
   }
-  const double aside = normalized(std::atan2(left, ahead) - here.pa);
+  const double aside = normalized(std::atan2(left, ahead) - here.a);
   const double speed = std::abs(aside) > 0.15 ? 0.0 : std::clamp(distance, 0.05, kSpeed);
   const auto driven = robot.drive(speed, turn_for(aside));
   return driven ? Result<bool>(true) : driven.error();
@@ -51,10 +62,11 @@ Result<bool> approach(Position2d& robot, const wire::Pose2d& here, const wire::P
 
 Result<void> align(Client& client, Position2d& robot, double heading, const example::Clock& clock) {
   for (;;) {
-    const auto fresh = example::next_data(client, robot.device(), clock);
-    if (!fresh) return fresh.error();
-    const double aside = normalized(heading - robot.state().pose.pa);
-    if (!*fresh || std::abs(aside) < kAligned) return {};
+    const auto pose = next_pose(client, robot, clock);
+    if (!pose) return pose.error();
+    if (!*pose) return {};
+    const double aside = normalized(heading - (*pose)->a);
+    if (std::abs(aside) < kAligned) return {};
     if (const auto driven = robot.drive(0, turn_for(aside)); !driven) return driven;
   }
 }
@@ -64,19 +76,21 @@ Result<void> square(Client& client, std::uint16_t index, const example::Clock& c
   auto opened = Position2d::open(client, index);
   if (!opened) return opened.error();
   Position2d& robot = *opened;
-  if (const auto fresh = example::next_data(client, robot.device(), clock); !fresh) return fresh.error();
-  const wire::Pose2d start = robot.state().pose;
-  const std::array<wire::Point2d, 4> corners = {{{kSide, 0}, {kSide, kSide}, {0, kSide}, {0, 0}}};
+  const auto first = next_pose(client, robot, clock);
+  if (!first) return first.error();
+  if (!*first) return {};
+  const Pose start = **first;
+  const std::array<Point, 4> corners = {{{kSide, 0}, {kSide, kSide}, {0, kSide}, {0, 0}}};
   for (std::size_t i = 0; i < corners.size();) {
-    const auto fresh = example::next_data(client, robot.device(), clock);
-    if (!fresh) return fresh.error();
-    if (!*fresh) return {};
-    const wire::Pose2d here = seen_from(start, robot.state().pose);
+    const auto pose = next_pose(client, robot, clock);
+    if (!pose) return pose.error();
+    if (!*pose) return {};
+    const Pose here = seen_from(start, **pose);
     const auto on_the_way = approach(robot, here, corners[i]);
     if (!on_the_way) return on_the_way.error();
-    if (!*on_the_way) std::printf("corner %zu at (%.2f, %.2f) m\n", ++i, here.px, here.py);
+    if (!*on_the_way) std::printf("corner %zu at (%.2f, %.2f) m\n", ++i, here.x, here.y);
   }
-  return align(client, robot, start.pa, clock);
+  return align(client, robot, start.a, clock);
 }
 
 }  // namespace

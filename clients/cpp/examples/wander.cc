@@ -2,6 +2,7 @@
 ///     wander [HOST:PORT [INDEX [SECONDS]]]      robot and laser INDEX (0), for SECONDS (0: until Ctrl-C)
 
 #include <algorithm>
+#include <optional>
 
 #include "playhouse_client/laser.h"
 #include "playhouse_client/position2d.h"
@@ -17,7 +18,7 @@ constexpr double kTurn = 0.8;   // rad/s
 constexpr double kFront = 0.5;  // rad to either side that the robot needs to pass
 constexpr double kNear = 0.6;   // m
 
-/// Drives by one scan; `turning` (rad/s) is the mind it keeps until the way is free.
+/// Drives by one scan; `turning` (rad/s) is the turn that it keeps until there is room.
 Result<void> step(Position2d& robot, const Scan& scan, double& turning) {
   const double ahead = scan.nearest(-kFront, kFront);
   const double left = scan.nearest(kFront, 1.5), right = scan.nearest(-1.5, -kFront);
@@ -41,7 +42,9 @@ Result<void> wander(Client& client, std::uint16_t index, const example::Clock& c
     const auto fresh = example::next_data(client, laser->device(), clock);
     if (!fresh) return fresh.error();
     if (!*fresh) return robot->close();
-    if (const auto driven = step(*robot, laser->scan(), turning); !driven) return driven;
+    const std::optional<Scan> scan = laser->scan();
+    if (!scan) continue;  // something else came
+    if (const auto driven = step(*robot, *scan, turning); !driven) return driven;
   }
 }
 

@@ -1,11 +1,18 @@
 #include "playhouse_client/client.h"
 
+#include <algorithm>
 #include <charconv>
+#include <map>
+#include <optional>
 #include <utility>
 
+#include "model_list.h"
 #include "playhouse/base/in_quotes.h"
+#include "playhouse/base/nearest_word.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/player.h"
+#include "playhouse/wire/generated/simulation.h"
+#include "playhouse_client/robot.h"
 #include "session.h"
 
 namespace playhouse::client {
@@ -14,7 +21,36 @@ namespace player = wire::player;
 
 namespace {
 
-std::string driver_of(Session& session, const wire::Devaddr& device) {
+/// The devices on the connection's port, as the server lists them.
+Result<std::vector<DeviceAddress>> list_devices(Session& session) {
+  const auto answer = session.request(player::kCode, 0, player::kReqDevlist, {});
+  if (!answer) return answer.error();
+  const auto listed = wire::decode<player::DeviceDevlist>(*answer);
+  if (!listed)
+    return Error{session.connection().peer(), "the device list does not decode: " + listed.error().text};
+  std::vector<DeviceAddress> devices;
+  for (const wire::Devaddr& device : listed->devices)
+    devices.push_back({device.robot, device.interf, device.index});
+  return devices;
+}
+
+/// The place in the list of the model that each device shows. Devices of several models are the last one's.
+std::map<DeviceAddress, std::size_t> models_by_device(const std::vector<Model>& models) {
+  std::map<DeviceAddress, std::size_t> rows;
+  for (std::size_t row = 0; row < models.size(); ++row) {
+    for (const DeviceAddress& device : models[row].devices) rows[device] = row;
+  }
+  return rows;
+}
+
+/// Those of a model's devices that this connection can open.
+void append_devices(const Model& model, std::uint32_t port, std::vector<RobotDevice>& devices) {
+  for (const DeviceAddress& device : model.devices) {
+    if (device.port == port) devices.push_back({device, model.name});
+  }
+}
+
+std::string driver_of(Session& session, const DeviceAddress& device) {
   player::DeviceDriverinfo question;
   question.addr.interf = device.interf;
   question.addr.index = device.index;
@@ -26,7 +62,7 @@ std::string driver_of(Session& session, const wire::Devaddr& device) {
 
 }  // namespace
 
-std::string DeviceEntry::name() const {
+std::string DeviceAddress::name() const {
   const wire::InterfaceDef* known = wire::find_interface(interf);
   return (known != nullptr ? std::string(known->name) : std::to_string(interf)) + ":" + std::to_string(index);
 }
@@ -89,16 +125,86 @@ std::uint64_t Client::skipped_count() const {
 }
 
 Result<std::vector<DeviceEntry>> Client::devices() {
-  const auto answer = session_->request(player::kCode, 0, player::kReqDevlist, {});
-  if (!answer) return answer.error();
-  const auto listed = wire::decode<player::DeviceDevlist>(*answer);
-  if (!listed) return Error{peer(), "the device list does not decode: " + listed.error().text};
+  const Result<std::vector<DeviceAddress>> listed = list_devices(*session_);
+  if (!listed) return listed.error();
+  const Result<std::vector<Model>> told = told_models(*listed);
+  if (!connected()) return Error{peer(), "the server is gone"};
+  const std::vector<Model> models = told ? *told : std::vector<Model>();  // without it, names are empty
+  const std::map<DeviceAddress, std::size_t> rows = models_by_device(models);
   std::vector<DeviceEntry> entries;
-  for (const wire::Devaddr& device : listed->devices) {
-    entries.push_back({device.interf, device.index, driver_of(*session_, device)});
+  for (const DeviceAddress& device : *listed) {
+    DeviceEntry entry{device, driver_of(*session_, device), "", ""};
     if (!connected()) return Error{peer(), "the server is gone"};
+    if (const auto row = rows.find(device); row != rows.end()) {
+      entry.model = models[row->second].name;
+      entry.robot = models[top_of(models, row->second)].name;
+    }
+    entries.push_back(std::move(entry));
   }
   return entries;
+}
+
+Result<std::vector<Model>> Client::models() {
+  const Result<std::vector<DeviceAddress>> listed = list_devices(*session_);
+  if (!listed) return listed.error();
+  return told_models(*listed);
+}
+
+/// Asks the first simulator among the devices.
+Result<std::vector<Model>> Client::told_models(const std::vector<DeviceAddress>& devices) {
+  const auto simulator = std::ranges::find(devices, wire::simulation::kCode, &DeviceAddress::interf);
+  if (simulator == devices.end())
+    return Error{peer(), "the server tells no names: it has no simulation device"};
+  std::optional<Device> opened;  // a program that has it open keeps its access
+  if (!session_->has_open(simulator->interf, simulator->index)) {
+    Result<Device> device = Device::open(*this, simulator->interf, simulator->index, Access::kRead);
+    if (!device) return device.error();
+    opened.emplace(std::move(*device));
+  }
+  auto told = ask_models(*session_, simulator->index);
+  if (!told) return Error{peer(), told.error().text};
+  if (!*told) return Error{peer(), "the server tells no names of models"};
+  return std::move(**told);
+}
+
+Result<std::vector<Robot>> Client::robots() {
+  const Result<std::vector<DeviceAddress>> listed = list_devices(*session_);
+  if (!listed) return listed.error();
+  const Result<std::vector<Model>> models = told_models(*listed);
+  if (!models) return models.error();
+  std::vector<std::vector<RobotDevice>> carried(models->size());
+  for (std::size_t row = 0; row < models->size(); ++row)
+    append_devices((*models)[row], listed->front().port, carried[top_of(*models, row)]);
+  std::vector<Robot> robots;
+  for (std::size_t row = 0; row < models->size(); ++row) {
+    if (!carried[row].empty())
+      robots.push_back(Robot(session_, (*models)[row].name, (*models)[row].type, std::move(carried[row])));
+  }
+  return robots;
+}
+
+Result<Robot> Client::robot(std::string_view name) {
+  const Result<std::vector<DeviceAddress>> listed = list_devices(*session_);
+  if (!listed) return listed.error();
+  const Result<std::vector<Model>> models = told_models(*listed);
+  if (!models) return models.error();
+  const auto found =
+      std::find_if(models->rbegin(), models->rend(), [&](const Model& model) { return model.name == name; });
+  if (found == models->rend()) {
+    std::vector<std::string_view> names;
+    for (const Model& model : *models) names.push_back(model.name);
+    return Error{peer(), "there is no robot " + in_quotes(name) + did_you_mean(name, names)};
+  }
+  const auto row = static_cast<std::size_t>(models->rend() - found) - 1;
+  std::vector<bool> is_part(models->size());
+  is_part[row] = true;
+  std::vector<RobotDevice> devices;
+  for (std::size_t part = row; part < models->size(); ++part) {
+    const Model& model = (*models)[part];
+    if (model.parent && is_part[*model.parent]) is_part[part] = true;
+    if (is_part[part]) append_devices(model, listed->front().port, devices);
+  }
+  return Robot(session_, found->name, found->type, std::move(devices));
 }
 
 Result<void> Client::set_mode(Mode mode) {

@@ -30,26 +30,31 @@ Result<std::string> set_access(Session& session, const Slot& slot, std::uint8_t 
 }
 
 std::string name_of(const Slot& slot) {
-  return DeviceEntry{slot.interf, slot.index, ""}.name();
+  return DeviceAddress{0, slot.interf, slot.index}.name();
 }
 
 }  // namespace
 
 Result<Device> Device::open(Client& client, std::uint16_t interf, std::uint16_t index, Access access) {
+  return open(client.session_, interf, index, access);
+}
+
+Result<Device> Device::open(const std::shared_ptr<Session>& shared, std::uint16_t interf, std::uint16_t index,
+                            Access access) {
   auto slot = std::make_unique<Slot>();
   slot->interf = interf;
   slot->index = index;
-  Session& session = *client.session_;
+  Session& session = *shared;
   Result<std::string> driver = set_access(session, *slot, static_cast<std::uint8_t>(access));
   if (!driver)
     return Error{driver.error().where, "cannot open " + name_of(*slot) + ": " + driver.error().text};
   slot->driver = std::move(*driver);
   session.add(*slot);
-  return Device(client.session_, std::move(slot));
+  return Device(shared, std::move(slot));
 }
 
 Device::Device(std::shared_ptr<Session> session, std::unique_ptr<Slot> slot)
-    : session_(std::move(session)), slot_(std::move(slot)) {}
+    : session_(std::move(session)), slot_(std::move(slot)), name_(name_of(*slot_)) {}
 
 Device::Device(Device&&) noexcept = default;
 
@@ -58,6 +63,7 @@ Device& Device::operator=(Device&& other) noexcept {
   static_cast<void>(close().ok());
   session_ = std::move(other.session_);
   slot_ = std::move(other.slot_);
+  name_ = std::move(other.name_);
   return *this;
 }
 
@@ -71,8 +77,8 @@ std::uint16_t Device::interf() const {
 std::uint16_t Device::index() const {
   return is_open() ? slot_->index : std::uint16_t{0};
 }
-std::string Device::name() const {
-  return is_open() ? name_of(*slot_) : "closed device";
+bool Device::connected() const {
+  return is_open() && session_->connection().is_open();
 }
 std::string Device::driver() const {
   return is_open() ? slot_->driver : "";
@@ -96,16 +102,22 @@ Result<void> Device::close() {
   if (!session_->connection().is_open()) return {};
   const Result<std::string> closed = set_access(*session_, *slot, kCloseAccess);
   if (closed) return {};
-  return Error{closed.error().where, "cannot close " + name_of(*slot) + ": " + closed.error().text};
+  return Error{closed.error().where, "cannot close " + name_ + ": " + closed.error().text};
 }
 
-Result<std::vector<std::byte>> Device::request_bytes(std::uint8_t subtype, std::span<const std::byte> body) {
-  if (!is_open()) return Error{"", "the device is closed"};
+Result<Device::Bytes> Device::request_bytes(std::uint8_t subtype, std::span<const std::byte> body) {
+  if (!is_open()) return closed();
   return session_->request(slot_->interf, slot_->index, subtype, body);
 }
 
+Result<std::optional<Device::Bytes>> Device::ask_bytes(std::uint8_t subtype,
+                                                       std::span<const std::byte> body) {
+  if (!is_open()) return closed();
+  return session_->ask(slot_->interf, slot_->index, subtype, body, deadline_after(session_->timeout()));
+}
+
 Result<void> Device::command_bytes(std::uint8_t subtype, std::span<const std::byte> body) {
-  if (!is_open()) return Error{"", "the device is closed"};
+  if (!is_open()) return closed();
   wire::Header header;
   header.interf = slot_->interf;
   header.index = slot_->index;
@@ -118,6 +130,10 @@ const std::vector<std::byte>* Device::latest_bytes(std::uint8_t subtype) const {
   if (!is_open()) return nullptr;
   const auto found = slot_->latest.find(subtype);
   return found == slot_->latest.end() ? nullptr : &found->second;
+}
+
+Error Device::closed() const {
+  return Error{"", name_.empty() ? "the device is closed" : name_ + " is closed"};
 }
 
 Error Device::undecoded(std::uint8_t subtype, std::string_view what) const {

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "convert.h"
+
 namespace playhouse::client {
 
 namespace laser = wire::laser;
@@ -12,14 +14,14 @@ Result<Laser> Laser::open(Client& client, std::uint16_t index, Access access) {
   return Laser(std::move(*device));
 }
 
-Scan Laser::scan() const {
-  Scan scan;
+std::optional<Scan> Laser::scan() const {
   const auto data = device_.latest<laser::Data>(laser::kDataScan);
-  if (!data) return scan;
+  if (!data) return std::nullopt;
+  Scan scan;
   scan.ranges.assign(data->ranges.begin(), data->ranges.end());
   scan.angles = spread_angles(data->min_angle, data->max_angle, scan.ranges.size());
   scan.max_range = data->max_range;
-  scan.timestamp = device_.timestamp();
+  scan.time = device_.timestamp();
   return scan;
 }
 
@@ -37,8 +39,10 @@ Result<void> Laser::set_config(const laser::Config& config) {
   return done ? Result<void>() : done.error();
 }
 
-Result<laser::Geom> Laser::geometry() {
-  return device_.request<laser::Geom>(laser::kReqGetGeom);
+Result<Geometry> Laser::geometry() {
+  const auto geom = device_.request<laser::Geom>(laser::kReqGetGeom);
+  if (!geom) return geom.error();
+  return Geometry{pose(geom->pose), size(geom->size)};
 }
 
 }  // namespace playhouse::client

@@ -1,12 +1,27 @@
 #include "playhouse_client/position2d.h"
 
+#include <cmath>
+#include <initializer_list>
+#include <string_view>
 #include <utility>
+
+#include "convert.h"
 
 namespace playhouse::client {
 
 namespace position2d = wire::position2d;
 
 namespace {
+
+/// An error for the first number that is not finite; servers would drop the command without a word.
+Result<void> finite(const Device& device, std::string_view what, std::initializer_list<double> numbers) {
+  for (const double number : numbers) {
+    if (std::isfinite(number)) continue;
+    return Error{"", device.name() + ": " + std::string(what) + " takes finite numbers, not " +
+                         (std::isnan(number) ? "nan" : "infinity")};
+  }
+  return {};
+}
 
 Result<void> done(const Result<Nothing>& answer) {
   return answer ? Result<void>() : answer.error();
@@ -32,13 +47,14 @@ Position2d::~Position2d() {
   static_cast<void>(close().ok());
 }
 
-Position2d::State Position2d::state() const {
+std::optional<Position2d::State> Position2d::state() const {
   const auto data = device_.latest<position2d::Data>(position2d::kDataState);
-  if (!data) return {};
-  return {data->pos, data->vel, data->stall != 0, device_.timestamp()};
+  if (!data) return std::nullopt;
+  return State{client::pose(data->pos), client::velocity(data->vel), data->stall != 0, device_.timestamp()};
 }
 
 Result<void> Position2d::drive(double vx, double va, double vy) {
+  if (const auto sound = finite(device_, "drive", {vx, va, vy}); !sound) return sound;
   moving_ = vx != 0.0 || vy != 0.0 || va != 0.0;
   position2d::CmdVel command;
   command.vel = {vx, vy, va};
@@ -47,14 +63,16 @@ Result<void> Position2d::drive(double vx, double va, double vy) {
 }
 
 Result<void> Position2d::drive_car(double speed, double steering) {
+  if (const auto sound = finite(device_, "drive_car", {speed, steering}); !sound) return sound;
   moving_ = speed != 0.0;
   return device_.command(position2d::kCmdCar, position2d::CmdCar{speed, steering});
 }
 
-Result<void> Position2d::go_to(const wire::Pose2d& pose, double speed) {
+Result<void> Position2d::go_to(const Pose& pose, double speed) {
+  if (const auto sound = finite(device_, "go_to", {pose.x, pose.y, pose.a, speed}); !sound) return sound;
   moving_ = true;
   position2d::CmdPos command;
-  command.pos = pose;
+  command.pos = on_wire(pose);
   command.vel.px = speed;
   command.state = 1;
   return device_.command(position2d::kCmdPos, command);
@@ -65,16 +83,19 @@ Result<void> Position2d::set_motor_power(bool on) {
       device_.request(position2d::kReqMotorPower, position2d::PowerConfig{static_cast<std::uint8_t>(on)}));
 }
 
-Result<void> Position2d::set_odometry(const wire::Pose2d& pose) {
-  return done(device_.request(position2d::kReqSetOdom, position2d::SetOdomReq{pose}));
+Result<void> Position2d::set_odometry(const Pose& pose) {
+  if (const auto sound = finite(device_, "set_odometry", {pose.x, pose.y, pose.a}); !sound) return sound;
+  return done(device_.request(position2d::kReqSetOdom, position2d::SetOdomReq{on_wire(pose)}));
 }
 
 Result<void> Position2d::reset_odometry() {
   return done(device_.request(position2d::kReqResetOdom));
 }
 
-Result<position2d::Geom> Position2d::geometry() {
-  return device_.request<position2d::Geom>(position2d::kReqGetGeom);
+Result<Geometry> Position2d::geometry() {
+  const auto geom = device_.request<position2d::Geom>(position2d::kReqGetGeom);
+  if (!geom) return geom.error();
+  return Geometry{client::pose(geom->pose), size(geom->size)};
 }
 
 Result<void> Position2d::close() {

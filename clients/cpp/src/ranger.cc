@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "convert.h"
+
 namespace playhouse::client {
 
 namespace ranger = wire::ranger;
@@ -9,11 +11,14 @@ namespace ranger = wire::ranger;
 Result<Ranger> Ranger::open(Client& client, std::uint16_t index, Access access) {
   Result<Device> device = Device::open(client, ranger::kCode, index, access);
   if (!device) return device.error();
-  Ranger made(std::move(*device));
+  return prepare(std::move(*device));
+}
+
+Result<Ranger> Ranger::prepare(Device device) {
+  Ranger made(std::move(device));
   if (auto config = made.device_.request<ranger::Config>(ranger::kReqGetConfig)) made.config_ = *config;
-  if (auto geometry = made.device_.request<ranger::Geom>(ranger::kReqGetGeom))
-    made.geometry_ = std::move(*geometry);
-  if (!client.connected()) return Error{client.peer(), "the server is gone"};
+  if (auto geom = made.device_.request<ranger::Geom>(ranger::kReqGetGeom)) made.geom_ = std::move(*geom);
+  if (!made.device_.connected()) return Error{"", made.device_.name() + ": the server is gone"};
   return made;
 }
 
@@ -27,18 +32,24 @@ std::vector<double> Ranger::intensities() const {
   return data ? std::move(data->intensities) : std::vector<double>();
 }
 
-Scan Ranger::scan() const {
+std::optional<Scan> Ranger::scan() const {
+  auto data = device_.latest<ranger::DataRange>(ranger::kDataRange);
+  if (!data) return std::nullopt;
   Scan scan;
-  scan.ranges = ranges();
+  scan.ranges = std::move(data->ranges);
   scan.max_range = config_.max_range;
-  scan.timestamp = device_.timestamp();
-  const auto& elements = geometry_.element_poses;
+  scan.time = device_.timestamp();
+  const auto& elements = geom_.element_poses;
   if (elements.size() > 1 && elements.size() == scan.ranges.size()) {
     for (const wire::Pose3d& element : elements) scan.angles.push_back(element.pyaw);
   } else {
     scan.angles = spread_angles(config_.min_angle, config_.max_angle, scan.ranges.size());
   }
   return scan;
+}
+
+Geometry Ranger::geometry() const {
+  return {pose(geom_.pose), size(geom_.size)};
 }
 
 Result<void> Ranger::set_config(const ranger::Config& config) {

@@ -13,8 +13,8 @@ double Scan::nearest(double low, double high) const {
   return found;
 }
 
-std::vector<wire::Point2d> Scan::points() const {
-  std::vector<wire::Point2d> ends;
+std::vector<Point> Scan::points() const {
+  std::vector<Point> ends;
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     ends.push_back({ranges[i] * std::cos(angles[i]), ranges[i] * std::sin(angles[i])});
   }

@@ -10,8 +10,8 @@ namespace playhouse::client {
 
 namespace {
 
-/// Patience of the goodbye at the end of a connection.
-constexpr Seconds kGoodbye{1.0};
+/// How long closing waits for the server to read what was sent.
+constexpr Seconds kCloseTime{1.0};
 
 /// Seconds since the epoch, which is what clients put into their headers.
 double now() {
@@ -49,6 +49,16 @@ Result<std::vector<std::byte>> Session::request(std::uint16_t interf, std::uint1
 Result<std::vector<std::byte>> Session::request(std::uint16_t interf, std::uint16_t index,
                                                 std::uint8_t subtype, std::span<const std::byte> body,
                                                 Deadline deadline) {
+  auto answer = ask(interf, index, subtype, body, deadline);
+  if (!answer) return answer.error();
+  if (!*answer) return Error{connection_.peer(), "refused: " + describe({interf, index, subtype})};
+  return std::move(**answer);
+}
+
+Result<std::optional<std::vector<std::byte>>> Session::ask(std::uint16_t interf, std::uint16_t index,
+                                                           std::uint8_t subtype,
+                                                           std::span<const std::byte> body,
+                                                           Deadline deadline) {
   wire::Header header;
   header.interf = interf;
   header.index = index;
@@ -59,10 +69,8 @@ Result<std::vector<std::byte>> Session::request(std::uint16_t interf, std::uint1
   const Key key{interf, index, subtype};
   Result<Message> came = answer(key, deadline);
   if (!came) return came.error();
-  if (came->header.type == wire::MessageType::kNack) {
-    return Error{connection_.peer(), "refused: " + describe(key)};
-  }
-  return std::move(came->body);
+  if (came->header.type == wire::MessageType::kNack) return std::optional<std::vector<std::byte>>();
+  return std::optional(std::move(came->body));
 }
 
 /// The answer to the request of this key, the last one sent.
@@ -210,16 +218,19 @@ void Session::remove(Slot& slot) {
   std::erase(slots_, &slot);
 }
 
+bool Session::has_open(std::uint16_t interf, std::uint16_t index) const {
+  return std::ranges::any_of(
+      slots_, [=](const Slot* slot) { return slot->interf == interf && slot->index == index; });
+}
+
 void Session::close() {
-  connection_.close(deadline_after(kGoodbye));
+  connection_.close(deadline_after(kCloseTime));
 }
 
 std::string Session::describe(const Key& key) const {
   const wire::MessageDef* row = wire::find_message(key.interf, wire::MessageType::kReq, key.subtype);
   const std::string name = row != nullptr ? std::string(row->name) : "request " + std::to_string(key.subtype);
-  const wire::InterfaceDef* interface = wire::find_interface(key.interf);
-  const std::string device = interface != nullptr ? std::string(interface->name) : std::to_string(key.interf);
-  return name + " to " + device + ":" + std::to_string(key.index);
+  return name + " to " + DeviceAddress{0, key.interf, key.index}.name();
 }
 
 }  // namespace playhouse::client

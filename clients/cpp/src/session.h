@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <deque>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -50,12 +51,17 @@ class Session {
                                          std::span<const std::byte> body);
   Result<std::vector<std::byte>> request(std::uint16_t interf, std::uint16_t index, std::uint8_t subtype,
                                          std::span<const std::byte> body, Deadline deadline);
+  /// As request(), where a refusal is no error: none for NACK.
+  Result<std::optional<std::vector<std::byte>>> ask(std::uint16_t interf, std::uint16_t index,
+                                                    std::uint8_t subtype, std::span<const std::byte> body,
+                                                    Deadline deadline);
 
   Result<std::size_t> read(Seconds patience);
 
   /// `slot` must stay where it is until remove().
   void add(Slot& slot) { slots_.push_back(&slot); }
   void remove(Slot& slot);
+  bool has_open(std::uint16_t interf, std::uint16_t index) const;
 
   void close();
 

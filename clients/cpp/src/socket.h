@@ -37,9 +37,9 @@ class Socket {
   /// socket.
   Result<std::size_t> receive(std::span<std::byte> out, Deadline deadline);
 
-  /// Says goodbye, waits until the peer has read everything and closed, or until the deadline, and closes.
-  /// Closing with unread bytes at once would make TCP throw away what is still on its way: a last stop
-  /// command, for instance.
+  /// Ends the sending direction, waits until the peer has read everything and closed, or until the deadline,
+  /// and closes. Closing with unread bytes at once would make TCP throw away what is still on its way: a last
+  /// stop command, for instance.
   void close(Deadline deadline);
 
  private:

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "convert.h"
+
 namespace playhouse::client {
 
 namespace sonar = wire::sonar;
@@ -17,10 +19,12 @@ std::vector<double> Sonar::ranges() const {
   return data ? std::vector<double>(data->ranges.begin(), data->ranges.end()) : std::vector<double>();
 }
 
-Result<std::vector<wire::Pose3d>> Sonar::poses() {
-  auto geometry = device_.request<sonar::Geom>(sonar::kReqGetGeom);
-  if (!geometry) return geometry.error();
-  return std::move(geometry->poses);
+Result<std::vector<Pose3d>> Sonar::poses() {
+  const auto geom = device_.request<sonar::Geom>(sonar::kReqGetGeom);
+  if (!geom) return geom.error();
+  std::vector<Pose3d> poses;
+  for (const wire::Pose3d& element : geom->poses) poses.push_back(pose(element));
+  return poses;
 }
 
 Result<void> Sonar::set_power(bool on) {

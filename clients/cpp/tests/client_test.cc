@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "fake_server.h"
 #include "playhouse/wire/generated/player.h"
+#include "playhouse/wire/generated/simulation.h"
 #include "playhouse_client/position2d.h"
+#include "playhouse_client/robot.h"
 #include "playhouse_client/scan.h"
 
 namespace playhouse::client {
@@ -97,8 +100,8 @@ TEST(Reading, ARoundEndsWithSynchAndBringsEverything) {
   Client client = connect(server);
   Position2d robot = open_robot(client);
   EXPECT_EQ(*client.read(), 2u);
-  EXPECT_EQ(robot.state().pose.px, 2);
-  EXPECT_EQ(robot.state().timestamp, 7.5);
+  EXPECT_EQ(robot.state()->pose.x, 2);
+  EXPECT_EQ(robot.state()->time, 7.5);
 }
 
 TEST(Reading, MessagesInSingleBytesArriveWhole) {
@@ -111,7 +114,7 @@ TEST(Reading, MessagesInSingleBytesArriveWhole) {
   Client client = connect(server);
   Position2d robot = open_robot(client);
   EXPECT_EQ(*client.read(), 1u);
-  EXPECT_EQ(robot.state().pose.px, 3);
+  EXPECT_EQ(robot.state()->pose.x, 3);
 }
 
 TEST(Reading, NoDataInTimeIsNoErrorAndTheRoundGoesOn) {
@@ -130,7 +133,7 @@ TEST(Reading, NoDataInTimeIsNoErrorAndTheRoundGoesOn) {
     EXPECT_EQ(*client.read(kShort), 0u);
     EXPECT_TRUE(robot.geometry());
     EXPECT_EQ(*client.read(), 1u);
-    EXPECT_EQ(robot.state().pose.px, 4);
+    EXPECT_EQ(robot.state()->pose.x, 4);
   }
   server.finish();
   const auto asked =
@@ -149,9 +152,9 @@ TEST(Reading, InPushModeBringsWhatHasArrived) {
   Client client = connect(server, {.mode = Mode::kPush});
   Position2d robot = open_robot(client);
   ASSERT_TRUE(robot.geometry());
-  EXPECT_EQ(robot.state().timestamp, 0);
+  EXPECT_FALSE(robot.state()) << "no data yet, and that is no pose of (0, 0, 0)";
   EXPECT_EQ(*client.read(), 1u);
-  EXPECT_EQ(robot.state().pose.px, 5);
+  EXPECT_EQ(robot.state()->pose.x, 5);
 }
 
 TEST(Reading, LostMessagesAreCounted) {
@@ -189,7 +192,7 @@ TEST(Reading, WhatMakesNoSenseIsSkippedAndCounted) {
   Client client = connect(server);
   Position2d robot = open_robot(client);
   EXPECT_EQ(*client.read(), 1u);
-  EXPECT_EQ(robot.state().pose.px, 6);
+  EXPECT_EQ(robot.state()->pose.x, 6);
   EXPECT_EQ(client.skipped_count(), 5u);
 }
 
@@ -355,6 +358,141 @@ TEST(Ending, ADeviceMayOutliveItsClient) {
   EXPECT_FALSE(robot->drive(1, 0));
 }
 
+/// A server of two ports' devices, which tells the names of their models in two answers.
+FakeServer::Script named_devices(const std::string& first, const std::string& rest) {
+  return rounds([=](Peer& peer, const Received& message) {
+    if (message.header.interf == wire::simulation::kCode) {
+      const auto question = *wire::decode<wire::simulation::PropertyReq>(message.body);
+      const bool begins = question.index == 0;
+      peer.answer(message, wire::encode(wire::simulation::PropertyReq{
+                               question.name, question.prop, begins ? 2u : 0u, begins ? first : rest}));
+    } else if (message.header.subtype == wire::player::kReqDevlist) {
+      peer.answer(message, wire::encode(wire::player::DeviceDevlist{
+                               {{0, 7000, 31, 0}, {0, 7000, 4, 12}, {0, 7000, 6, 12}, {0, 7000, 20, 0}}}));
+    } else {
+      peer.answer(message, wire::encode(wire::player::DeviceDriverinfo{{}, wire::c_string("stage")}));
+    }
+  });
+}
+
+constexpr const char* kFirstModels =
+    "0\twall\tmodel\t\t\n"
+    "1\tguest\tpioneer2dx\t\t7000:position2d:12\n";
+constexpr const char* kOtherModels =
+    "2\tguest.\\tlaser\tsick\tguest\t7000:ranger:12 7000:laser:12 7001:laser:0\n"
+    "3\thost\tpioneer2dx\t\t7001:position2d:0\n";
+
+TEST(Names, OfModelsComeWithTheDeviceList) {
+  FakeServer server(named_devices(kFirstModels, kOtherModels));
+  Client client = connect(server);
+  const auto devices = client.devices();
+  ASSERT_TRUE(devices);
+  std::vector<std::string> lines;
+  for (const DeviceEntry& device : *devices)
+    lines.push_back(device.name() + " " + device.driver + " " + device.model + " of " + device.robot);
+  EXPECT_THAT(lines, testing::ElementsAre("simulation:0 stage  of ", "position2d:12 stage guest of guest",
+                                          "laser:12 stage guest.\tlaser of guest", "dio:0 stage  of "));
+}
+
+TEST(Names, OpenTheDevicesOfARobot) {
+  FakeServer server(named_devices(kFirstModels, kOtherModels));
+  Client client = connect(server);
+  const auto guest = client.robot("guest");
+  ASSERT_TRUE(guest) << guest.error().line();
+  EXPECT_EQ(guest->type(), "pioneer2dx");
+  const auto wheels = guest->position2d();
+  ASSERT_TRUE(wheels);
+  const auto laser = client.robot("guest.\tlaser")->laser();
+  ASSERT_TRUE(laser) << laser.error().line();
+  const auto sonar = guest->sonar();
+  ASSERT_FALSE(sonar);
+  EXPECT_EQ(sonar.error().text, "robot \"guest\" has no sonar (it has position2d:12, ranger:12, laser:12)");
+  EXPECT_THAT(guest->laser(1).error().text, HasSubstr("has 1 laser only"));
+  EXPECT_THAT(guest->device("lazer").error().text, HasSubstr("did you mean \"laser\"?"));
+}
+
+TEST(Names, RobotsAreTheModelsAtTheTopWithDevicesOnThisPort) {
+  FakeServer server(named_devices(kFirstModels, kOtherModels));
+  Client client = connect(server);
+  const auto robots = client.robots();
+  ASSERT_TRUE(robots);
+  ASSERT_EQ(robots->size(), 1u);
+  EXPECT_EQ(robots->front().name(), "guest");
+}
+
+TEST(Names, ThatAreWrongAreErrorsWithTheNearestOne) {
+  FakeServer server(named_devices(kFirstModels, kOtherModels));
+  Client client = connect(server);
+  const auto robot = client.robot("gust");
+  ASSERT_FALSE(robot);
+  EXPECT_THAT(robot.error().text, HasSubstr("no robot \"gust\" (did you mean \"guest\"?)"));
+}
+
+TEST(Names, ThatAServerDoesNotTellAreEmpty) {
+  FakeServer server(rounds([](Peer& peer, const Received& message) {
+    if (message.header.interf == wire::simulation::kCode) return peer.answer(message, {}, MessageType::kNack);
+    peer.answer(message, message.header.subtype == wire::player::kReqDevlist
+                             ? wire::encode(wire::player::DeviceDevlist{{{0, 6665, 31, 0}}})
+                             : wire::encode(wire::player::DeviceDriverinfo{{}, wire::c_string("stage")}));
+  }));
+  Client client = connect(server);
+  const auto devices = client.devices();
+  ASSERT_TRUE(devices);
+  EXPECT_EQ(devices->front().model, "");
+  const auto robot = client.robot("guest");
+  ASSERT_FALSE(robot);
+  EXPECT_THAT(robot.error().text, HasSubstr("tells no names"));
+}
+
+TEST(Names, FromAServerThatMakesNoSenseAreAnError) {
+  for (const char* text : {"1\tfirst\t\t\t\n", "0\tguest\t\t\n", "0\tguest\tt\tnobody\t\n",
+                           "0\tguest\tt\t\t\tmore\n", "0\tguest\tt\t\t\n"}) {
+    FakeServer server(named_devices(text, kOtherModels));  // the last one goes on with row 2
+    Client client = connect(server);
+    EXPECT_FALSE(client.models()) << text;
+  }
+}
+
+TEST(Driving, WithNumbersThatAreNoneIsAnErrorAndSendsNothing) {
+  FakeServer server(silent());
+  {
+    Client client = connect(server);
+    Position2d robot = open_robot(client);
+    const auto driven = robot.drive(std::nan(""), 0);
+    ASSERT_FALSE(driven);
+    EXPECT_EQ(driven.error().text, "position2d:0: drive takes finite numbers, not nan");
+    EXPECT_FALSE(robot.drive(0, std::numeric_limits<double>::infinity()));
+    EXPECT_FALSE(robot.drive_car(0, std::nan("")));
+    EXPECT_FALSE(robot.go_to({0, std::nan(""), 0}));
+    EXPECT_FALSE(robot.set_odometry({0, 0, std::nan("")}));
+  }
+  server.finish();
+  EXPECT_THAT(commanded_speeds(server), testing::IsEmpty());
+}
+
+TEST(Ending, AClosedDeviceSaysSo) {
+  FakeServer server(silent());
+  Client client = connect(server);
+  Position2d robot = open_robot(client);
+  ASSERT_TRUE(robot.close());
+  const auto driven = robot.drive(1, 0);
+  ASSERT_FALSE(driven);
+  EXPECT_EQ(driven.error().text, "position2d:0 is closed");
+  EXPECT_FALSE(robot.geometry());
+  EXPECT_FALSE(robot.state());
+  EXPECT_TRUE(robot.close());
+}
+
+TEST(Ending, AClosedClientSaysSo) {
+  FakeServer server(silent());
+  Client client = connect(server);
+  Position2d robot = open_robot(client);
+  client.close();
+  EXPECT_THAT(robot.drive(1, 0).error().line(), HasSubstr("closed"));
+  EXPECT_THAT(client.read().error().line(), HasSubstr("closed"));
+  EXPECT_THAT(client.devices().error().line(), HasSubstr("closed"));
+}
+
 TEST(Scan, FindsTheNearestThingBetweenTwoDirections) {
   Scan scan;
   scan.ranges = {3, 1, 2};
@@ -364,7 +502,7 @@ TEST(Scan, FindsTheNearestThingBetweenTwoDirections) {
   EXPECT_EQ(scan.nearest(-2, 2), 1);
   EXPECT_EQ(scan.nearest(0.5, 2), 2);
   EXPECT_EQ(scan.nearest(2, 3), 8);
-  EXPECT_NEAR(scan.points()[0].py, -3 * std::sin(1), 1e-12);
+  EXPECT_NEAR(scan.points()[0].y, -3 * std::sin(1), 1e-12);
 }
 
 }  // namespace

@@ -7,6 +7,9 @@ import sys
 import time
 from typing import Callable, List
 
+INTERRUPTIBLE = signal.getsignal(signal.SIGINT) is signal.default_int_handler  # not in the background of a script
+if INTERRUPTIBLE:
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # until run(): no robot moves yet, and a traceback helps nobody
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))  # runs in place, without an installation
 
 from playhouse_client import Client, PlayerError, connect  # noqa: E402
@@ -38,7 +41,7 @@ def seconds_of(word: str) -> float:
 
 
 def catch_signals() -> None:
-    """Ends by SIGTERM, or because the terminal was closed (SIGHUP), as by Ctrl-C: through every `with` block, which
+    """Ends by Ctrl-C, by SIGTERM, or because the terminal was closed (SIGHUP): through every `with` block, which
     stops the robot. Without this, Python ends at once. What nohup ignores stays ignored."""
     caught = [number for number in (signal.SIGTERM, signal.SIGHUP) if signal.getsignal(number) != signal.SIG_IGN]
 
@@ -49,6 +52,8 @@ def catch_signals() -> None:
 
     for number in caught:
         signal.signal(number, end)
+    if INTERRUPTIBLE:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def run(behave: Callable[[Client, int, Clock, List[int]], None], usage: str) -> None:

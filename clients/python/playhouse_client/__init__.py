@@ -11,7 +11,17 @@
 
 from .client import Client, DeviceEntry, Mode, Rule, connect
 from .device import Access, Device
-from .errors import ConnectionLost, PlayerError, RequestRefused, RequestTimeout, WireError
+from .errors import (
+    ConnectionLost,
+    DeviceClosed,
+    InvalidValue,
+    NoData,
+    PlayerError,
+    RequestRefused,
+    RequestTimeout,
+    WireError,
+)
+from .models import DeviceAddress, Model
 from .proxies import (
     Fiducial,
     Geometry,
@@ -28,12 +38,13 @@ from .proxies import (
     State,
     Velocity,
 )
+from .robot import Robot
 
 __version__ = "0.1.0"
 
 __all__ = [
-    "Access", "Client", "ConnectionLost", "Device", "DeviceEntry", "Fiducial", "Geometry", "Laser",
-    "Marker", "Mode", "PlayerError", "Pose", "Pose3d", "Position2d", "Ranger", "RequestRefused",
-    "RequestTimeout", "Rule", "Scan", "Simulation", "Size", "Sonar", "State", "Velocity", "WireError",
-    "connect",
+    "Access", "Client", "ConnectionLost", "Device", "DeviceAddress", "DeviceClosed", "DeviceEntry", "Fiducial",
+    "Geometry", "InvalidValue", "Laser", "Marker", "Mode", "Model", "NoData", "PlayerError", "Pose", "Pose3d",
+    "Position2d", "Ranger", "RequestRefused", "RequestTimeout", "Robot", "Rule", "Scan", "Simulation", "Size", "Sonar",
+    "State", "Velocity", "WireError", "connect",
 ]

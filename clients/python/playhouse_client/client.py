@@ -2,21 +2,28 @@
 
 import enum
 import time
-from typing import Dict, List, NamedTuple, Optional, Tuple, Type, TypeVar
+from typing import Callable, Dict, List, NamedTuple, Optional, Tuple, Type, TypeVar
 
 from .connection import Connection
-from .device import Access, Device
+from .device import Access, Device, did_you_mean
 from .errors import ConnectionLost, PlayerError, RequestRefused, RequestTimeout, WireError
-from .generated import INTERFACES, common, find_message, player
+from .generated import INTERFACES, common, find_message, player, simulation
+from .models import Model, ask_models, families
 from .proxies import Fiducial, Laser, Position2d, Ranger, Simulation, Sonar
+from .robot import Robot
 from .session import Session
 from .wire import Kind, text
 
 DEFAULT_HOST = "127.0.0.1"  # not localhost, which a machine without /etc/hosts cannot resolve
 DEFAULT_PORT = 6665
-_GOODBYE_SECONDS = 1.0
+_CLOSING_SECONDS = 1.0
 
 P = TypeVar("P", bound=Device)
+_PROXIES: Dict[str, Type[Device]] = {
+    "position2d": Position2d, "ranger": Ranger, "laser": Laser, "sonar": Sonar, "fiducial": Fiducial,
+    "simulation": Simulation,
+}
+_Place = Tuple[int, str, int]  # port, interface, index
 
 
 class Mode(enum.IntEnum):
@@ -35,11 +42,15 @@ class Rule(enum.IntEnum):
 
 
 class DeviceEntry(NamedTuple):
-    """One line of the server's device list. `interface` is a name, or a number where no name is known."""
+    """One line of the server's device list. `interface` is a name, or a number where no name is known; `model` is the
+    full name of the model behind the device and `robot` that of the model at the top which carries it, both empty
+    where the server does not tell."""
 
     interface: str
     index: int
     driver: str
+    model: str = ""
+    robot: str = ""
 
     @property
     def name(self) -> str:
@@ -47,9 +58,9 @@ class DeviceEntry(NamedTuple):
 
 
 class Client:
-    """One connection; one thread. Use it in a `with` block: leaving it closes the devices and says goodbye.
+    """One connection; one thread. Use it in a `with` block: leaving it closes the devices and the connection.
 
-    `timeout` in seconds is the patience of every request and every read() unless told otherwise.
+    `timeout` (s) is that of connecting, of every request and of every read() that is given none.
     """
 
     def __init__(
@@ -62,10 +73,17 @@ class Client:
     ) -> None:
         self._session = Session(Connection(host, port, timeout), timeout)
         self._devices: Dict[Tuple[int, int], List[Device]] = {}
+        self._families: Optional[List[List[Model]]] = None
+        self._robots: Dict[int, Robot] = {}
         self._reading = False
         self.mode = Mode.PUSH  # what a server starts with
-        if mode != Mode.PUSH:
+        if mode == Mode.PUSH:
+            return
+        try:
             self.set_mode(mode)
+        except BaseException:
+            self.close()
+            raise
 
     @property
     def banner(self) -> str:
@@ -87,10 +105,11 @@ class Client:
         return self._session.skipped_count
 
     def devices(self) -> List[DeviceEntry]:
-        """What the server offers, in its own order, with the driver behind each device."""
+        """What the server offers, in its own order, with the driver and the model behind each device."""
         answer = self._session.request(player.CODE, 0, player.REQ_DEVLIST)
         listed = player.DeviceDevlist.decode(answer.body).devices
-        return [self._describe(addr) for addr in listed]
+        owners = self._find_owners() if any(addr.interf == simulation.CODE for addr in listed) else {}
+        return [self._describe(addr, owners) for addr in listed]
 
     def set_mode(self, mode: Mode) -> None:
         self._session.request(player.CODE, 0, player.REQ_DATAMODE, player.DeviceDatamodeReq(int(mode)))
@@ -108,22 +127,20 @@ class Client:
 
         In pull mode this is one round: everything the server holds for this client. In push mode it is what
         has arrived, at least one message. Raises RequestTimeout when no data come; the next read() goes on
-        waiting.
+        waiting. When the server goes, what it had sent is delivered first; the next read() raises ConnectionLost.
         """
         if self._reading:
             raise PlayerError("read() was called from a callback that read() itself is running")
+        deadline = time.monotonic() + self._session.timeout_or_own(timeout)
         self._reading = True
         try:
-            deadline = self._session.deadline(timeout)
             return self._read_round(deadline) if self.mode == Mode.PULL else self._read_pushed(deadline)
-        except RequestTimeout:
-            raise RequestTimeout(f"{self._session.connection.peer}: no data in time") from None
         finally:
             self._reading = False
 
     def device(self, interface: str, index: int = 0, access: Access = Access.ALL) -> Device:
-        """Opens a device of any interface."""
-        return self._open(Device, interface, index, access)
+        """Opens a device of any interface: as the proxy of that interface if there is one."""
+        return self._open(_PROXIES.get(interface, Device), interface, index, access)
 
     def position2d(self, index: int = 0, access: Access = Access.ALL) -> Position2d:
         return self._open(Position2d, "position2d", index, access)
@@ -143,6 +160,29 @@ class Client:
     def simulation(self, index: int = 0, access: Access = Access.ALL) -> Simulation:
         return self._open(Simulation, "simulation", index, access)
 
+    def models(self) -> List[Model]:
+        """All models of the simulated world with their devices, parents before what they carry. Raises RequestRefused
+        where the server does not tell them (not every simulator does, and no real robot)."""
+        return [family[0] for family in self._list_families()]
+
+    def robot(self, name: str) -> Robot:
+        """The robot of this name in the world file, or any other model, with the devices of all that it carries.
+
+        The same name gives the same Robot; of several models of one name it is the last. Raises RequestRefused if
+        there is none, and as models().
+        """
+        names = [model.name for model in self.models()]
+        if name not in names:
+            near = did_you_mean(name, names)
+            raise RequestRefused(f'there is no robot "{name}" at {self._session.peer}{near}')
+        return self._robot_at(len(names) - 1 - names[::-1].index(name))
+
+    def robots(self) -> List[Robot]:
+        """The models at the top of the world that have devices on this connection, of their own or of what they carry,
+        in the world file's order. Raises RequestRefused as models()."""
+        tops = [self._robot_at(at) for at, family in enumerate(self._list_families()) if not family[0].parent]
+        return [robot for robot in tops if any(at.port == self._session.server_port for at in robot.devices)]
+
     def forget(self, device: Device) -> None:
         """Takes a closed device off the list; Device.close() does this."""
         same = self._devices.get((device.code, device.index), [])
@@ -156,8 +196,8 @@ class Client:
             try:
                 device.close()
             except PlayerError:
-                pass  # the goodbye below closes it as well
-        self._session.connection.close(_GOODBYE_SECONDS)
+                pass  # the end of the connection closes it as well
+        self._session.connection.close(_CLOSING_SECONDS)
 
     def __enter__(self) -> "Client":
         return self
@@ -165,14 +205,46 @@ class Client:
     def __exit__(self, *_: object) -> None:
         self.close()
 
-    def _describe(self, addr: common.Devaddr) -> DeviceEntry:
+    def _describe(self, addr: common.Devaddr, owners: Dict[_Place, Tuple[str, str]]) -> DeviceEntry:
         request = player.DeviceDriverinfo(common.Devaddr(0, 0, addr.interf, addr.index))
         try:
             answer = self._session.request(player.CODE, 0, player.REQ_DRIVERINFO, request)
             driver = text(player.DeviceDriverinfo.decode(answer.body).driver_name)
         except (RequestRefused, WireError):
             driver = ""
-        return DeviceEntry(INTERFACES.get(addr.interf, str(addr.interf)), addr.index, driver)
+        interface = INTERFACES.get(addr.interf, str(addr.interf))
+        model, robot = owners.get((addr.robot, interface, addr.index), ("", ""))
+        return DeviceEntry(interface, addr.index, driver, model, robot)
+
+    def _find_owners(self) -> Dict[_Place, Tuple[str, str]]:
+        """The model behind each device, and the model at the top that carries it; nothing if the server tells none."""
+        try:
+            tops = [family for family in self._list_families() if not family[0].parent]
+        except RequestRefused:
+            return {}
+        return {
+            (port, interface, index): (model, family[0].name)
+            for family in tops
+            for each in family
+            for port, interface, index, model in each.devices
+        }
+
+    def _list_families(self) -> List[List[Model]]:
+        """All models, each with what it carries. Asked for once: a world keeps its models for life."""
+        if self._families is None:
+            try:
+                with self.simulation(0) as simulator:
+                    self._families = families(ask_models(simulator))
+            except RequestRefused:
+                raise RequestRefused(
+                    f"{self._session.peer}: this server does not tell the names of models; open devices by number"
+                ) from None
+        return self._families
+
+    def _robot_at(self, place: int) -> Robot:
+        if place not in self._robots:
+            self._robots[place] = Robot(self, self._list_families()[place], self._session.server_port)
+        return self._robots[place]
 
     def _open(self, kind: Type[P], interface: str, index: int, access: Access) -> P:
         device = kind(self, self._session, interface, index, access)
@@ -180,28 +252,35 @@ class Client:
         try:
             device.prepare()
         except RequestRefused:
-            pass  # it works without what it wanted to know
+            pass  # it works without what prepare() asks for
         except PlayerError:
             device.close()
             raise
         return device
 
     def _read_round(self, deadline: float) -> int:
-        delivered = self._deliver()
-        if not self._session.round_open:
-            self._session.round_open = True
-            patience = max(deadline - time.monotonic(), 0.0)
-            self._session.request(player.CODE, 0, player.REQ_DATA, timeout=patience)
-        delivered += self._deliver()
-        while self._session.round_open:
-            self._session.sort_next(deadline)
-            delivered += self._deliver()
+        self._session.begin_round()
+        delivered = self._receive(deadline, lambda _: self._session.round_open)
+        if self._session.round_refused and not delivered:
+            raise RequestRefused(f"{self._session.peer}: the server refuses to send data")
         return delivered
 
     def _read_pushed(self, deadline: float) -> int:
+        return self._receive(deadline, lambda delivered: not delivered or self._session.connection.buffered())
+
+    def _receive(self, deadline: float, more: Callable[[int], bool]) -> int:
+        """Delivers what waits, and what comes as long as `more` of the count so far; how many messages there were.
+        An end that comes after data is left to the next call, so that the data are seen first."""
         delivered = self._deliver()
-        while not delivered or self._session.connection.buffered():
-            self._session.sort_next(deadline)
+        while more(delivered):
+            try:
+                self._session.sort_next(deadline)
+            except (ConnectionLost, RequestTimeout) as error:
+                if delivered:
+                    break
+                if isinstance(error, RequestTimeout):
+                    raise RequestTimeout(f"{self._session.peer}: no data in time") from None
+                raise
             delivered += self._deliver()
         return delivered
 

@@ -1,11 +1,14 @@
 """An open device of any interface. The proxies add to it what their interface is about."""
 
+import difflib
 import enum
-from typing import TYPE_CHECKING, Any, Callable, Dict, NamedTuple, Optional, Type, TypeVar, Union
+import sys
+import time
+from typing import TYPE_CHECKING, Any, Callable, Dict, Iterable, NamedTuple, Optional, Tuple, Type, TypeVar, Union
 
-from .errors import PlayerError, RequestRefused
+from .errors import DeviceClosed, InvalidValue, NoData, RequestRefused, RequestTimeout
 from .generated import INTERFACES, common, player
-from .session import Session
+from .session import Session, device_name
 from .wire import MessageType, Struct, c_string, text
 
 if TYPE_CHECKING:
@@ -16,7 +19,7 @@ D = TypeVar("D", bound="Device")
 
 
 class Access(enum.IntEnum):
-    """What a program wants to do with a device. The character codes are those of Player's first servers."""
+    """What a program may do with a device. The character codes are those of Player's first servers."""
 
     ALL = player.OPEN_MODE
     READ = ord("r")
@@ -40,11 +43,30 @@ _PROPERTIES: Dict[type, _PropertyKind] = {
 }
 
 T = TypeVar("T", bool, int, float, str)
+_LARGEST = sys.float_info.max
 _CODES = {name: code for code, name in INTERFACES.items()}
 
 
+def did_you_mean(word: str, known: Iterable[str]) -> str:
+    """' (did you mean "laser"?)' for the known word nearest to this one, nothing if none is near."""
+    near = difflib.get_close_matches(word, list(known), 1)
+    return f' (did you mean "{near[0]}"?)' if near else ""
+
+
+def code_of(interface: str) -> int:
+    if interface not in _CODES:
+        raise InvalidValue(f'there is no interface "{interface}"{did_you_mean(interface, _CODES)}')
+    return _CODES[interface]
+
+
+def _property_kind(kind: type) -> "_PropertyKind":
+    if kind not in _PROPERTIES:
+        raise InvalidValue(f"a property is a bool, an int, a float or a str, and no {kind.__name__}")
+    return _PROPERTIES[kind]
+
+
 class Device:
-    """Opened by Client.device() or one of its sisters; closed by close() or by leaving a `with` block.
+    """Opened by a function of Client or Robot; closed by close() or by leaving a `with` block.
 
     `driver` is the name of the driver behind the device, `timestamp` the server's time in seconds at the last
     data (0 before the first), `fresh` says whether data have come that next_data() has not seen.
@@ -53,17 +75,17 @@ class Device:
     def __init__(
         self, client: "Client", session: Session, interface: str, index: int, access: Access
     ) -> None:
-        if interface not in _CODES:
-            raise PlayerError(f'there is no interface "{interface}"')
         self.interface = interface
-        self.code = _CODES[interface]
+        self.code = code_of(interface)
+        if not 0 <= index <= 65535:
+            raise InvalidValue(f"there is no {interface}:{index}: indices are 0 to 65535")
         self.index = index
         self.access = access
         self.timestamp = 0.0
         self.fresh = False
         self._session = session
         self._client = client
-        self._latest: Dict[int, Struct] = {}
+        self._latest: Dict[int, Tuple[Struct, float]] = {}
         self._callback: Optional[Callable[[MessageType, Struct, float], None]] = None
         self._open = False
         self.driver = self._set_access(access)
@@ -71,44 +93,72 @@ class Device:
 
     @property
     def name(self) -> str:
-        return f"{self.interface}:{self.index}"
+        return device_name(self.code, self.index)
+
+    @property
+    def is_open(self) -> bool:
+        """False after close(), of the device or of its client."""
+        return self._open
+
+    @property
+    def has_data(self) -> bool:
+        """Whether any data have come since this device was opened."""
+        return bool(self._latest)
 
     def request(
         self, message: MessageType, payload: Optional[Struct] = None, timeout: Optional[float] = None
     ) -> Optional[Struct]:
         """Asks and waits for the answer, None if it has no body. Raises RequestRefused or RequestTimeout."""
+        self._insist_on_open()
         answer = self._session.request(self.code, self.index, message, payload, timeout)
         return message.payload.decode(answer.body) if message.payload and answer.body else None
 
     def command(self, message: MessageType, payload: Optional[Struct] = None) -> None:
         """Sends a command; the server carries it out without an answer."""
+        self._insist_on_open()
         self._session.send(self.code, self.index, message, payload)
 
     def latest(self, message: MessageType) -> Optional[Struct]:
         """The last value of a kind of data, None before the first."""
-        return self._latest.get(message.subtype)
+        return self._latest[message.subtype][0] if message.subtype in self._latest else None
 
     def on_data(self, callback: Optional[Callable[[MessageType, Struct, float], None]]) -> None:
         """Calls back from inside Client.read() with (kind, value, timestamp) of all data of this device."""
         self._callback = callback
 
     def next_data(self, timeout: Optional[float] = None) -> None:
-        """Reads until this device has data newer than at the last call; `timeout` (s) is each read's."""
+        """Waits until this device has data newer than at the last call. Raises RequestTimeout after `timeout` (s)."""
+        seconds = self._session.timeout_or_own(timeout)
+        deadline = time.monotonic() + seconds
+        late = f"{self._session.peer}: no data of {self.name} in {seconds:g} s"
         while not self.fresh:
-            self._client.read(timeout)
+            self._insist_on_open()
+            try:
+                self._client.read(max(deadline - time.monotonic(), 0.0))
+            except RequestTimeout as error:
+                raise RequestTimeout(late) from error
+            if not self.fresh and time.monotonic() >= deadline:  # others keep read() busy
+                raise RequestTimeout(late)
         self.fresh = False
 
     def get_property(self, key: str, kind: Type[T]) -> T:
         """A property by its key and type: bool, int, float or str. Raises RequestRefused if there is none."""
-        row = _PROPERTIES[kind]
-        answer = self.request(row.get, row.get.payload(key=c_string(key)))
+        row = _property_kind(kind)
+        try:
+            answer = self.request(row.get, row.get.payload(key=c_string(key)))
+        except RequestRefused:
+            answer = None
         if answer is None:
-            raise RequestRefused(f"{self.name}: the answer about property {key} is empty")
+            raise RequestRefused(f'{self._session.peer}: {self.name} has no {kind.__name__} property "{key}"')
         return row.unwrap(answer.value)
 
     def set_property(self, key: str, value: Property) -> None:
-        row = _PROPERTIES[type(value)]
-        self.request(row.set, row.set.payload(key=c_string(key), value=row.wrap(value)))
+        row = _property_kind(type(value))
+        body = row.set.payload(key=c_string(key), value=row.wrap(value))
+        try:
+            self.request(row.set, body)
+        except RequestRefused:
+            raise RequestRefused(f'{self._session.peer}: {self.name} refuses {value!r} as "{key}"') from None
 
     def has_capability(self, message: MessageType) -> bool:
         """Whether the driver says that it understands a kind of message. Many drivers never say so."""
@@ -123,7 +173,7 @@ class Device:
 
     def take(self, message: MessageType, value: Struct, timestamp: float) -> None:
         """Receives data from Client.read()."""
-        self._latest[message.subtype] = value
+        self._latest[message.subtype] = (value, timestamp)
         self.timestamp = timestamp
         self.fresh = True
         if self._callback:
@@ -144,15 +194,32 @@ class Device:
     def __exit__(self, *_: object) -> None:
         self.close()
 
+    def _insist_on_open(self) -> None:
+        if not self._open:
+            raise DeviceClosed(f"{self._session.peer}: {self.name} is closed")
+
+    def _insist_on_finite(self, **values: float) -> None:
+        for name, value in values.items():
+            if not -_LARGEST <= value <= _LARGEST:  # nan as well
+                raise InvalidValue(f"{self.name}: {name} is {value}, not a finite number")
+
+    def _stamped(self, message: MessageType) -> Tuple[Any, float]:
+        """The last value of a kind of data and the server's time (s) of it. Raises NoData before the first."""
+        if message.subtype not in self._latest:
+            raise NoData(f"{self._session.peer}: {self.name} has sent no data yet; next_data() waits for them")
+        return self._latest[message.subtype]
+
     def _set_access(self, access: int) -> str:
         body = player.DeviceReq(common.Devaddr(0, 0, self.code, self.index), int(access))
         verb = "close" if access == player.CLOSE_MODE else "open"
+        peer = self._session.peer
         try:
             answer = self._session.request(player.CODE, 0, player.REQ_DEV, body)
         except RequestRefused:
-            peer = self._session.connection.peer
             raise RequestRefused(f"{peer}: there is no {self.name} to {verb}") from None
+        except RequestTimeout:
+            raise RequestTimeout(f"{peer}: no answer in time: {verb} {self.name}") from None
         granted = player.DeviceReq.decode(answer.body)
         if granted.access == player.ERROR_MODE:
-            raise RequestRefused(f"{self._session.connection.peer}: cannot {verb} {self.name}")
+            raise RequestRefused(f"{peer}: cannot {verb} {self.name}")
         return text(granted.driver_name)

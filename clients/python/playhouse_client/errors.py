@@ -14,7 +14,19 @@ class RequestTimeout(PlayerError):
 
 
 class RequestRefused(PlayerError):
-    """The server answered NACK, or refused to open or close a device."""
+    """The server answered NACK, or has no device or model of that name."""
+
+
+class NoData(PlayerError):
+    """A device was asked for a value before its first data; Device.next_data() waits for them."""
+
+
+class DeviceClosed(PlayerError):
+    """A device was used after close(), or after its client's."""
+
+
+class InvalidValue(PlayerError, ValueError):
+    """An argument that means nothing: a speed that is no number, an interface that does not exist. Nothing was sent."""
 
 
 class WireError(PlayerError):

@@ -1,20 +1,22 @@
-"""What programs do with the common kinds of device. SI units and radians; x forward, y left, angles
+"""What programs do with the common kinds of device. SI units and radians; x forward, y left, z up, angles
 counter-clockwise.
 
-Reading a property never waits: it shows what the last Client.read() brought.
+Looking at a device's data never waits: it shows what the last Client.read() brought, and raises NoData before the
+first data of the device. next_data() and updates() wait.
 """
 
 import math
 from typing import Iterator, List, NamedTuple, Optional, Tuple, cast
 
 from .device import Device
+from .errors import RequestRefused, WireError
 from .generated import common, fiducial, laser, position2d, ranger, simulation, sonar
-from .errors import WireError
-from .wire import c_string
+from .wire import MessageType, Struct, c_string
 
 
 class Pose(NamedTuple):
-    """A place in the plane: x and y in m, a in rad."""
+    """A place in the plane and a heading there, in this order: x (m), y (m), a (rad, counter-clockwise, 0 along the
+    frame's x, in (-pi, pi] as servers tell it). Who returns one says in which frame it is."""
 
     x: float = 0.0
     y: float = 0.0
@@ -22,7 +24,8 @@ class Pose(NamedTuple):
 
 
 class Pose3d(NamedTuple):
-    """A place in space: m and rad."""
+    """A place in space and an attitude there, in this order: x, y, z (m), then roll, pitch, yaw (rad): turned about z
+    by yaw, then about the new y by pitch, then about the new x by roll. Who returns one says in which frame it is."""
 
     x: float = 0.0
     y: float = 0.0
@@ -56,19 +59,28 @@ class Geometry(NamedTuple):
 
 
 class State(NamedTuple):
-    """Odometry of a base: where it believes to be, how it moves, and whether it is blocked."""
+    """The data of a base: its own estimate of where it is, how it moves, and whether it is blocked.
 
-    pose: Pose = Pose()
-    velocity: Velocity = Velocity()
-    stalled: bool = False
+    `pose` is in the frame of that estimate: with odometry the pose where it started, or what set_odometry() made of it;
+    with a GPS the world. `time` is the server's, in s.
+    """
+
+    pose: Pose
+    velocity: Velocity
+    stalled: bool
+    time: float
 
 
 class Scan(NamedTuple):
-    """Distances in m and their directions in rad, one for one, in the order of measurement."""
+    """Distances in m and their directions in rad, one for one, in the order of measurement.
+
+    Directions are from the sensor's front, counter-clockwise. `time` is the server's, in s.
+    """
 
     ranges: List[float]
     angles: List[float]
     max_range: float
+    time: float
 
     def nearest(self, low: float = -math.pi, high: float = math.pi) -> float:
         """The shortest range between two directions; max_range if nothing is measured there."""
@@ -101,10 +113,8 @@ class Position2d(Device):
 
     @property
     def state(self) -> State:
-        data = cast(Optional[position2d.Data], self.latest(position2d.DATA_STATE))
-        if data is None:
-            return State()
-        return State(_pose(data.pos), Velocity(*_pose(data.vel)), bool(data.stall))
+        data, time = self._stamped(position2d.DATA_STATE)
+        return State(_pose(data.pos), Velocity(*_pose(data.vel)), bool(data.stall), time)
 
     def updates(self, timeout: Optional[float] = None) -> Iterator[State]:
         """Reads for ever: one State for each time new data have come. Raises RequestTimeout."""
@@ -114,6 +124,7 @@ class Position2d(Device):
 
     @property
     def pose(self) -> Pose:
+        """The robot's own estimate of where it is: State.pose."""
         return self.state.pose
 
     @property
@@ -126,6 +137,7 @@ class Position2d(Device):
 
     def drive(self, vx: float, va: float = 0.0, vy: float = 0.0) -> None:
         """Forward and to the left in m/s, turning in rad/s, until the next command."""
+        self._insist_on_finite(vx=vx, va=va, vy=vy)
         self._moving = (vx, vy, va) != (0.0, 0.0, 0.0)
         self.command(position2d.CMD_VEL, position2d.CmdVel(common.Pose2d(vx, vy, va), 1))
 
@@ -134,11 +146,13 @@ class Position2d(Device):
 
     def drive_car(self, speed: float, steering: float) -> None:
         """A base that steers like a car: m/s, and rad to the left."""
+        self._insist_on_finite(speed=speed, steering=steering)
         self._moving = speed != 0.0
         self.command(position2d.CMD_CAR, position2d.CmdCar(speed, steering))
 
     def go_to(self, x: float, y: float, a: float, speed: float = 0.0) -> None:
-        """To a pose in odometry's frame, with the driver's own planning; speed 0 is the driver's choice."""
+        """To a pose in the frame of State.pose, with the driver's own planning; speed 0 is the driver's choice."""
+        self._insist_on_finite(x=x, y=y, a=a, speed=speed)
         self._moving = True
         goal, velocity = common.Pose2d(x, y, a), common.Pose2d(speed, 0.0, 0.0)
         self.command(position2d.CMD_POS, position2d.CmdPos(goal, velocity, 1))
@@ -148,6 +162,7 @@ class Position2d(Device):
 
     def set_odometry(self, x: float, y: float, a: float) -> None:
         """Says where the base is from now on; the robot does not move."""
+        self._insist_on_finite(x=x, y=y, a=a)
         self.request(position2d.REQ_SET_ODOM, position2d.SetOdomReq(common.Pose2d(x, y, a)))
 
     def reset_odometry(self) -> None:
@@ -175,22 +190,24 @@ class Ranger(Device):
     @property
     def ranges(self) -> List[float]:
         """In m, in the order of measurement."""
-        data = cast(Optional[ranger.DataRange], self.latest(ranger.DATA_RANGE))
-        return data.ranges if data else []
+        data, _ = self._stamped(ranger.DATA_RANGE)
+        return cast(List[float], data.ranges)
 
     @property
     def intensities(self) -> List[float]:
-        data = cast(Optional[ranger.DataIntns], self.latest(ranger.DATA_INTNS))
-        return data.intensities if data else []
+        """One per range, in the device's own unit. Raises NoData from a device that measures none as well."""
+        data, _ = self._stamped(ranger.DATA_INTNS)
+        return cast(List[float], data.intensities)
 
     def scan(self) -> Scan:
         """Ranges with directions: each element's own if there is one per range, else spread over the view."""
-        ranges, poses = self.ranges, self.geom.element_poses
+        data, time = self._stamped(ranger.DATA_RANGE)
+        ranges, poses = data.ranges, self.geom.element_poses
         if len(poses) == len(ranges) and len(ranges) > 1:
             angles = [pose.pyaw for pose in poses]
         else:
             angles = _spread(self.config.min_angle, self.config.max_angle, len(ranges))
-        return Scan(ranges, angles, self.config.max_range)
+        return Scan(ranges, angles, self.config.max_range, time)
 
     def updates(self, timeout: Optional[float] = None) -> Iterator[Scan]:
         """Reads for ever: one Scan for each time new data have come. Raises RequestTimeout."""
@@ -205,7 +222,7 @@ class Ranger(Device):
         self.request(ranger.REQ_POWER, ranger.PowerConfig(int(on)))
 
     def set_intensities(self, on: bool) -> None:
-        """Whether intensities are wanted as well."""
+        """Whether it sends intensities as well."""
         self.request(ranger.REQ_INTNS, ranger.IntnsConfig(int(on)))
 
     def set_config(self, config: ranger.Config) -> None:
@@ -218,10 +235,9 @@ class Laser(Device):
     """A laser scanner; its data say where the beams point."""
 
     def scan(self) -> Scan:
-        data = cast(Optional[laser.Data], self.latest(laser.DATA_SCAN))
-        if data is None:
-            return Scan([], [], 0.0)
-        return Scan(data.ranges, _spread(data.min_angle, data.max_angle, len(data.ranges)), data.max_range)
+        data, time = self._stamped(laser.DATA_SCAN)
+        angles = _spread(data.min_angle, data.max_angle, len(data.ranges))
+        return Scan(data.ranges, angles, data.max_range, time)
 
     def updates(self, timeout: Optional[float] = None) -> Iterator[Scan]:
         """Reads for ever: one Scan for each time new data have come. Raises RequestTimeout."""
@@ -236,8 +252,9 @@ class Laser(Device):
 
     @property
     def intensities(self) -> bytes:
-        data = cast(Optional[laser.Data], self.latest(laser.DATA_SCAN))
-        return data.intensity if data else b""
+        """One per range, in the device's own unit; empty if it measures none."""
+        data, _ = self._stamped(laser.DATA_SCAN)
+        return cast(bytes, data.intensity)
 
     def config(self) -> laser.Config:
         return cast(laser.Config, _answer(self.request(laser.REQ_GET_CONFIG)))
@@ -255,8 +272,8 @@ class Sonar(Device):
     @property
     def ranges(self) -> List[float]:
         """In m, one per sonar, in the order of poses()."""
-        data = cast(Optional[sonar.Data], self.latest(sonar.DATA_RANGES))
-        return data.ranges if data else []
+        data, _ = self._stamped(sonar.DATA_RANGES)
+        return cast(List[float], data.ranges)
 
     def poses(self) -> List[Pose3d]:
         """Where the sonars sit on the robot."""
@@ -272,8 +289,8 @@ class Fiducial(Device):
     @property
     def markers(self) -> List[Marker]:
         """What is in sight."""
-        data = cast(Optional[fiducial.Data], self.latest(fiducial.DATA_SCAN))
-        return [Marker(item.id, _pose3d(item.pose)) for item in data.fiducials] if data else []
+        data, _ = self._stamped(fiducial.DATA_SCAN)
+        return [Marker(item.id, _pose3d(item.pose)) for item in data.fiducials]
 
     def updates(self, timeout: Optional[float] = None) -> Iterator[List[Marker]]:
         """Reads for ever: one list for each time new data have come. Raises RequestTimeout."""
@@ -286,6 +303,7 @@ class Fiducial(Device):
 
     def set_field_of_view(self, min_range: float, max_range: float, view_angle: float) -> None:
         """Ranges in m, the whole angle in rad."""
+        self._insist_on_finite(min_range=min_range, max_range=max_range, view_angle=view_angle)
         self.request(fiducial.REQ_SET_FOV, fiducial.Fov(min_range, max_range, view_angle))
 
     def geometry(self) -> Geometry:
@@ -293,26 +311,28 @@ class Fiducial(Device):
 
 
 class Simulation(Device):
-    """The simulator itself: poses of models by name, in the frame of the world."""
+    """The simulator itself. Poses are of models by name, each in its parent: the model that carries it, or the world."""
 
     def pose(self, name: str) -> Pose:
         """Raises RequestRefused if there is no model of that name."""
         request = simulation.Pose2dReq(name=c_string(name))
-        answer = cast(simulation.Pose2dReq, _answer(self.request(simulation.REQ_GET_POSE2D, request)))
+        answer = cast(simulation.Pose2dReq, self._of_model(name, simulation.REQ_GET_POSE2D, request))
         return _pose(answer.pose)
 
     def set_pose(self, name: str, x: float, y: float, a: float) -> None:
+        self._insist_on_finite(x=x, y=y, a=a)
         request = simulation.Pose2dReq(c_string(name), common.Pose2d(x, y, a))
-        self.request(simulation.REQ_SET_POSE2D, request)
+        self._of_model(name, simulation.REQ_SET_POSE2D, request)
 
     def pose3d(self, name: str) -> Pose3d:
         request = simulation.Pose3dReq(name=c_string(name))
-        answer = cast(simulation.Pose3dReq, _answer(self.request(simulation.REQ_GET_POSE3D, request)))
+        answer = cast(simulation.Pose3dReq, self._of_model(name, simulation.REQ_GET_POSE3D, request))
         return _pose3d(answer.pose)
 
     def set_pose3d(self, name: str, pose: Pose3d) -> None:
+        self._insist_on_finite(**Pose3d(*pose)._asdict())
         request = simulation.Pose3dReq(c_string(name), common.Pose3d(*pose))
-        self.request(simulation.REQ_SET_POSE3D, request)
+        self._of_model(name, simulation.REQ_SET_POSE3D, request)
 
     def pause(self) -> None:
         """Stops the clock, or lets it go on."""
@@ -321,6 +341,12 @@ class Simulation(Device):
     def reset(self) -> None:
         """Everything back to where the world file has it."""
         self.command(simulation.CMD_RESET)
+
+    def _of_model(self, name: str, message: MessageType, request: Struct) -> Optional[Struct]:
+        try:
+            return self.request(message, request)
+        except RequestRefused:
+            raise RequestRefused(f'{self._session.peer}: {message.name} of model "{name}" was refused') from None
 
 
 def _answer(value):  # type: ignore[no-untyped-def]

@@ -4,15 +4,22 @@ import time
 from collections import deque
 from typing import Deque, List, Optional, Tuple
 
-from .connection import Connection, Message
-from .errors import RequestRefused, RequestTimeout, WireError
-from .generated import player
+from .connection import Connection, Message, checked_seconds
+from .errors import ConnectionLost, RequestRefused, RequestTimeout, WireError
+from .generated import INTERFACES, player
 from .wire import Header, Kind, MessageType, Struct
 
-# Data that wait for the next read(); as many as libplayerc's ring holds. Older ones give way and are counted.
-WAITING_LIMIT = 512
+# Data that come while a request waits for its answer, and wait for the next read(): as many as a server keeps for one
+# client. Older ones give way and are counted.
+WAITING_LIMIT = 1024
 
 _Key = Tuple[int, int, int]
+_DATA_KEY: _Key = (player.CODE, 0, player.REQ_DATA.subtype)
+
+
+def device_name(interface: int, index: int) -> str:
+    """As in "position2d:0"; a number where the interface has no known name."""
+    return f"{INTERFACES.get(interface, interface)}:{index}"
 
 
 class Session:
@@ -20,16 +27,29 @@ class Session:
 
     def __init__(self, connection: Connection, timeout: float) -> None:
         self.connection = connection
-        self.timeout = timeout
+        self.timeout = checked_seconds(timeout)
         self.waiting: Deque[Message] = deque()
         self.round_open = False
+        self.round_refused = False
         self.overflow_count = 0
         self.skipped_count = 0
+        self._server_port = 0
         self._abandoned: List[_Key] = []
         self._sequence = 0
 
-    def deadline(self, timeout: Optional[float]) -> float:
-        return time.monotonic() + (self.timeout if timeout is None else timeout)
+    def timeout_or_own(self, timeout: Optional[float]) -> float:
+        """The time-out (s) that a caller gave, or this session's own."""
+        return self.timeout if timeout is None else checked_seconds(timeout)
+
+    @property
+    def peer(self) -> str:
+        """HOST:PORT of the server."""
+        return self.connection.peer
+
+    @property
+    def server_port(self) -> int:
+        """The server's port as it says itself in its answers; that connected to may be another's that forwards."""
+        return self._server_port or self.connection.port
 
     def send(
         self, interface: int, index: int, message: MessageType, payload: Optional[Struct], sequence: int = 0
@@ -47,41 +67,54 @@ class Session:
         timeout: Optional[float] = None,
     ) -> Message:
         """Sends and waits for the ACK. Raises RequestRefused on NACK, RequestTimeout on silence."""
+        seconds = self.timeout_or_own(timeout)
         self.send(interface, index, message, payload, self._sequence)
         key = (interface, index, message.subtype)
+        whose = f"{message.name} of {device_name(interface, index)}"
         try:
-            answer = self._answer(key, self.deadline(timeout))
+            answer = self._answer(key, time.monotonic() + seconds)
         except RequestTimeout:
-            raise RequestTimeout(f"{self.connection.peer}: no answer to {message.name}") from None
+            raise RequestTimeout(f"{self.peer}: no answer to {whose} in {seconds:g} s") from None
+        self._server_port = answer.header.robot
         if answer.header.kind == Kind.NACK:
-            raise RequestRefused(f"{self.connection.peer}: {message.name} of index {index} was refused")
+            raise RequestRefused(f"{self.peer}: {whose} was refused")
         return answer
 
-    def sort_next(self, deadline: Optional[float]) -> None:
+    def begin_round(self) -> None:
+        """Asks for data, unless a round is open; it ends with the SYNCH that closes `round_open`, or is refused."""
+        if self.round_open:
+            return
+        self.round_open, self.round_refused = True, False
+        try:
+            self.send(player.CODE, 0, player.REQ_DATA, None, self._sequence)
+        except ConnectionLost:
+            pass  # what came before the end is still to be received, and then the same error
+
+    def sort_next(self, deadline: float) -> None:
         """Receives one message that nobody asked for and puts it where it belongs."""
         self._sort(self.connection.receive(deadline))
 
     def _answer(self, key: _Key, deadline: float) -> Message:
         settled = False
-        while True:
-            try:
+        try:
+            while True:
                 message = self.connection.receive(deadline)
-            except RequestTimeout:
-                # From now on requests are numbered, so that the answer to this one, should it still come, is
-                # not taken for another's. If an abandoned one got its answer meanwhile, the books are even.
-                self._sequence += 1
-                if not settled:
-                    self._abandoned.append(key)
-                raise
-            if not self._answers(message.header, key):
-                self._sort(message)
-            elif self._is_ours(message.header.sequence, key):
-                return message
-            else:
-                self.skipped_count += 1
-                if key in self._abandoned:
-                    self._abandoned.remove(key)
-                    settled = True
+                if not self._answers(message.header, key):
+                    self._sort(message)
+                elif self._is_ours(message.header.sequence, key):
+                    return message
+                else:
+                    self.skipped_count += 1
+                    if key in self._abandoned:
+                        self._abandoned.remove(key)
+                        settled = True
+        except BaseException:  # a time-out, or Ctrl-C
+            # From now on requests are numbered, so that a late answer to this one is not taken for another's. If the
+            # answer to an abandoned request of this kind came meanwhile, as many answers are missing as before.
+            self._sequence += 1
+            if not settled:
+                self._abandoned.append(key)
+            raise
 
     def _is_ours(self, sequence: int, key: _Key) -> bool:
         """Number 0 is what an old request had, and what servers send that do not return numbers."""
@@ -100,6 +133,9 @@ class Session:
             self.waiting.append(message)
         elif message.header.kind == Kind.SYNCH:
             self._end_round(message)
+        elif self._answers(message.header, _DATA_KEY):
+            if message.header.kind == Kind.NACK:
+                self.round_open, self.round_refused = False, True
         else:
             self.skipped_count += 1
 

@@ -215,5 +215,11 @@ def text(data: bytes) -> str:
 
 
 def c_string(value: str) -> bytes:
-    """Text as a string field: with the final NUL that receivers rely on."""
-    return value.encode("utf-8") + b"\0"
+    """Text as a string field: with the final NUL that receivers rely on, and none before it."""
+    try:
+        encoded = value.encode("utf-8")
+    except UnicodeEncodeError as error:
+        raise WireError(f"{value!r} cannot be sent as UTF-8: {error.reason}") from None
+    if b"\0" in encoded:
+        raise WireError(f"{value!r} has a NUL in it, where receivers would end it")
+    return encoded + b"\0"

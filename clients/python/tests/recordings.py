@@ -8,8 +8,9 @@ import package  # noqa: F401
 from playhouse_client.connection import BANNER_BYTES, Message
 from playhouse_client.wire import HEADER_BYTES, Header
 
-FOLDER = pathlib.Path(__file__).resolve().parents[4] / "shared" / "player" / "captures"
-needed = unittest.skipUnless(FOLDER.is_dir(), "the recorded sessions (../shared/player/captures) are absent")
+REFERENCE = pathlib.Path(__file__).resolve().parents[4] / "shared"
+FOLDER = REFERENCE / "player" / "captures"
+needed = unittest.skipUnless(REFERENCE.is_dir(), f"there is no reference material at {REFERENCE}")
 
 
 class Stream(NamedTuple):
@@ -34,4 +35,6 @@ def stream(name: str) -> Stream:
 
 
 def streams() -> List[Stream]:
-    return [stream(path.name) for path in sorted(FOLDER.glob("*.?2?"))]
+    found = [stream(path.name) for path in sorted(FOLDER.glob("*.?2?"))]
+    assert found, f"no recorded sessions in {FOLDER}"
+    return found

@@ -2,7 +2,6 @@
 
 import math
 import os
-import re
 import signal
 import subprocess
 import sys
@@ -11,14 +10,9 @@ import unittest
 from typing import Callable, Dict, List, Sequence, Tuple
 
 from package import ROOT
+from server_program import HANG, World, needed
 from playhouse_client import Access, Client, Mode, Pose, RequestRefused, Simulation, connect
 from playhouse_client.generated import position2d
-
-PROGRAM = os.environ.get("PLAYHOUSE_PROGRAM", str(ROOT / "build" / "playhouse"))
-SPEED = "6"  # times real time, so that a minute of driving is ten seconds of test
-HANG = 120.0  # seconds after which something is taken for hung
-
-needed = unittest.skipUnless(os.access(PROGRAM, os.X_OK), f"there is no server program at {PROGRAM}")
 
 
 def examples(name: str) -> Dict[str, List[str]]:
@@ -27,34 +21,6 @@ def examples(name: str) -> Dict[str, List[str]]:
     if "PLAYHOUSE_CLIENT_EXAMPLES" in os.environ:
         found["cpp"] = [os.path.join(os.environ["PLAYHOUSE_CLIENT_EXAMPLES"], name)]
     return found
-
-
-class World:
-    """The server, running a world on a free port, as a `with` block."""
-
-    def __init__(self, world: str) -> None:
-        command = [PROGRAM, "run", str(ROOT / "worlds" / world)]
-        command += ["--port", "0", "--headless", "--speed", SPEED]
-        self._process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-        self.address = self._read_address()
-
-    def _read_address(self) -> str:
-        assert self._process.stdout is not None
-        said = ""
-        for line in self._process.stdout:
-            said += line
-            found = re.search(r"Player clients: (\S+)", line)
-            if found:
-                return found.group(1)
-        self._process.wait()
-        raise AssertionError(f"the server ended with {self._process.returncode}:\n{said}")
-
-    def __enter__(self) -> "World":
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self._process.terminate()
-        self._process.communicate(timeout=HANG)
 
 
 def track(

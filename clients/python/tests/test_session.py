@@ -1,4 +1,4 @@
-"""What a client makes of servers that are slow, silent, talkative, wrong or gone."""
+"""What a client makes of servers that are slow, silent, busy, faulty or gone."""
 
 import struct
 import unittest
@@ -7,10 +7,11 @@ from typing import Callable, List
 import package  # noqa: F401
 from fake_server import FakeServer, Peer
 from playhouse_client import (
-    Access, ConnectionLost, Mode, PlayerError, RequestRefused, RequestTimeout, WireError, connect,
+    Access, Client, ConnectionLost, DeviceClosed, InvalidValue, Mode, NoData, PlayerError, RequestRefused,
+    RequestTimeout, WireError, connect,
 )
 from playhouse_client.connection import Message
-from playhouse_client.generated import common, player, position2d
+from playhouse_client.generated import common, laser, player, position2d
 from playhouse_client.wire import Kind
 
 DATA_REQUEST = player.REQ_DATA.subtype
@@ -60,6 +61,13 @@ class Connecting(unittest.TestCase):
     def test_an_address_without_a_host_is_this_machine_without_a_name_to_resolve(self) -> None:
         with self.assertRaisesRegex(ConnectionLost, r"127\.0\.0\.1:1: cannot connect"):
             connect(":1")
+
+    def test_a_host_that_is_no_name(self) -> None:
+        for host in ("a..b", "x" * 70, "nul\0", "no such host"):
+            with self.assertRaisesRegex(ConnectionLost, "cannot connect"):
+                connect(host)
+        with self.assertRaisesRegex(ConnectionLost, "cannot connect"):
+            Client("127.0.0.1", 70000)
 
     def test_an_address_that_is_none(self) -> None:
         with self.assertRaisesRegex(ConnectionLost, "is not HOST or HOST:PORT"):
@@ -135,9 +143,57 @@ class Reading(unittest.TestCase):
         with FakeServer(script(rounds)) as server, connect(server.address, mode=Mode.PUSH) as client:
             robot = client.position2d(0)
             robot.geometry()
-            self.assertEqual(robot.pose.x, 0.0)
+            with self.assertRaises(NoData):
+                robot.pose
             client.read()
             self.assertEqual(robot.pose.x, 5.0)
+
+    def test_before_the_first_data_there_is_no_value(self) -> None:
+        def rounds(peer: Peer, message: Message) -> None:
+            peer.answer(message, Kind.NACK)
+
+        with FakeServer(script(rounds)) as server, connect(server.address, mode=Mode.PUSH) as client:
+            robot, scanner = client.position2d(0), client.laser(0)
+            ring, finder, ranger = client.sonar(0), client.fiducial(0), client.ranger(0)
+            for look in (
+                lambda: robot.state, lambda: robot.pose, lambda: robot.velocity, lambda: robot.stalled,
+                scanner.scan, lambda: scanner.ranges, lambda: scanner.intensities, lambda: ring.ranges,
+                lambda: finder.markers, ranger.scan, lambda: ranger.ranges, lambda: ranger.intensities,
+            ):
+                with self.assertRaisesRegex(NoData, r":0 has sent no data yet; next_data\(\) waits for them"):
+                    look()
+            self.assertIsNone(robot.latest(position2d.DATA_STATE))
+
+    def test_states_and_scans_tell_their_time(self) -> None:
+        def rounds(peer: Peer, message: Message) -> None:
+            peer.answer(message)
+            peer.data(position2d.DATA_STATE, state(1.0), timestamp=7.5)
+            peer.data(laser.DATA_SCAN, laser.Data(ranges=[1.0, 2.0], max_range=8.0), timestamp=8.5)
+            peer.synch()
+
+        with FakeServer(script(rounds)) as server, connect(server.address) as client:
+            robot, scanner = client.position2d(0), client.laser(0)
+            client.read()
+            self.assertEqual((robot.state.time, scanner.scan().time), (7.5, 8.5))
+
+    def test_data_of_others_do_not_prolong_the_time_out_of_one(self) -> None:
+        def rounds(peer: Peer, message: Message) -> None:
+            peer.answer(message)
+            peer.data(laser.DATA_SCAN, laser.Data())
+            peer.synch()
+
+        with FakeServer(script(rounds)) as server, connect(server.address) as client:
+            robot, scanner = client.position2d(0), client.laser(0)
+            with self.assertRaisesRegex(RequestTimeout, "no data of position2d:0 in 0.05 s"):
+                robot.next_data(timeout=0.05)
+            self.assertTrue(scanner.fresh)
+
+    def test_a_server_that_refuses_data_is_an_error(self) -> None:
+        with FakeServer(script(lambda peer, message: peer.answer(message, Kind.NACK))) as server:
+            with connect(server.address) as client:
+                for _ in range(2):
+                    with self.assertRaisesRegex(RequestRefused, "refuses to send data"):
+                        client.read()
 
     def test_what_makes_no_sense_is_skipped_and_counted(self) -> None:
         def rounds(peer: Peer, message: Message) -> None:
@@ -253,6 +309,84 @@ class Asking(unittest.TestCase):
             with self.assertRaises(ConnectionLost):
                 robot.drive(1.0)
 
+    def test_errors_name_the_device_and_what_was_asked_of_it(self) -> None:
+        def rounds(peer: Peer, message: Message) -> None:
+            peer.answer(message, Kind.NACK)
+
+        with FakeServer(script(rounds)) as server, connect(server.address, mode=Mode.PUSH) as client:
+            with self.assertRaisesRegex(RequestRefused, "position2d.req.get_geom of position2d:3 was refused"):
+                client.position2d(3).geometry()
+            with self.assertRaisesRegex(RequestRefused, 'dio:0 has no int property "lamp"'):
+                client.device("dio").get_property("lamp", int)
+            with self.assertRaisesRegex(RequestRefused, "dio:0 refuses 7 as \"lamp\""):
+                client.device("dio").set_property("lamp", 7)
+            with self.assertRaisesRegex(RequestRefused, 'get_pose2d of model "nosuch" was refused'):
+                client.simulation(0).pose("nosuch")
+
+    def test_values_that_mean_nothing_are_not_sent(self) -> None:
+        nan, inf = float("nan"), float("inf")
+
+        def rounds(peer: Peer, message: Message) -> None:
+            raise AssertionError(f"this was sent: {message}")
+
+        with FakeServer(script(rounds)) as server, connect(server.address, mode=Mode.PUSH) as client:
+            robot, simulator, finder = client.position2d(0), client.simulation(0), client.fiducial(0)
+            for act in (
+                lambda: robot.drive(nan), lambda: robot.drive(0.0, inf), lambda: robot.drive(0.0, 0.0, -inf),
+                lambda: robot.drive(10**400), lambda: robot.drive_car(0.1, nan),
+                lambda: robot.go_to(nan, 0.0, 0.0), lambda: robot.set_odometry(0.0, 0.0, nan),
+                lambda: simulator.set_pose("r0", 0.0, nan, 0.0),
+                lambda: simulator.set_pose3d("r0", (0.0, 0.0, 0.0, 0.0, 0.0, nan)),
+                lambda: finder.set_field_of_view(0.0, inf, 1.0),
+            ):
+                with self.assertRaisesRegex(InvalidValue, "is (-?inf|nan|10*), not a finite number"):
+                    act()
+            with self.assertRaisesRegex(ValueError, "position2d:0: vx is nan"):
+                robot.drive(nan)
+            for index in (-1, 65536):
+                with self.assertRaisesRegex(InvalidValue, f"there is no position2d:{index}"):
+                    client.position2d(index)
+            for timeout in (-1.0, nan):
+                with self.assertRaisesRegex(InvalidValue, "a time-out of"):
+                    client.read(timeout)
+            for value in (None, [1]):
+                with self.assertRaisesRegex(InvalidValue, "a property is a bool"):
+                    robot.set_property("key", value)  # type: ignore[arg-type]
+            with self.assertRaisesRegex(WireError, "has a NUL in it"):
+                simulator.pose("r0\0")
+            with self.assertRaisesRegex(WireError, "cannot be sent as UTF-8"):
+                simulator.pose("r\udcff")
+
+    def test_a_time_out_may_be_infinite(self) -> None:
+        def rounds(peer: Peer, message: Message) -> None:
+            peer.answer(message)
+            peer.data(position2d.DATA_STATE, state(1.0))
+            peer.synch()
+
+        forever = float("inf")
+        with FakeServer(script(rounds)) as server, connect(server.address, timeout=forever) as client:
+            robot = client.position2d(0)
+            robot.next_data()
+            self.assertEqual(client.read(timeout=forever), 1)
+
+    def test_a_closed_device_says_so(self) -> None:
+        def rounds(peer: Peer, message: Message) -> None:
+            raise AssertionError(f"this was sent: {message}")
+
+        with FakeServer(script(rounds)) as server:
+            with connect(server.address) as client:
+                robot, other = client.position2d(0), client.position2d(1)
+                robot.close()
+            for closed in (robot, other):
+                self.assertFalse(closed.is_open)
+                for act in (lambda: closed.drive(0.1), closed.geometry, closed.next_data):
+                    with self.assertRaisesRegex(DeviceClosed, f"{closed.name} is closed"):
+                        act()
+            with self.assertRaisesRegex(ConnectionLost, "the connection is closed"):
+                client.read()
+            with self.assertRaisesRegex(ConnectionLost, "the connection is closed"):
+                client.position2d(0)
+
     def test_a_device_that_is_not_there_cannot_be_opened(self) -> None:
         def refuse(peer: Peer) -> None:
             while True:
@@ -264,8 +398,10 @@ class Asking(unittest.TestCase):
         with FakeServer(refuse) as server, connect(server.address) as client:
             with self.assertRaisesRegex(RequestRefused, "there is no position2d:3 to open"):
                 client.position2d(3)
-            with self.assertRaisesRegex(PlayerError, 'no interface "position"'):
-                client.device("position", 0)
+            with self.assertRaisesRegex(InvalidValue, r'no interface "lazer" \(did you mean "laser"\?\)'):
+                client.device("lazer", 0)
+            with self.assertRaisesRegex(InvalidValue, 'no interface "xyzzy"$'):
+                client.device("xyzzy", 0)
 
     def test_a_driver_that_refuses_to_start_is_an_error(self) -> None:
         def refuse(peer: Peer) -> None:
@@ -279,6 +415,84 @@ class Asking(unittest.TestCase):
         with FakeServer(refuse) as server, connect(server.address) as client:
             with self.assertRaisesRegex(RequestRefused, "cannot open position2d:0"):
                 client.position2d(0)
+
+
+class TheEnd(unittest.TestCase):
+    """A server that ends has often just said the last things; they are delivered before the error."""
+
+    def check(self, end: Callable[[Peer, Message], None], mode: Mode, wanted: List[float]) -> Client:
+        def rounds(peer: Peer, message: Message) -> None:
+            end(peer, message)
+            raise ConnectionError  # closes the connection
+
+        with FakeServer(script(rounds)) as server, connect(server.address, mode=mode) as client:
+            robot = client.position2d(0)
+            seen: List[float] = []
+            robot.on_data(lambda kind, value, timestamp: seen.append(value.pos.px))
+            if mode == Mode.PUSH:
+                robot.drive(0.1)  # anything, for the script to go on
+            counted = 0
+            with self.assertRaisesRegex(ConnectionLost, "the server closed the connection"):
+                while True:
+                    counted += client.read()
+            self.assertEqual((seen, counted), (wanted, len(wanted)))
+            with self.assertRaisesRegex(ConnectionLost, "the server closed the connection"):
+                client.read()
+            self.assertFalse(client.connected)
+        return client
+
+    def test_a_round_that_is_never_closed_is_delivered(self) -> None:
+        def end(peer: Peer, message: Message) -> None:
+            peer.answer(message)
+            peer.data(position2d.DATA_STATE, state(1.0))
+            peer.data(position2d.DATA_STATE, state(2.0))
+
+        self.check(end, Mode.PULL, [1.0, 2.0])
+
+    def test_data_instead_of_an_answer_are_delivered_and_their_losses_counted(self) -> None:
+        wanted = [float(n) for n in range(3000)]  # more than wait for an ordinary request
+
+        def end(peer: Peer, message: Message) -> None:
+            for x in wanted:
+                peer.data(position2d.DATA_STATE, state(x))
+            peer.synch(lost=551)
+
+        self.assertEqual(self.check(end, Mode.PULL, wanted).overflow_count, 551)
+
+    def test_pushed_data_are_delivered(self) -> None:
+        def end(peer: Peer, message: Message) -> None:
+            peer.data(position2d.DATA_STATE, state(1.0))
+            peer.data(position2d.DATA_STATE, state(2.0))
+
+        self.check(end, Mode.PUSH, [1.0, 2.0])
+
+    def test_data_that_came_before_a_command_failed_can_still_be_read(self) -> None:
+        def rounds(peer: Peer, message: Message) -> None:
+            peer.data(position2d.DATA_STATE, state(1.0))
+            raise ConnectionError  # what is sent there from now on is answered with a reset
+
+        with FakeServer(script(rounds)) as server, connect(server.address, mode=Mode.PUSH) as client:
+            robot = client.position2d(0)
+            with self.assertRaisesRegex(ConnectionLost, "the server is gone"):
+                while True:
+                    robot.drive(0.1)
+            client.read()
+            self.assertEqual(robot.pose.x, 1.0)
+            with self.assertRaisesRegex(ConnectionLost, "the server is gone"):
+                client.read()
+
+    def test_updates_end_with_the_last_data(self) -> None:
+        def rounds(peer: Peer, message: Message) -> None:
+            peer.answer(message)
+            peer.data(position2d.DATA_STATE, state(1.0))
+            raise ConnectionError
+
+        with FakeServer(script(rounds)) as server, connect(server.address) as client:
+            seen = []
+            with self.assertRaises(ConnectionLost):
+                for each in client.position2d(0).updates():
+                    seen.append(each.pose.x)
+            self.assertEqual(seen, [1.0])
 
 
 class Ending(unittest.TestCase):

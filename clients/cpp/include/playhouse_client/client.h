@@ -12,6 +12,7 @@
 
 #include "playhouse/base/result.h"
 #include "playhouse_client/device.h"
+#include "playhouse_client/model.h"
 
 namespace playhouse::client {
 
@@ -38,13 +39,16 @@ struct RuleScope {
 
 /// One line of the server's device list.
 struct DeviceEntry {
-  std::uint16_t interf = 0;  // interface code
-  std::uint16_t index = 0;
+  DeviceAddress address;
   std::string driver;
+  std::string model;  // that it shows, by its full name; empty where the server tells no names
+  std::string robot;  // the model at the top that carries that one, or is it
 
-  /// "position2d:0"; the code where the interface has no known name.
-  std::string name() const;
+  /// "position2d:0".
+  std::string name() const { return address.name(); }
 };
+
+class Robot;  // robot.h
 
 class Client {
  public:
@@ -64,8 +68,18 @@ class Client {
   /// False once the server is gone or this client closed.
   bool connected() const;
 
-  /// What the server offers, in its own order, with the driver behind each device.
+  /// What the server offers, in its own order, with the driver behind each device and the model it shows.
   Result<std::vector<DeviceEntry>> devices();
+
+  /// Every model of the simulated world, parents before children. An error where the server tells no names:
+  /// it simulates nothing, or is not this program.
+  Result<std::vector<Model>> models();
+  /// The models at the top that have a device on this port, themselves or by what they carry; their order is
+  /// the world file's. An error as with models(). Needs robot.h.
+  Result<std::vector<Robot>> robots();
+  /// The model of this full name and what it carries, for opening its devices. Of equal names the last is
+  /// meant. Needs robot.h.
+  Result<Robot> robot(std::string_view name);
 
   Result<void> set_mode(Mode mode);
   Result<void> set_replace_rule(Rule rule, const RuleScope& scope = {});
@@ -82,12 +96,13 @@ class Client {
   /// Messages that nobody waited for or that made no sense.
   std::uint64_t skipped_count() const;
 
-  /// Says goodbye and waits up to a second until the server has read everything that was sent.
+  /// Ends the connection; waits up to a second until the server has read everything that was sent.
   void close();
 
  private:
   friend class Device;
   explicit Client(std::shared_ptr<Session> session) : session_(std::move(session)) {}
+  Result<std::vector<Model>> told_models(const std::vector<DeviceAddress>& devices);
 
   std::shared_ptr<Session> session_;
 };

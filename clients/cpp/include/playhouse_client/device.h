@@ -52,10 +52,12 @@ class Device {
 
   /// False after close() and in what was moved from.
   bool is_open() const { return slot_ != nullptr; }
+  /// False once the server is gone or the client closed.
+  bool connected() const;
   std::uint16_t interf() const;
   std::uint16_t index() const;
-  /// "position2d:0".
-  std::string name() const;
+  /// "position2d:0", also after close().
+  const std::string& name() const { return name_; }
   /// Name of the driver behind the device.
   std::string driver() const;
 
@@ -63,6 +65,10 @@ class Device {
   /// lost connection are errors.
   template <typename Reply = Nothing, typename Payload = Nothing>
   Result<Reply> request(std::uint8_t subtype, const Payload& payload = {});
+
+  /// As request(), for questions that a server may well refuse: none for NACK.
+  template <typename Reply, typename Payload = Nothing>
+  Result<std::optional<Reply>> ask(std::uint8_t subtype, const Payload& payload = {});
 
   /// Sends a command; the server carries it out without an answer.
   template <typename Payload = Nothing>
@@ -98,14 +104,21 @@ class Device {
   Result<void> close();
 
  private:
+  friend class Robot;
+  static Result<Device> open(const std::shared_ptr<Session>& session, std::uint16_t interf,
+                             std::uint16_t index, Access access);
   Device(std::shared_ptr<Session> session, std::unique_ptr<Slot> slot);
-  Result<std::vector<std::byte>> request_bytes(std::uint8_t subtype, std::span<const std::byte> body);
+  using Bytes = std::vector<std::byte>;
+  Result<Bytes> request_bytes(std::uint8_t subtype, std::span<const std::byte> body);
+  Result<std::optional<Bytes>> ask_bytes(std::uint8_t subtype, std::span<const std::byte> body);
   Result<void> command_bytes(std::uint8_t subtype, std::span<const std::byte> body);
   const std::vector<std::byte>* latest_bytes(std::uint8_t subtype) const;
   Error undecoded(std::uint8_t subtype, std::string_view what) const;
+  Error closed() const;
 
   std::shared_ptr<Session> session_;
   std::unique_ptr<Slot> slot_;  // none when closed
+  std::string name_;            // "position2d:0"
 };
 
 namespace internal {
@@ -130,6 +143,16 @@ Result<Reply> Device::request(std::uint8_t subtype, const Payload& payload) {
     Result<Reply> reply = wire::decode<Reply>(*answer);
     return reply ? reply : undecoded(subtype, reply.error().text);
   }
+}
+
+template <typename Reply, typename Payload>
+Result<std::optional<Reply>> Device::ask(std::uint8_t subtype, const Payload& payload) {
+  const Result<std::optional<Bytes>> answer = ask_bytes(subtype, internal::bytes_of(payload));
+  if (!answer) return answer.error();
+  if (!*answer) return std::optional<Reply>();
+  Result<Reply> reply = wire::decode<Reply>(**answer);
+  if (!reply) return undecoded(subtype, reply.error().text);
+  return std::optional<Reply>(std::move(*reply));
 }
 
 template <typename Payload>

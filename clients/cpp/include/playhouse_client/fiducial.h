@@ -2,25 +2,38 @@
 
 /// A finder of markers. SI units and radians.
 
+#include <cstdint>
+
 #include "playhouse/wire/generated/fiducial.h"
 #include "playhouse_client/client.h"
+#include "playhouse_client/pose.h"
 
 namespace playhouse::client {
+
+/// A marker in sight: its number and where it is, seen from the sensor.
+struct Marker {
+  std::int32_t id = 0;
+  Pose3d pose;
+
+  double distance() const;  // m
+  double bearing() const;   // rad
+};
 
 class Fiducial {
  public:
   static Result<Fiducial> open(Client& client, std::uint16_t index, Access access = Access::kAll);
 
-  /// What is in sight: numbers, and poses seen from the sensor.
-  std::vector<wire::fiducial::Item> markers() const;
+  /// What is in sight; empty before the first data.
+  std::vector<Marker> markers() const;
 
   Result<wire::fiducial::Fov> field_of_view();
   Result<void> set_field_of_view(const wire::fiducial::Fov& fov);
-  Result<wire::fiducial::Geom> geometry();
+  Result<Geometry> geometry();
 
   Device& device() { return device_; }
 
  private:
+  friend class Robot;
   explicit Fiducial(Device device) : device_(std::move(device)) {}
 
   Device device_;

@@ -2,8 +2,11 @@
 
 /// A laser scanner; its data say where the beams point. SI units and radians.
 
+#include <optional>
+
 #include "playhouse/wire/generated/laser.h"
 #include "playhouse_client/client.h"
+#include "playhouse_client/pose.h"
 #include "playhouse_client/scan.h"
 
 namespace playhouse::client {
@@ -12,18 +15,19 @@ class Laser {
  public:
   static Result<Laser> open(Client& client, std::uint16_t index, Access access = Access::kAll);
 
-  /// The last scan; empty before the first data.
-  Scan scan() const;
+  /// The last scan; none before the first data.
+  std::optional<Scan> scan() const;
   /// One per range, in the device's own unit; empty if it has none.
   std::vector<std::uint8_t> intensities() const;
 
   Result<wire::laser::Config> config();
   Result<void> set_config(const wire::laser::Config& config);
-  Result<wire::laser::Geom> geometry();
+  Result<Geometry> geometry();
 
   Device& device() { return device_; }
 
  private:
+  friend class Robot;
   explicit Laser(Device device) : device_(std::move(device)) {}
 
   Device device_;

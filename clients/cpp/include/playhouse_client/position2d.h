@@ -2,8 +2,11 @@
 
 /// A mobile base. SI units and radians; x forward, y left, angles counter-clockwise.
 
+#include <optional>
+
 #include "playhouse/wire/generated/position2d.h"
 #include "playhouse_client/client.h"
+#include "playhouse_client/pose.h"
 
 namespace playhouse::client {
 
@@ -11,10 +14,10 @@ class Position2d {
  public:
   /// Odometry: where the base believes to be, how it moves, and whether it is blocked.
   struct State {
-    wire::Pose2d pose;      // m, m, rad, from where odometry started
-    wire::Pose2d velocity;  // m/s, m/s, rad/s, in the robot's own frame
+    Pose pose;  // from where odometry started
+    Velocity velocity;
     bool stalled = false;
-    double timestamp = 0;  // server's time, s; 0 before the first data
+    double time = 0;  // the server's, of these data [s]
   };
 
   static Result<Position2d> open(Client& client, std::uint16_t index, Access access = Access::kAll);
@@ -24,8 +27,10 @@ class Position2d {
   /// As close().
   ~Position2d();
 
-  /// What the last Client::read() brought; zeros before the first data.
-  State state() const;
+  /// What the last Client::read() brought; none before the first data.
+  std::optional<State> state() const;
+
+  // Commands with a number that is not finite are errors, and nothing is sent.
 
   /// Forward and to the left (m/s), turning (rad/s), until the next command.
   Result<void> drive(double vx, double va, double vy = 0.0);
@@ -35,14 +40,14 @@ class Position2d {
   Result<void> drive_car(double speed, double steering);
 
   /// To a pose in odometry's frame, with the driver's own planning; speed 0 is the driver's choice.
-  Result<void> go_to(const wire::Pose2d& pose, double speed = 0.0);
+  Result<void> go_to(const Pose& pose, double speed = 0.0);
 
   Result<void> set_motor_power(bool on);
 
   /// Says where the base is from now on; the robot does not move.
-  Result<void> set_odometry(const wire::Pose2d& pose);
+  Result<void> set_odometry(const Pose& pose);
   Result<void> reset_odometry();
-  Result<wire::position2d::Geom> geometry();
+  Result<Geometry> geometry();
 
   /// Stops the robot if the last command moved it, and closes the device.
   Result<void> close();
@@ -50,6 +55,7 @@ class Position2d {
   Device& device() { return device_; }
 
  private:
+  friend class Robot;
   explicit Position2d(Device device) : device_(std::move(device)) {}
 
   Device device_;

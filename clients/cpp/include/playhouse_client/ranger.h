@@ -2,8 +2,11 @@
 
 /// A device that measures distances: a laser scanner, or a ring of sonars. SI units and radians.
 
+#include <optional>
+
 #include "playhouse/wire/generated/ranger.h"
 #include "playhouse_client/client.h"
+#include "playhouse_client/pose.h"
 #include "playhouse_client/scan.h"
 
 namespace playhouse::client {
@@ -19,11 +22,13 @@ class Ranger {
   std::vector<double> intensities() const;
 
   /// Ranges with directions: each element's own if there is one per range, else spread over the field of
-  /// view.
-  Scan scan() const;
+  /// view. None before the first data.
+  std::optional<Scan> scan() const;
 
   const wire::ranger::Config& config() const { return config_; }
-  const wire::ranger::Geom& geometry() const { return geometry_; }
+  /// The wire's own geometry, with the poses and sizes of the elements.
+  const wire::ranger::Geom& geom() const { return geom_; }
+  Geometry geometry() const;
 
   /// Asks for another set-up; config() then shows what the device made of it.
   Result<void> set_config(const wire::ranger::Config& config);
@@ -33,11 +38,13 @@ class Ranger {
   Device& device() { return device_; }
 
  private:
+  friend class Robot;
+  static Result<Ranger> prepare(Device device);
   explicit Ranger(Device device) : device_(std::move(device)) {}
 
   Device device_;
   wire::ranger::Config config_;
-  wire::ranger::Geom geometry_;
+  wire::ranger::Geom geom_;
 };
 
 }  // namespace playhouse::client

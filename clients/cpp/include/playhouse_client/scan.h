@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "playhouse/wire/generated/common.h"
+#include "playhouse_client/pose.h"
 
 namespace playhouse::client {
 
@@ -13,13 +13,13 @@ struct Scan {
   std::vector<double> ranges;
   std::vector<double> angles;
   double max_range = 0;  // m
-  double timestamp = 0;  // server's time, s; 0 before the first data
+  double time = 0;       // the server's, of the measurement [s]
 
   /// The shortest range between two directions; max_range if nothing is measured there.
   double nearest(double low, double high) const;
 
   /// Where the beams end, in the sensor's frame.
-  std::vector<wire::Point2d> points() const;
+  std::vector<Point> points() const;
 };
 
 /// `count` angles from `low` to `high`.

@@ -4,6 +4,7 @@
 
 #include "playhouse/wire/generated/sonar.h"
 #include "playhouse_client/client.h"
+#include "playhouse_client/pose.h"
 
 namespace playhouse::client {
 
@@ -14,12 +15,13 @@ class Sonar {
   /// In m, one per sonar, in the order of poses(); empty before the first data.
   std::vector<double> ranges() const;
   /// Where the sonars sit on the robot.
-  Result<std::vector<wire::Pose3d>> poses();
+  Result<std::vector<Pose3d>> poses();
   Result<void> set_power(bool on);
 
   Device& device() { return device_; }
 
  private:
+  friend class Robot;
   explicit Sonar(Device device) : device_(std::move(device)) {}
 
   Device device_;

@@ -103,11 +103,12 @@ class Pose3dReq(Struct):
 class PropertyReq(Struct):
     """A property of a model. (player_simulation_property_req_t)"""
 
-    # Of the model, with its final NUL.
+    # Of the model, with its final NUL; empty for a property of the whole world.
     name: bytes = b""
     # Name of the property, with its final NUL.
     prop: bytes = b""
-    # Which element, if the property is a list.
+    # Which element, if the property is a list: the first that is wanted; in an answer the one to ask from
+    # next, 0 when there are no more.
     index: int = 0
     # The property's bytes, in a form given by the simulator; empty in a question.
     value: bytes = b""
@@ -145,7 +146,8 @@ REQ_SET_POSE2D = MessageType(31, Kind.REQ, 2, "simulation.req.set_pose2d", Pose2
 REQ_GET_POSE3D = MessageType(31, Kind.REQ, 3, "simulation.req.get_pose3d", Pose3dReq)
 # Moves a model by name.
 REQ_SET_POSE3D = MessageType(31, Kind.REQ, 4, "simulation.req.set_pose3d", Pose3dReq)
-# Asks for a property of a model by name.
+# Asks for a property of a model by name; without a name, for "models", the list of all with their devices
+# (docs/drivers.md).
 REQ_GET_PROPERTY = MessageType(31, Kind.REQ, 5, "simulation.req.get_property", PropertyReq)
 # Sets a property of a model by name.
 REQ_SET_PROPERTY = MessageType(31, Kind.REQ, 6, "simulation.req.set_property", PropertyReq)

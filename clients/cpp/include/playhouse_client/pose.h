@@ -1,0 +1,45 @@
+#pragma once
+
+/// Places, velocities and sizes as programs use them, under the same names in both languages
+/// (docs/clients.md). SI units and radians; x forward, y left, z up, angles counter-clockwise.
+
+namespace playhouse::client {
+
+/// A place in the plane: x and y in m, a in rad.
+struct Pose {
+  double x = 0, y = 0, a = 0;
+  friend bool operator==(const Pose&, const Pose&) = default;
+};
+
+/// In the robot's own frame: x and y in m/s, a in rad/s.
+struct Velocity {
+  double x = 0, y = 0, a = 0;
+  friend bool operator==(const Velocity&, const Velocity&) = default;
+};
+
+/// A place in space: m and rad.
+struct Pose3d {
+  double x = 0, y = 0, z = 0;
+  double roll = 0, pitch = 0, yaw = 0;
+  friend bool operator==(const Pose3d&, const Pose3d&) = default;
+};
+
+/// A point of the plane, in m.
+struct Point {
+  double x = 0, y = 0;
+  friend bool operator==(const Point&, const Point&) = default;
+};
+
+/// Extents in m along x, y and z.
+struct Size {
+  double x = 0, y = 0, z = 0;
+  friend bool operator==(const Size&, const Size&) = default;
+};
+
+/// Where a device sits on its robot (for a base: its own centre), and how big it is.
+struct Geometry {
+  Pose3d pose;
+  Size size;
+};
+
+}  // namespace playhouse::client

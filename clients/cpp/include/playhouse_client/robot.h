@@ -1,0 +1,54 @@
+#pragma once
+
+/// A robot by its name: the devices of a model and of all that it carries.
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "playhouse_client/fiducial.h"
+#include "playhouse_client/laser.h"
+#include "playhouse_client/model.h"
+#include "playhouse_client/position2d.h"
+#include "playhouse_client/ranger.h"
+#include "playhouse_client/sonar.h"
+
+namespace playhouse::client {
+
+/// A device of a robot, and the model that it shows.
+struct RobotDevice {
+  DeviceAddress address;
+  std::string model;
+};
+
+/// Client::robot() and Client::robots() make them. A robot may outlive its client; it then opens nothing.
+class Robot {
+ public:
+  const std::string& name() const { return name_; }
+  /// Its type as the world file says: "pioneer2dx".
+  const std::string& type() const { return type_; }
+  /// On the port of the connection: the model's own, then those of what it carries, in the file's order.
+  const std::vector<RobotDevice>& devices() const { return devices_; }
+
+  /// Opens its n-th device of an interface, n from 0. An error says which devices there are.
+  Result<Position2d> position2d(std::size_t n = 0, Access access = Access::kAll) const;
+  Result<Laser> laser(std::size_t n = 0, Access access = Access::kAll) const;
+  Result<Ranger> ranger(std::size_t n = 0, Access access = Access::kAll) const;
+  Result<Sonar> sonar(std::size_t n = 0, Access access = Access::kAll) const;
+  Result<Fiducial> fiducial(std::size_t n = 0, Access access = Access::kAll) const;
+  /// Any interface, by its name.
+  Result<Device> device(std::string_view interf, std::size_t n = 0, Access access = Access::kAll) const;
+
+ private:
+  friend class Client;
+  Robot(std::shared_ptr<Session> session, std::string name, std::string type,
+        std::vector<RobotDevice> devices);
+
+  std::shared_ptr<Session> session_;
+  std::string name_, type_;
+  std::vector<RobotDevice> devices_;
+};
+
+}  // namespace playhouse::client

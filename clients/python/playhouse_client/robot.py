@@ -1,0 +1,120 @@
+"""A robot by the name that the world file gives it, with the devices that it and all it carries have."""
+
+from typing import TYPE_CHECKING, Dict, List, cast
+
+from .device import Device
+from .errors import RequestRefused
+from .models import DeviceAddress, Model
+from .proxies import Fiducial, Laser, Position2d, Ranger, Sonar
+
+if TYPE_CHECKING:
+    from .client import Client
+
+
+class Robot:
+    """A model and what it carries; Client.robot() and Client.robots() give it.
+
+    `name` and `type` are those of the world file; `models` are the model itself and what it carries, `devices` the
+    addresses of all their devices. `position2d`, `laser`, `ranger`, `sonar` and `fiducial` are the first of their
+    kind, `lasers` and so on all of them, opened on first use. Leaving a `with` block, or close(), closes what was
+    opened here; a moving robot is stopped first.
+    """
+
+    def __init__(self, client: "Client", models: List[Model], port: int) -> None:
+        self.name = models[0].name
+        self.type = models[0].type
+        self.models = models
+        self.devices = [address for model in models for address in model.devices]
+        self._client = client
+        self._port = port  # of the server that the client is connected to, as that server knows it
+        self._opened: Dict[DeviceAddress, Device] = {}
+
+    def __repr__(self) -> str:
+        return f"<Robot {self.name!r}: {_names(self.devices)}>"
+
+    def device(self, interface: str, nth: int = 0) -> Device:
+        """The robot's device of any interface, the first or the one after `nth` others."""
+        here = self._reachable(interface)
+        if not 0 <= nth < len(here):
+            number = f" number {nth}" if nth else ""
+            raise RequestRefused(f'robot "{self.name}" has no {interface}{number} {self._elsewhere(interface)}')
+        return self._open(here[nth])
+
+    @property
+    def position2d(self) -> Position2d:
+        return cast(Position2d, self.device("position2d"))
+
+    @property
+    def laser(self) -> Laser:
+        return cast(Laser, self.device("laser"))
+
+    @property
+    def ranger(self) -> Ranger:
+        return cast(Ranger, self.device("ranger"))
+
+    @property
+    def sonar(self) -> Sonar:
+        return cast(Sonar, self.device("sonar"))
+
+    @property
+    def fiducial(self) -> Fiducial:
+        return cast(Fiducial, self.device("fiducial"))
+
+    @property
+    def position2ds(self) -> List[Position2d]:
+        return cast(List[Position2d], self._all("position2d"))
+
+    @property
+    def lasers(self) -> List[Laser]:
+        return cast(List[Laser], self._all("laser"))
+
+    @property
+    def rangers(self) -> List[Ranger]:
+        return cast(List[Ranger], self._all("ranger"))
+
+    @property
+    def sonars(self) -> List[Sonar]:
+        return cast(List[Sonar], self._all("sonar"))
+
+    @property
+    def fiducials(self) -> List[Fiducial]:
+        return cast(List[Fiducial], self._all("fiducial"))
+
+    def close(self) -> None:
+        """Closes the devices that were opened here, the last opened first. They open again when they are used."""
+        while self._opened:
+            self._opened.popitem()[1].close()
+
+    def __enter__(self) -> "Robot":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def _all(self, interface: str) -> List[Device]:
+        return [self._open(address) for address in self._reachable(interface)]
+
+    def _reachable(self, interface: str) -> List[DeviceAddress]:
+        """A connection reaches the devices of its own port only."""
+        return [at for at in self.devices if at.interface == interface and at.port == self._port]
+
+    def _elsewhere(self, interface: str) -> str:
+        """Where else the robot has devices of this interface, or else what it has instead."""
+        others = [
+            f"{at.name} at port {at.port}"
+            for at in self.devices
+            if at.interface == interface and at.port != self._port
+        ]
+        if others:
+            return f"at port {self._port}, but {', '.join(others)}: connect there"
+        return f"(it has {_names(self.devices) or 'no devices'})"
+
+    def _open(self, address: DeviceAddress) -> Device:
+        device = self._opened.get(address)
+        if device is None or not device.is_open:
+            device = self._opened[address] = self._client.device(address.interface, address.index)
+        return device
+
+
+def _names(devices: List[DeviceAddress]) -> str:
+    return ", ".join(address.name for address in devices)
