@@ -4,7 +4,8 @@ import { join } from 'node:path';
 import type { Plugin } from 'vite';
 import { defineConfig } from 'vitest/config';
 
-// `npm run dev` serves the page with live reload against a program on 8080 (or PLAYHOUSE_WEB=host:port).
+// `npm run dev` serves the page with live reload against a program on 8080 (or PLAYHOUSE_WEB=host:port). The proxy leaves
+// Host and Origin as the browser sent them, both localhost:5173, so that the program takes the page for its own.
 const program = process.env.PLAYHOUSE_WEB ?? '127.0.0.1:8080';
 
 /** Leaves FILE.gz beside each built file; the program serves it to browsers that take it. */

@@ -2,6 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { createServer } from 'node:http';
 import { join } from 'node:path';
 import { results, startBrowser, startProgram, watch } from './program.mjs';
 
@@ -241,11 +242,37 @@ test('a browser that cannot draw is told why', async () => {
 
 test('a page under a name that only points here is told what to do', async () => {
   const other = await browser.newPage();
-  await other.goto(program.page.replace('127.0.0.1', 'elsewhere.localhost'));
-  await other.waitForFunction(() => !document.querySelector('#lost').hidden);
-  assert.match(await other.locator('#lost').textContent(), /No connection under the name elsewhere.localhost.*address/);
-  await other.screenshot({ path: join(results, 'refused.png') });
+  const answer = await other.goto(program.page.replace('127.0.0.1', 'elsewhere.localhost'));
+  assert.equal(answer.status(), 421);
+  assert.match(await other.locator('body').textContent(), /"elsewhere.localhost:\d+" is no name of this program.*--web-host/);
   await other.close();
+});
+
+test('a page of another port of this machine can neither control nor frame the program', async () => {
+  const stranger = createServer((_, answer) => {
+    answer.setHeader('Content-Type', 'text/html');
+    answer.end(`<iframe src="${program.page}"></iframe>`);
+  });
+  await new Promise((done) => stranger.listen(0, '127.0.0.1', done));
+  const other = await browser.newPage();
+  await other.goto(`http://127.0.0.1:${stranger.address().port}/`);
+  const live = new URL('live', program.page).href.replace(/^http/, 'ws');
+  const opened = (from) =>
+    from.evaluate(
+      (url) =>
+        new Promise((done) => {
+          const socket = new WebSocket(url);
+          socket.onopen = () => done(true);
+          socket.onerror = () => done(false);
+        }),
+      live,
+    );
+  assert.equal(await opened(other), false);
+  assert.equal(await opened(page), true);
+  const frame = other.frames()[1];
+  assert.equal(await frame.evaluate(() => document.querySelector('#picture')), null);
+  await other.close();
+  stranger.close();
 });
 
 test('the page says so when the program is gone, and comes back with it', async () => {

@@ -1,13 +1,17 @@
+import { Driver } from './drive/driver';
+import { HeldKeys, handsOfAxes, sum, velocityOf } from './drive/hands';
 import { Link, type LinkState } from './link';
 import type { Replica } from './protocol/replica';
-import type { Scene } from './protocol/scene';
+import { wheelsOf, type Scene } from './protocol/scene';
 import { Clock } from './ui/clock';
 import { DevicePanel } from './ui/device_panel';
 import { byId } from './ui/dom';
+import { DriveBar } from './ui/drive_bar';
 import { fillHelp } from './ui/help';
-import { listenForKeys } from './ui/keyboard';
+import { listenForHeldKeys, listenForKeys } from './ui/keyboard';
 import { RobotList } from './ui/robot_list';
 import { SpeedWish, fasterBy } from './ui/speed_wish';
+import { Stick } from './ui/stick';
 import { Toolbar } from './ui/toolbar';
 import { Pointer } from './view/pointer';
 import type { Margins } from './view/camera_rig';
@@ -15,13 +19,15 @@ import { StageView } from './view/stage_view';
 import { kDarkPage } from './view/theme';
 
 const kLookPeriodMs = 150;
+const kDrivePeriodMs = 50;
+const kNearScale = 60; // pixels per metre: near enough to see a robot's sensors
 const kSensorScale = 8; // pixels per metre: seen from farther away, fans are a fog
 const kNoticeMs = 4000;
 const kLinkTexts: Record<LinkState, string> = {
   connecting: 'connecting',
   live: 'connected',
   silent: 'The program is silent. It may be busy or stopped in a debugger.',
-  lost: 'Connection lost. Trying again …',
+  lost: 'Connection lost. Trying again … What you see is old.',
 };
 
 /** Everything on the page, and what one part tells the others. */
@@ -32,6 +38,12 @@ class Page {
   private lookTime = 0;
   private noticeTimer = 0;
   private readonly speedWish = new SpeedWish();
+  private readonly driver = new Driver();
+  private readonly heldKeys = new HeldKeys();
+  private hurry = false;
+  private wheels: number | null = null; // of the selected robot
+  private live = false;
+  private readonly pointer: Pointer;
 
   private readonly view = new StageView(byId<HTMLCanvasElement>('picture'), byId<HTMLCanvasElement>('overlay'), margins);
   private readonly link = new Link(new URL('live', location.href).href.replace(/^http/, 'ws'), {
@@ -60,18 +72,27 @@ class Page {
     follow: (row) => this.follow(this.view.followed === row ? null : row),
   });
   private readonly help = byId<HTMLDialogElement>('help');
+  private readonly driveBar = new DriveBar(byId('drive'));
+  private readonly stick = new Stick(byId('stick'), () => this.drive());
 
   constructor() {
     fillHelp(this.help);
     byId('robots').classList.add('desk');
-    new Pointer(byId('picture'), this.view, {
+    this.pointer = new Pointer(byId('picture'), this.view, {
       select: (row) => this.select(row),
       carry: (row, x, y, a) => this.link.send({ do: 'drag', model: row, x, y, a }),
       looked: () => this.panel.showFollowed(this.view.followed),
-      mayCarry: (row) => this.scene?.models[row].movable ?? false,
+      describe: (what) => this.showNotice(what),
+      mayCarry: (row) => (this.live && this.scene?.models[row].movable) ?? false,
     });
     listenForKeys(this.keys());
+    listenForHeldKeys(this.heldKeys, (fast) => {
+      this.hurry = fast;
+      this.drive();
+    });
+    window.setInterval(() => this.drive(), kDrivePeriodMs);
     kDarkPage.addEventListener('change', () => this.view.setTheme());
+    this.showLink('connecting');
     requestAnimationFrame((now) => this.frame(now));
   }
 
@@ -85,6 +106,9 @@ class Page {
       speed: replica?.speed ?? 1,
       gliding: view.rig.gliding,
       scans: replica?.scans.size ?? 0,
+      driven: this.driver.driven,
+      hovered: view.hovered === null ? null : (scene?.models[view.hovered].name ?? null),
+      labels: [...view.labelled].map((row) => scene?.models[row].name),
       robots: scene?.models.filter((model) => model.kind === 'position').map((model) => model.name) ?? [],
       pose: (name: string) => {
         const row = rowOf(name);
@@ -100,6 +124,7 @@ class Page {
 
   private frame(now: number): void {
     this.view.frame(now);
+    this.pointer.update(now);
     this.link.acknowledge();
     this.tellView(now);
     requestAnimationFrame((next) => this.frame(next));
@@ -131,10 +156,14 @@ class Page {
   }
 
   private showLink(state: LinkState): void {
+    this.live = state === 'live';
+    document.body.dataset.link = state;
+    if (!this.live) this.letGo();
+    if (state === 'lost') this.driver.forget();
     this.toolbar.showLink(state, kLinkTexts[state]);
     const banner = byId('lost');
     banner.hidden = state === 'live' || state === 'connecting';
-    banner.textContent = state === 'lost' && !this.scene && isOnlyName(location.hostname) ? refusedText() : kLinkTexts[state];
+    banner.textContent = kLinkTexts[state];
   }
 
   private showNotice(text: string): void {
@@ -146,14 +175,32 @@ class Page {
   }
 
   private select(row: number | null): void {
+    if (row !== this.view.selected) this.letGo();
     this.view.selected = row;
+    this.wheels = row === null || !this.scene ? null : wheelsOf(this.scene, this.view.roots, row);
+    this.driveBar.show(this.wheels === null ? null : this.scene!.models[this.wheels]);
+    this.stick.show(this.wheels !== null);
     if (row === null) this.follow(null);
     this.robots.showSelected(row);
     this.link.send({ do: 'select', model: row });
     if (row === null || !this.scene || !this.replica) this.panel.hide();
     else this.panel.show(this.scene, this.replica, this.view.roots, row);
     this.panel.showFollowed(this.view.followed);
+    if (row !== null) this.view.reveal(row);
     this.view.redraw();
+  }
+
+  /** What keys, gamepad and stick want, told to the program. */
+  private drive(): void {
+    const pads = document.hasFocus() ? navigator.getGamepads().filter((pad) => pad?.connected) : [];
+    const velocity = velocityOf(sum([this.heldKeys.hands(this.hurry), this.stick.hands(), ...pads.map((pad) => handsOfAxes(pad!.axes))]));
+    for (const order of this.driver.next(this.live ? this.wheels : null, velocity, performance.now())) this.link.send({ do: 'drive', ...order });
+    this.driveBar.showVelocity(velocity);
+  }
+
+  private letGo(): void {
+    this.heldKeys.clear();
+    this.stick.release();
   }
 
   private follow(row: number | null): void {
@@ -163,10 +210,7 @@ class Page {
   }
 
   private goTo(row: number): void {
-    const { motion, rig } = this.view;
-    if (!motion) return;
-    rig.glideTo({ x: motion.x[row], y: motion.y[row], scale: Math.max(rig.scale, 60) });
-    this.view.redraw();
+    this.view.goTo(row, kNearScale);
   }
 
   private tilt(): void {
@@ -184,6 +228,7 @@ class Page {
   }
 
   private askSpeed(speed: number): void {
+    if (!this.live) return;
     this.speedWish.ask(speed, performance.now());
     this.toolbar.showSpeed(speed);
     this.link.send({ do: 'speed', times_real_time: speed });
@@ -198,7 +243,7 @@ class Page {
       t: () => this.tilt(),
       f: () => this.fit(),
       l: () => this.follow(this.view.followed === null ? this.view.selected : null),
-      s: () => this.toolbar.toggle('sensors'),
+      v: () => this.toolbar.toggle('sensors'),
       m: () => this.toolbar.toggle('fiducials'),
       r: () => this.toolbar.toggle('trails'),
       n: () => this.toolbar.toggle('names'),
@@ -229,15 +274,6 @@ class Page {
     this.looked = text;
     this.link.send(look);
   }
-}
-
-/** Neither an address nor localhost: the program refuses pages under names that are not its machine's (docs/viewer.md). */
-function isOnlyName(host: string): boolean {
-  return host !== 'localhost' && !host.startsWith('[') && !/^[\d.]+$/.test(host);
-}
-
-function refusedText(): string {
-  return `No connection under the name ${location.hostname}. Open the page by the machine's address or own name; the program's log says if that is the reason.`;
 }
 
 /** What lies over the picture at its sides. */

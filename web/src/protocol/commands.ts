@@ -5,6 +5,7 @@ export type Command =
   | { do: 'step' }
   | { do: 'speed'; times_real_time: number }
   | { do: 'drag'; model: number; x: number; y: number; a: number }
+  | { do: 'drive'; model: number; forward: number; sideways: number; turn: number }
   | { do: 'select'; model: number | null }
   | { do: 'look'; x_min: number; y_min: number; x_max: number; y_max: number; sensors: boolean }
   | { do: 'ack'; frame: number };

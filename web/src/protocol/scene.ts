@@ -24,6 +24,8 @@ export interface Model {
   type: string;
   kind: 'plain' | 'position' | 'ranger' | 'fiducial';
   parent: number; // row, or -1
+  controllers?: string[];
+  devices?: string[]; // as Player clients address them
   start: [x_mm: number, y_mm: number, z_mm: number, turn: number, state: number, color: number];
   origin?: Pose;
   size: [number, number, number];
@@ -63,6 +65,22 @@ export function parseText(text: string): { scene: Scene } | { notice: string } {
   if ('notice' in message && typeof message.notice === 'string') return { notice: message.notice };
   if ('protocol' in message && message.protocol === 1) return { scene: message as Scene };
   throw new Error('this page is older or newer than the program: reload it');
+}
+
+/** The row of the wheels of a top-level model; null when it has none. */
+export function wheelsOf(scene: Scene, roots: Int32Array, row: number): number | null {
+  const wheels = scene.models.findIndex((model, part) => roots[part] === row && model.kind === 'position');
+  return wheels < 0 ? null : wheels;
+}
+
+/** The devices of a top-level model and its parts. */
+export function devicesOf(scene: Scene, roots: Int32Array, row: number): string[] {
+  return scene.models.flatMap((model, part) => (roots[part] === row ? (model.devices ?? []) : []));
+}
+
+/** "guest", or "guest (marker 13)" for somebody whose finder reads it. */
+export function nameWithMarker(model: Model): string {
+  return model.fiducial ? `${model.name} (marker ${model.fiducial})` : model.name;
 }
 
 /** Row of the top-level model above each model. */

@@ -1,5 +1,5 @@
 import { kMotorOff, kStalled, kSubscribed, radiansOf, type Replica, type SensorPlace } from '../protocol/replica';
-import type { Scene } from '../protocol/scene';
+import { devicesOf, type Model, type Scene } from '../protocol/scene';
 import { bearingOf } from '../view/fans';
 import { css, el, icon, setText } from './dom';
 import { PolarPlot } from './polar_plot';
@@ -27,12 +27,13 @@ export class DevicePanel {
   show(scene: Scene, replica: Replica, roots: Int32Array, row: number): void {
     this.row = row;
     this.refreshers = [];
-    this.box.replaceChildren(this.head(scene, replica, row), ...this.place(replica, row));
+    this.box.replaceChildren(this.head(scene, replica, roots, row), ...this.place(replica, row));
     scene.models.forEach((model, part) => {
       if (roots[part] !== row) return;
-      if (model.kind === 'position' && model.position !== undefined) this.box.append(...this.wheels(replica, part, model.position));
+      if (model.kind === 'position' && model.position !== undefined) this.box.append(...this.wheels(replica, model, part, model.position));
       if (model.kind === 'ranger') this.box.append(...this.ranger(scene, replica, part));
       if (model.kind === 'fiducial' && model.finder !== undefined) this.box.append(...this.finder(scene, replica, part, model.finder));
+      if (model.kind === 'plain' && model.devices) this.box.append(el('h3', {}, shortName(model.name), ...codes(model)));
     });
     this.box.hidden = false;
     this.box.dataset.robot = scene.models[row].name;
@@ -55,7 +56,7 @@ export class DevicePanel {
     for (const refresh of this.refreshers) refresh();
   }
 
-  private head(scene: Scene, replica: Replica, row: number): HTMLElement {
+  private head(scene: Scene, replica: Replica, roots: Int32Array, row: number): HTMLElement {
     const model = scene.models[row];
     const swatch = el('span', { class: 'swatch' });
     const stalled = el('span', { class: 'tag bad', 'data-testid': 'stalled' }, 'stalled');
@@ -71,7 +72,9 @@ export class DevicePanel {
       used.hidden = (replica.state[row] & kSubscribed) === 0;
     });
     const name = el('h2', { 'data-testid': 'selected', title: `${model.name}, a ${model.type}` }, model.name);
-    const tags = el('p', { class: 'tags' }, el('span', {}, model.type), stalled, used);
+    const devices = devicesOf(scene, roots, row);
+    const what = [model.type, ...(model.fiducial ? [`marker ${model.fiducial}`] : []), ...(devices.length === 0 ? ['no devices'] : [])].join(', ');
+    const tags = el('p', { class: 'tags' }, el('span', { 'data-testid': 'type' }, what), stalled, used);
     return el('header', {}, swatch, name, follow, close, tags);
   }
 
@@ -87,10 +90,10 @@ export class DevicePanel {
     ];
   }
 
-  private wheels(replica: Replica, model: number, position: number): Node[] {
+  private wheels(replica: Replica, wheels: Model, model: number, position: number): Node[] {
     const field = (k: number) => replica.positions[position * 6 + k];
     return [
-      el('h3', {}, 'Wheels', this.detail(() => (replica.state[model] & kMotorOff ? 'motor off' : 'position2d'))),
+      el('h3', {}, 'Wheels', ...codes(wheels), this.detail(() => (replica.state[model] & kMotorOff ? 'motor off' : ''))),
       el('table', {},
         this.line('speed', () => `${(field(0) / 1000).toFixed(3)} m/s`, 'speed-x'),
         this.line('sideways', () => `${(field(1) / 1000).toFixed(3)} m/s`, 'speed-y'),
@@ -110,7 +113,7 @@ export class DevicePanel {
     const canvas = el('canvas', { class: 'polar' });
     const plot = new PolarPlot(canvas);
     const nodes: Node[] = [
-      el('h3', {}, laser ? 'Laser' : 'Sonar', this.detail(() => rangerText(sensors, scansNow()), `ranger-${shortName(model.name)}`)),
+      el('h3', {}, laser ? 'Laser' : 'Sonar', ...codes(model), this.detail(() => rangerText(sensors, scansNow()), `ranger-${shortName(model.name)}`)),
       canvas,
     ];
     const drawn: (Uint16Array | undefined)[] = [];
@@ -166,7 +169,7 @@ export class DevicePanel {
         : hits.length === 0
           ? [el('tr', {}, el('td', { class: 'empty' }, 'sees no marker'))]
           : hits.slice(0, 12).map((hit) =>
-              el('tr', {}, el('th', {}, hit.id ? `#${hit.id}` : 'too far to read'), el('td', {}, metres(hit.range)), el('td', {}, degrees(hit.bearing))),
+              el('tr', {}, el('th', {}, hit.id ? `${scene.models[hit.target].name} (${hit.id})` : 'too far to read'), el('td', {}, metres(hit.range)), el('td', {}, degrees(hit.bearing))),
             );
       const text = lines.map((line) => line.textContent).join('|');
       if (table.dataset.shown === text) return;
@@ -175,7 +178,7 @@ export class DevicePanel {
     });
     const { range, fov } = scene.models[row];
     const reach = `to ${range ?? '?'} m, ${Math.round(((fov ?? 0) * 180) / Math.PI)}°`;
-    return [el('h3', {}, 'Fiducial finder', el('span', { class: 'detail' }, reach)), table];
+    return [el('h3', {}, 'Fiducial finder', ...codes(scene.models[row]), el('span', { class: 'detail' }, reach)), table];
   }
 
   private line(name: string, text: () => string, id?: string): HTMLElement {
@@ -189,6 +192,11 @@ export class DevicePanel {
     this.refreshers.push(() => setText(node, text()));
     return node;
   }
+}
+
+/** The devices of a part, as a client opens them. */
+function codes(model: Model): HTMLElement[] {
+  return (model.devices ?? []).map((device) => el('code', { 'data-device': device }, device));
 }
 
 function rangerText(sensors: SensorPlace[], scans: (Uint16Array | undefined)[]): string {

@@ -1,13 +1,16 @@
 import { el } from './dom';
 
 const kKeys: [string[], string][] = [
+  [['W', 'A', 'S', 'D'], 'drive the selected robot, while held; arrows and a gamepad do, too'],
+  [['Q', 'E'], 'sideways, for robots that can'],
+  [['Shift'], 'twice as fast'],
   [['Space'], 'pause or go on'],
   [['.'], 'one tick, then paused'],
   [['<', '>'], 'slower, faster'],
   [['T'], 'from above or tilted'],
   [['F'], 'everything on the screen'],
   [['L'], 'follow the selected robot'],
-  [['S', 'M', 'R', 'N', 'G'], 'sensors, markers, trails, names, grid'],
+  [['V', 'M', 'R', 'N', 'G'], 'sensors, markers, trails, names, grid'],
   [['/'], 'find a robot'],
   [['Esc'], 'select nothing'],
 ];

@@ -1,8 +1,14 @@
 import { kStalled, type Replica } from '../protocol/replica';
-import type { Scene } from '../protocol/scene';
+import { rootsOf, type Scene } from '../protocol/scene';
 import { css, el, setText } from './dom';
 
 const kRowsMost = 300; // shown at once; the search finds the rest
+
+interface Robot {
+  row: number;
+  name: string;
+  devices: string[]; // of all its parts, its wheels' first
+}
 
 interface Entry {
   row: number;
@@ -13,12 +19,19 @@ interface Entry {
   shown: number; // state and colour on the screen
 }
 
+function robotsOf(scene: Scene): Robot[] {
+  const roots = rootsOf(scene);
+  const devices: string[][] = scene.models.map(() => []);
+  scene.models.forEach((model, part) => devices[roots[part]].push(...(model.devices ?? [])));
+  return scene.models.flatMap((model, row) => (model.parent < 0 && model.kind === 'position' ? [{ row, name: model.name, devices: devices[row] }] : []));
+}
+
 /** The robots by name, with a search. */
 export class RobotList {
-  private readonly search = el('input', { type: 'search', placeholder: 'Find a robot', 'aria-label': 'Find a robot', 'data-testid': 'search' });
+  private readonly search = el('input', { type: 'search', placeholder: 'Find a robot or device', 'aria-label': 'Find a robot', 'data-testid': 'search' });
   private readonly count = el('div', { class: 'count', 'data-testid': 'count' });
   private readonly list = el('ul', { 'data-testid': 'robots' });
-  private robots: { row: number; name: string }[] = [];
+  private robots: Robot[] = [];
   private entries: Entry[] = [];
   private replica: Replica | null = null;
   private selected: number | null = null;
@@ -43,10 +56,7 @@ export class RobotList {
 
   show(scene: Scene, replica: Replica): void {
     this.replica = replica;
-    this.robots = [];
-    scene.models.forEach((model, row) => {
-      if (model.parent < 0 && model.kind === 'position') this.robots.push({ row, name: model.name });
-    });
+    this.robots = robotsOf(scene);
     this.fill();
   }
 
@@ -71,8 +81,8 @@ export class RobotList {
 
   private fill(): void {
     const wanted = this.search.value.trim().toLowerCase();
-    const found = this.robots.filter(({ name }) => name.toLowerCase().includes(wanted));
-    this.entries = found.slice(0, kRowsMost).map(({ row, name }) => this.entry(row, name));
+    const found = this.robots.filter(({ name, devices }) => [name, ...devices].some((text) => text.toLowerCase().includes(wanted)));
+    this.entries = found.slice(0, kRowsMost).map((robot) => this.entry(robot));
     this.list.replaceChildren(...this.entries.map((entry) => entry.item));
     const more = found.length > kRowsMost ? `, the first ${kRowsMost} shown` : '';
     const all = `${this.robots.length} robot${this.robots.length === 1 ? '' : 's'}`;
@@ -81,10 +91,11 @@ export class RobotList {
     this.update();
   }
 
-  private entry(row: number, name: string): Entry {
+  private entry({ row, name, devices }: Robot): Entry {
     const swatch = el('span', { class: 'swatch' });
     const tag = el('span', { class: 'tag bad', hidden: true }, 'stalled');
-    const button = el('button', { 'data-robot': name }, swatch, el('span', { class: 'name' }, name), tag);
+    const wheels = devices[0] ? el('code', {}, devices[0]) : null;
+    const button = el('button', { 'data-robot': name, title: [name, ...devices].join('\n') }, swatch, el('span', { class: 'name' }, name), tag, wheels);
     button.onclick = () => this.select(row);
     return { row, item: el('li', {}, button), button, swatch, tag, shown: -1 };
   }

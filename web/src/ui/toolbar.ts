@@ -15,7 +15,7 @@ export interface ToolbarEvents {
 
 const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 5, 10, 50, 0];
 const kLayers: [keyof Layers, string, string][] = [
-  ['sensors', 'Sensors', 'S'],
+  ['sensors', 'Sensors', 'V'],
   ['fiducials', 'Fiducials', 'M'],
   ['trails', 'Trails', 'R'],
   ['names', 'Names', 'N'],
@@ -47,6 +47,7 @@ export class Toolbar {
   private readonly speeds = el('select', { 'data-testid': 'speed', 'aria-label': 'Speed', title: 'Speed' });
   private readonly sheet = el('div', { class: 'sheet', hidden: true });
   private readonly boxes = new Map<keyof Layers, HTMLInputElement>();
+  private readonly stepButton = el('button', { 'data-testid': 'step', title: 'One tick (.)', 'aria-label': 'Step' }, icon('step'), el('span', { class: 'desk' }, ' Step'));
   private readonly tiltButton = el('button', { 'data-testid': 'tilt', title: 'From above or tilted (T)' });
   private paused: boolean | null = null;
 
@@ -55,21 +56,22 @@ export class Toolbar {
     private readonly layers: Layers,
     private readonly events: ToolbarEvents,
   ) {
-    const step = el('button', { 'data-testid': 'step', title: 'One tick (.)', 'aria-label': 'Step' }, icon('step'), el('span', { class: 'desk' }, ' Step'));
     const list = el('button', { class: 'phone', title: 'Robots', 'aria-label': 'Robots', 'data-testid': 'list' }, icon('list'));
     const fit = el('button', { class: 'desk', title: 'Everything on the screen (F)', 'data-testid': 'fit' }, 'Fit');
     const help = el('button', { title: 'Help (?)', 'aria-label': 'Help', 'data-testid': 'help' }, '?');
     this.pause.onclick = events.togglePause;
-    step.onclick = events.step;
+    this.stepButton.onclick = events.step;
     list.onclick = events.toggleList;
     fit.onclick = events.fit;
     help.onclick = events.help;
     this.tiltButton.onclick = events.tilt;
     this.speeds.onchange = () => events.speed(Number(this.speeds.value));
+    // Arrows belong to the choice while it has the focus: chosen with a mouse, it gives them back to who drives.
+    this.speeds.onpointerup = () => this.speeds.addEventListener('change', () => this.speeds.blur(), { once: true });
     this.showSpeed(1);
     bar.append(
       el('span', { class: 'brand' }, this.dot, el('span', { class: 'desk' }, 'Playhouse'), this.world),
-      list, el('span', { class: 'rule' }), this.pause, step, this.speeds, el('span', { class: 'gap' }),
+      list, el('span', { class: 'rule' }), this.pause, this.stepButton, this.speeds, el('span', { class: 'gap' }),
       this.tiltButton, fit, this.layerMenu(), help,
     );
     this.showPaused(false);
@@ -79,6 +81,7 @@ export class Toolbar {
   showLink(state: LinkState, text: string): void {
     this.dot.dataset.state = state;
     this.dot.title = text;
+    for (const control of [this.pause, this.stepButton, this.speeds]) control.disabled = state !== 'live';
   }
 
   showWorld(name: string): void {

@@ -2,6 +2,7 @@ import { OrthographicCamera, PerspectiveCamera, Vector3, type Camera } from 'thr
 
 const kFov = (35 * Math.PI) / 180;
 const kScale = { least: 0.5, most: 2000 }; // pixels per metre
+const kFitSteps = 8;
 const kPitchMost = (78 * Math.PI) / 180;
 export const kTilted = (50 * Math.PI) / 180;
 
@@ -76,24 +77,39 @@ export class CameraRig {
 
   /** The whole box within what the margins leave of the screen. */
   fit(box: Box, margins: Margins, mode: 'glide' | 'jump'): void {
-    const width = Math.max(box.x_max - box.x_min, 1);
-    const height = Math.max(box.y_max - box.y_min, 1);
-    const [s, c] = [Math.sin(this.yaw), Math.cos(this.yaw)];
-    const pitch = this.glide?.pitch ?? this.pitch;
-    const near = 1 + 0.1 * Math.sin(pitch); // perspective enlarges what is near
-    const across = (width * Math.abs(c) + height * Math.abs(s)) * near;
-    const up = (width * Math.abs(s) + height * Math.abs(c)) * Math.cos(pitch) * near;
+    const trial = new CameraRig();
+    trial.resize(this.width, this.height);
+    trial.yaw = this.yaw;
+    trial.pitch = this.glide?.pitch ?? this.pitch;
+    trial.x = (box.x_min + box.x_max) / 2;
+    trial.y = (box.y_min + box.y_max) / 2;
+    trial.scale = kScale.least;
+    for (let k = 0; k < kFitSteps; ++k) trial.fitBetter(box, margins);
+    const { x, y, scale } = trial;
+    if (mode === 'glide') this.glideTo({ x, y, scale });
+    else Object.assign(this, { x, y, scale });
+  }
+
+  /** Perspective enlarges what is near, the more so the nearer the eye: so the box is looked at from where it was found last. */
+  private fitBetter(box: Box, margins: Margins): void {
+    this.place();
+    const corners = [[box.x_min, box.y_min], [box.x_max, box.y_min], [box.x_max, box.y_max], [box.x_min, box.y_max]].map(([x, y]) => this.pixelOf(x, y, 0));
+    const xs = corners.map((p) => p?.x ?? 0);
+    const ys = corners.map((p) => p?.y ?? 0);
+    const [left, right, top, bottom] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
     const free = { x: this.width - margins.left - margins.right, y: this.height - margins.top - margins.bottom };
-    const scale = clamp(Math.min(free.x / across, free.y / up), kScale.least, kScale.most);
+    const middle = this.floorAt((left + right) / 2, (top + bottom) / 2);
+    const least = this.scale; // a point has no size: at least a metre is shown
+    const scale = clamp(least * Math.min(free.x / Math.max(right - left, least), free.y / Math.max(bottom - top, least)), kScale.least, kScale.most);
+    if (middle) Object.assign(this, { ...this.centreFor(middle.x, middle.y, scale, margins), scale });
+  }
+
+  /** Where to look at so that a point on the floor is in the middle of what the margins leave of the screen. */
+  centreFor(x: number, y: number, scale: number, margins: Margins): { x: number; y: number } {
+    const [s, c] = [Math.sin(this.yaw), Math.cos(this.yaw)];
     const right = (margins.right - margins.left) / 2 / scale;
-    const ahead = (margins.top - margins.bottom) / 2 / scale / Math.cos(pitch);
-    const to = {
-      x: (box.x_min + box.x_max) / 2 + c * right - s * ahead,
-      y: (box.y_min + box.y_max) / 2 + s * right + c * ahead,
-      scale,
-    };
-    if (mode === 'glide') this.glideTo(to);
-    else Object.assign(this, to);
+    const ahead = (margins.top - margins.bottom) / 2 / scale / Math.cos(this.glide?.pitch ?? this.pitch);
+    return { x: x + c * right - s * ahead, y: y + s * right + c * ahead };
   }
 
   lookAt(x: number, y: number): void {

@@ -1,25 +1,30 @@
 import type { Motion } from '../motion';
-import type { Scene } from '../protocol/scene';
+import { nameWithMarker, type Scene } from '../protocol/scene';
 import type { CameraRig } from './camera_rig';
+import { Places } from './places';
 import type { Theme } from './theme';
 
-const kLabelsMost = 250;
 const kLine = 14; // px
-const kScaleLeast = 14; // pixels per metre: below, names would cover the robots
+const kBodyLeast = 9; // px: smaller robots than this would vanish behind their names
+const kLabelsMost = 250;
 
 interface Label {
   row: number;
   height: number;
-  name: string; // empty: only the marker's id
-  id: string;
+  size: number; // m, of the body
+  robot: boolean;
+  name: string;
+  long: string; // with its marker
 }
 
-/** Names of robots and ids of markers, written over the picture. */
+/** Names of robots and of what carries a marker, written over the picture where there is room. */
 export class Labels {
   names = true;
-  ids = true;
+  markers = true;
+  /** Rows whose names were written last; they go first, so that names do not flicker where not all have room. */
+  written = new Set<number>();
   private readonly labels: Label[] = [];
-  private readonly written: { x: number; y: number; width: number }[] = [];
+  private readonly places = new Places();
   private readonly pen: CanvasRenderingContext2D;
 
   constructor(
@@ -31,13 +36,13 @@ export class Labels {
   ) {
     this.pen = canvas.getContext('2d')!;
     scene.models.forEach((model, row) => {
-      const robot = model.kind === 'position' && model.parent < 0;
-      const id = model.fiducial && model.parent < 0 ? `#${model.fiducial}` : '';
-      if (robot || id) this.labels.push({ row, height: model.size[2], name: robot ? model.name : '', id });
+      const robot = model.kind === 'position';
+      if (model.parent >= 0 || !(robot || model.fiducial || model.movable)) return;
+      this.labels.push({ row, robot, height: model.size[2], size: Math.max(model.size[0], model.size[1]), name: model.name, long: nameWithMarker(model) });
     });
   }
 
-  /** The emphasized rows are always named. */
+  /** The emphasized rows are always named, in full. */
   draw(emphasized: (number | null)[]): void {
     const { pen, canvas, rig } = this;
     const ratio = window.devicePixelRatio;
@@ -49,48 +54,34 @@ export class Labels {
     pen.clearRect(0, 0, rig.width, rig.height);
     pen.textAlign = 'center';
     pen.lineJoin = 'round';
-    this.written.length = 0;
-    for (const label of this.labels) {
-      if (emphasized.includes(label.row)) this.write(label, this.textOf(label, true), true);
-    }
-    if (rig.scale < kScaleLeast) return;
-    for (const label of this.labels) {
-      if (this.written.length >= kLabelsMost) break;
-      if (!emphasized.includes(label.row)) this.write(label, this.textOf(label, false), false);
-    }
+    this.places.clear();
+    const before = this.written;
+    this.written = new Set();
+    for (const label of this.labels) if (emphasized.includes(label.row)) this.write(label, true);
+    const others = this.labels.filter((label) => !emphasized.includes(label.row) && this.isWanted(label));
+    for (const label of others) if (before.has(label.row)) this.write(label, false);
+    for (const label of others) if (!before.has(label.row)) this.write(label, false);
   }
 
-  private textOf(label: Label, strong: boolean): string {
-    const name = strong || this.names ? label.name : '';
-    const id = this.ids ? label.id : '';
-    return name && id ? `${name} ${id}` : name || id;
+  private isWanted({ robot, size, long, name }: Label): boolean {
+    return this.names && (robot || (this.markers && long !== name)) && size * this.rig.scale >= kBodyLeast;
   }
 
-  private write(label: Label, text: string, strong: boolean): void {
+  private write(label: Label, strong: boolean): void {
     const { pen, rig, motion, theme } = this;
+    if (!strong && this.written.size >= kLabelsMost) return;
     const at = rig.pixelOf(motion.x[label.row], motion.y[label.row], motion.z[label.row] + label.height);
-    if (!text || !at || at.x < -50 || at.y < -20 || at.x > rig.width + 50 || at.y > rig.height + 40) return;
+    if (!at || at.x < -50 || at.y < -20 || at.x > rig.width + 50 || at.y > rig.height + 40) return;
+    const text = strong ? label.long : label.name;
     pen.font = `${strong ? 600 : 500} ${strong ? 13 : 12}px system-ui, sans-serif`;
-    const above = at.y - Math.min(Math.max(rig.scale * 0.3, 12), 46);
-    const free = this.freeLine(at.x, above, pen.measureText(text).width);
-    if (free === null && !strong) return;
-    const y = free ?? above;
+    const above = at.y - Math.min(Math.max(label.size * rig.scale * 0.62, 10), 46);
+    const width = pen.measureText(text).width;
+    if (!this.places.take(at.x, above, width, kLine) && !strong) return;
+    this.written.add(label.row);
     pen.strokeStyle = theme.halo;
     pen.lineWidth = 3.5;
-    pen.strokeText(text, at.x, y);
+    pen.strokeText(text, at.x, above);
     pen.fillStyle = theme.text;
-    pen.fillText(text, at.x, y);
-  }
-
-  /** A height near y where a text this wide covers no other; null when there is none. */
-  private freeLine(x: number, y: number, width: number): number | null {
-    const covers = (line: number) =>
-      this.written.some((other) => Math.abs(other.x - x) < (other.width + width) / 2 + 4 && Math.abs(other.y - line) < kLine);
-    for (const line of [y, y - kLine, y - 2 * kLine]) {
-      if (covers(line)) continue;
-      this.written.push({ x, y: line, width });
-      return line;
-    }
-    return null;
+    pen.fillText(text, at.x, above);
   }
 }

@@ -5,12 +5,18 @@ export interface PointerEvents {
   /** A person carries a model to here. */
   carry(row: number, x: number, y: number, a: number): void;
   looked(): void;
+  /** A click on what cannot be selected: what it is. */
+  describe(what: string): void;
   mayCarry(row: number): boolean;
 }
 
 const kClickSlack = 4; // px
 const kCarryPeriodMs = 33;
+const kHoverPeriodMs = 80;
 const kTurnStep = Math.PI / 18;
+const kMouseReach = 5; // px
+const kFingerReach = 18; // px: less precise
+const kCloseScale = 140; // pixels per metre
 
 interface Carried {
   row: number;
@@ -28,6 +34,8 @@ export class Pointer {
   private carried: Carried | null = null;
   private carriedAt = { x: 0, y: 0 };
   private lastCarry = 0;
+  private lastHover = 0;
+  private resting: { x: number; y: number } | null = null; // where a mouse is, with no button down
 
   constructor(
     private readonly canvas: HTMLElement,
@@ -38,25 +46,34 @@ export class Pointer {
     canvas.addEventListener('pointermove', (event) => this.dragged(event));
     canvas.addEventListener('pointerup', (event) => this.released(event));
     canvas.addEventListener('pointercancel', (event) => this.released(event));
+    canvas.addEventListener('pointerleave', () => this.rest(null));
     canvas.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
     canvas.addEventListener('contextmenu', (event) => event.preventDefault());
     canvas.addEventListener('dblclick', (event) => {
       const row = this.pick(event);
-      if (row !== null && this.view.motion) {
-        this.view.rig.glideTo({ x: this.view.motion.x[row], y: this.view.motion.y[row], scale: Math.max(this.view.rig.scale, 140) });
-        this.view.redraw();
-      }
+      if (row !== null) this.view.goTo(row, kCloseScale);
     });
   }
 
-  /** A finger is less precise than a mouse. */
+  /** Things move under a mouse that rests: whether it is over one is asked again. */
+  update(now: number): void {
+    if (now - this.lastHover < kHoverPeriodMs) return;
+    this.lastHover = now;
+    const row = this.resting && this.view.pick(this.resting.x, this.resting.y, kMouseReach);
+    if (row === this.view.hovered) return;
+    this.view.hovered = row;
+    this.canvas.style.cursor = row === null ? '' : this.events.mayCarry(row) ? 'grab' : 'pointer';
+    this.view.redraw();
+  }
+
   private pick(event: MouseEvent): number | null {
     const touch = event instanceof PointerEvent && event.pointerType === 'touch';
-    return this.view.pick(event.offsetX, event.offsetY, touch ? 18 : 5);
+    return this.view.pick(event.offsetX, event.offsetY, touch ? kFingerReach : kMouseReach);
   }
 
   private pressed(event: PointerEvent): void {
     this.canvas.setPointerCapture(event.pointerId);
+    this.resting = null;
     this.down.set(event.pointerId, { x: event.offsetX, y: event.offsetY });
     this.start = { x: event.offsetX, y: event.offsetY };
     if (this.down.size > 1) {
@@ -96,17 +113,24 @@ export class Pointer {
     const wasDown = this.down.delete(event.pointerId);
     this.canvas.style.cursor = '';
     if (this.carried && this.moved) this.carryTo(this.carriedAt.x, this.carriedAt.y);
-    else if (wasDown && !this.moved && !this.turning) this.events.select(this.pick(event));
+    else if (wasDown && !this.moved && !this.turning) this.click(event);
     this.carried = null;
   }
 
-  private hover(event: PointerEvent): void {
-    if (event.pointerType === 'touch') return;
+  private click(event: PointerEvent): void {
     const row = this.pick(event);
-    if (row === this.view.hovered) return;
-    this.view.hovered = row;
-    this.canvas.style.cursor = row === null ? '' : this.events.mayCarry(row) ? 'grab' : 'pointer';
-    this.view.redraw();
+    this.events.select(row);
+    const what = row === null ? this.view.describe(event.offsetX, event.offsetY) : null;
+    if (what) this.events.describe(what);
+  }
+
+  private hover(event: PointerEvent): void {
+    if (event.pointerType !== 'touch') this.rest({ x: event.offsetX, y: event.offsetY });
+  }
+
+  private rest(at: { x: number; y: number } | null): void {
+    this.resting = at;
+    this.update(performance.now());
   }
 
   private pan(before: { x: number; y: number }, now: { x: number; y: number }): void {

@@ -12,6 +12,7 @@ import { Ground } from './ground';
 import { Labels } from './labels';
 import { Sightings } from './sightings';
 import { heightOf } from './shapes';
+import { thingAt } from './things';
 import { themeNow, type Theme } from './theme';
 import { Trails } from './trails';
 
@@ -125,13 +126,18 @@ export class StageView {
       drawn.trails.object.visible = layers.trails;
       drawn.ground.group.visible = layers.grid;
       drawn.labels.names = layers.names;
-      drawn.labels.ids = layers.fiducials;
+      drawn.labels.markers = layers.fiducials;
     }
     this.dirty = true;
   }
 
   redraw(): void {
     this.dirty = true;
+  }
+
+  /** Rows whose names are on the screen. */
+  get labelled(): Iterable<number> {
+    return this.drawn?.labels.written ?? [];
   }
 
   fitAll(): void {
@@ -151,7 +157,10 @@ export class StageView {
     this.last = now;
     const resized = this.fitWindow();
     const moved = this.motion?.update(now) ?? false;
-    if (this.followed !== null && this.motion) this.rig.lookAt(this.motion.x[this.followed], this.motion.y[this.followed]);
+    if (this.followed !== null && this.motion) {
+      const centre = this.rig.centreFor(this.motion.x[this.followed], this.motion.y[this.followed], this.rig.scale, this.margins());
+      this.rig.lookAt(centre.x, centre.y);
+    }
     const glides = this.rig.update(seconds);
     if (moved) this.drawn?.bodies.move();
     if (!(moved || glides || resized || this.dirty)) return;
@@ -188,6 +197,31 @@ export class StageView {
       best = row;
     });
     return best;
+  }
+
+  /** Name and type of what is drawn at a pixel and cannot be selected; null for the bare floor. */
+  describe(px: number, py: number): string | null {
+    const { drawn, motion } = this;
+    const row = drawn && motion ? thingAt(drawn.scene, motion, this.rig.rayAt(px, py)) : null;
+    if (row === null) return null;
+    const { name, type } = drawn!.scene.models[row];
+    return `${name}, a ${type}`;
+  }
+
+  /** Looks at a model, in the middle of what nothing else lies over. */
+  goTo(row: number, scaleLeast: number): void {
+    if (!this.motion) return;
+    const scale = Math.max(this.rig.scale, scaleLeast);
+    this.rig.glideTo({ ...this.rig.centreFor(this.motion.x[row], this.motion.y[row], scale, this.margins()), scale });
+    this.dirty = true;
+  }
+
+  /** The same, at the same scale, if something lies over the model now. */
+  reveal(row: number): void {
+    const at = this.motion && this.rig.pixelOf(this.motion.x[row], this.motion.y[row], 0);
+    const { left, right, top, bottom } = this.margins();
+    const free = at && at.x > left && at.x < this.rig.width - right && at.y > top && at.y < this.rig.height - bottom;
+    if (!free) this.goTo(row, 0);
   }
 
   private draw(): void {
@@ -251,11 +285,15 @@ function extentOf(scene: Scene, motion: Motion): Box {
   const box = { x_min: Infinity, y_min: Infinity, x_max: -Infinity, y_max: -Infinity };
   scene.models.forEach((model, row) => {
     if (model.parent >= 0 || model.shape === undefined || heightOf(scene.shapes[model.shape]) <= 0) return;
-    const reach = Math.max(model.size[0], model.size[1]) / 2;
-    box.x_min = Math.min(box.x_min, motion.x[row] - reach);
-    box.y_min = Math.min(box.y_min, motion.y[row] - reach);
-    box.x_max = Math.max(box.x_max, motion.x[row] + reach);
-    box.y_max = Math.max(box.y_max, motion.y[row] + reach);
+    const [ox, oy, , oa] = model.origin ?? [0, 0, 0, 0];
+    const [c, s] = [Math.cos(motion.a[row]), Math.sin(motion.a[row])];
+    const [x, y] = [motion.x[row] + c * ox - s * oy, motion.y[row] + s * ox + c * oy];
+    const [cb, sb] = [Math.abs(Math.cos(motion.a[row] + oa)) / 2, Math.abs(Math.sin(motion.a[row] + oa)) / 2];
+    const [right, up] = [cb * model.size[0] + sb * model.size[1], sb * model.size[0] + cb * model.size[1]];
+    box.x_min = Math.min(box.x_min, x - right);
+    box.y_min = Math.min(box.y_min, y - up);
+    box.x_max = Math.max(box.x_max, x + right);
+    box.y_max = Math.max(box.y_max, y + up);
   });
   return box.x_min <= box.x_max ? box : { x_min: -5, y_min: -5, x_max: 5, y_max: 5 };
 }

@@ -1,0 +1,188 @@
+// What a person reads off the page: names, devices, labels, what a thing is; and how the page fits its screen.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { join } from 'node:path';
+import { results, startBrowser, startProgram, watch } from './program.mjs';
+
+let program;
+let browser;
+let viewer;
+let page;
+
+const pixel = (name, on = page) => on.evaluate((robot) => window.playhouse.pixel(robot), name);
+const pixelAt = (x, y, on = page) => on.evaluate((p) => window.playhouse.pixelAt(...p), [x, y]);
+const settled = (on = page) => on.waitForFunction(() => !window.playhouse.gliding);
+const labels = () => page.evaluate(() => window.playhouse.labels);
+
+async function choose(name, on = page) {
+  await on.locator(`#robots [data-robot=${name}]`).click();
+  await on.waitForFunction((robot) => document.querySelector('#panel').dataset.robot === robot, name);
+}
+
+async function fit() {
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('f');
+  await settled();
+}
+
+/** What lies over the picture, by its id. */
+function boxes(on) {
+  return on.evaluate(() =>
+    ['bar', 'robots', 'panel', 'clock', 'drive', 'stick', 'notice', 'lost'].flatMap((id) => {
+      const { left, top, right, bottom, width } = document.getElementById(id).getBoundingClientRect();
+      return width > 0 ? [{ id, left, top, right, bottom }] : [];
+    }),
+  );
+}
+
+async function nothingOverlaps(on) {
+  const all = await boxes(on);
+  const { width, height } = on.viewportSize();
+  for (const a of all) {
+    assert.ok(a.left >= 0 && a.right <= width && a.top >= 0 && a.bottom <= height, `#${a.id} is on the screen: ${JSON.stringify(a)}`);
+    for (const b of all) {
+      const apart = a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top;
+      assert.ok(a.id >= b.id || apart, `#${a.id} and #${b.id} overlap: ${JSON.stringify([a, b])}`);
+    }
+  }
+  return all.map(({ id }) => id);
+}
+
+before(async () => {
+  program = await startProgram('web/e2e/yard.world');
+  browser = await startBrowser();
+  viewer = await watch(browser, program.page);
+  page = viewer.page;
+});
+
+after(async () => {
+  await browser?.close();
+  await program?.stop();
+});
+
+test('a robot is told with the devices that a client opens, in the list and in the panel', async () => {
+  assert.match(await page.locator('#robots [data-robot=guest]').textContent(), /^guest.*position2d:0$/);
+  await choose('mate');
+  const devices = await page.locator('#panel [data-device]').allTextContents();
+  assert.deepEqual(devices.filter((name) => name.startsWith('position2d')), ['position2d:1']);
+  assert.ok(devices.some((name) => name.startsWith('fiducial:')), devices.join());
+  assert.match(await page.getByTestId('type').textContent(), /marker 14/);
+  await page.getByTestId('search').fill('position2d:2');
+  assert.match(await page.getByTestId('count').textContent(), /^1 of 3/);
+  assert.ok(await page.locator('#robots [data-robot=drifter]').isVisible());
+  await page.getByTestId('search').fill('');
+  await page.getByTestId('search').blur();
+});
+
+test('a fiducial finder tells whom it sees', async () => {
+  await choose('mate');
+  await page.waitForFunction(() => /guest \(13\)/.test(document.querySelector('[data-testid=fiducials]').textContent));
+});
+
+test('labels are names, of what is large enough on the screen', async () => {
+  await fit();
+  await page.mouse.move(640, 790);
+  await page.waitForFunction(() => window.playhouse.labels.length >= 4);
+  assert.deepEqual((await labels()).sort(), ['drifter', 'guest', 'lighthouse', 'mate']);
+  await page.keyboard.press('m');
+  await page.waitForFunction(() => window.playhouse.labels.length === 3);
+  await page.keyboard.press('m');
+  await page.mouse.move(640, 400);
+  await page.mouse.wheel(0, 1400);
+  await page.waitForFunction(() => window.playhouse.labels.length <= 1);
+  await fit();
+});
+
+test('everything on the screen uses the screen, and nothing lies over it', async () => {
+  for (const tilted of [false, true]) {
+    await fit();
+    const list = (await boxes(page)).find(({ id }) => id === 'robots');
+    const corners = await Promise.all([[-6, -4.1], [6, -4.1], [6, 4.1], [-6, 4.1]].map(([x, y]) => pixelAt(x, y)));
+    const [xs, ys] = [corners.map(({ x }) => x), corners.map(({ y }) => y)];
+    assert.ok(Math.min(...xs) >= list.right && Math.max(...xs) <= 1280 && Math.min(...ys) >= 62 && Math.max(...ys) <= 750, JSON.stringify(corners));
+    const used = Math.max((Math.max(...xs) - Math.min(...xs)) / (1280 - list.right), (Math.max(...ys) - Math.min(...ys)) / 688);
+    assert.ok(used > 0.85, `${used} of the free screen is used`);
+    await page.screenshot({ path: join(results, tilted ? 'fit-tilted.png' : 'fit.png') });
+    await page.keyboard.press('t');
+    await settled();
+  }
+});
+
+test('what the mouse pointed at ends with the mouse, and when the robot is gone', async () => {
+  await fit();
+  await choose('guest');
+  await fit();
+  const at = await pixel('guest');
+  await page.mouse.move(at.x, at.y);
+  await page.waitForFunction(() => window.playhouse.hovered === 'guest');
+  await page.mouse.move(at.x, 30);
+  await page.waitForFunction(() => window.playhouse.hovered === null);
+  await page.mouse.move(at.x, at.y);
+  await page.waitForFunction(() => window.playhouse.hovered === 'guest');
+  await page.mouse.down();
+  await page.mouse.up();
+  await page.mouse.move(at.x + 1, at.y);
+  await page.waitForFunction(() => window.playhouse.hovered === 'guest');
+  await page.keyboard.down('w');
+  await page.waitForFunction(() => window.playhouse.hovered === null);
+  await page.keyboard.up('w');
+});
+
+test('a click on what is no robot says what it is', async () => {
+  await fit();
+  const wall = await pixelAt(2, 4);
+  await page.mouse.click(wall.x, wall.y);
+  assert.equal(await page.locator('#notice').textContent(), 'north, a model');
+  assert.ok(await page.locator('#panel').isHidden());
+  const crate = await pixelAt(3, 2);
+  await page.mouse.click(crate.x, crate.y);
+  assert.equal(await page.getByTestId('selected').textContent(), 'crate_a');
+  assert.match(await page.getByTestId('type').textContent(), /^model, no devices$/);
+  assert.ok(await page.locator('#drive').isHidden());
+});
+
+test('nothing overlaps on a phone, and the selected robot is in sight', async () => {
+  const phone = await watch(browser, program.page, { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 });
+  await nothingOverlaps(phone.page);
+  await phone.page.screenshot({ path: join(results, 'phone-start.png') });
+  await phone.page.getByTestId('list').tap();
+  await choose('mate', phone.page);
+  await settled(phone.page);
+  const shown = await nothingOverlaps(phone.page);
+  for (const id of ['bar', 'robots', 'panel', 'clock']) assert.ok(shown.includes(id), id);
+  await phone.page.screenshot({ path: join(results, 'phone-list.png') });
+  await phone.page.getByTestId('list').tap();
+  assert.ok((await nothingOverlaps(phone.page)).includes('stick'));
+  const at = await pixel('mate', phone.page);
+  const panel = await phone.page.locator('#panel').boundingBox();
+  assert.ok(at.y > 110 && at.y < panel.y, `the robot is at ${at.y}, the panel begins at ${panel.y}`);
+  await phone.page.screenshot({ path: join(results, 'phone-robot.png') });
+  assert.deepEqual(phone.errors, []);
+  await phone.page.close();
+});
+
+test('nothing overlaps on small windows', async () => {
+  await choose('guest');
+  for (const [width, height] of [[1280, 800], [1024, 768], [760, 700]]) {
+    await page.setViewportSize({ width, height });
+    await nothingOverlaps(page);
+  }
+  await page.setViewportSize({ width: 1280, height: 800 });
+  assert.deepEqual(viewer.errors, []);
+});
+
+test('a page without its program looks like one', async () => {
+  await choose('guest');
+  await program.stop();
+  await page.waitForFunction(() => !document.querySelector('#lost').hidden);
+  assert.match(await page.locator('#lost').textContent(), /Connection lost. Trying again/);
+  for (const control of ['pause', 'step', 'speed']) assert.ok(await page.getByTestId(control).isDisabled(), control);
+  assert.ok(await page.locator('#drive').isHidden());
+  assert.match(await page.locator('#stage').evaluate((stage) => getComputedStyle(stage).filter), /opacity/);
+  await page.screenshot({ path: join(results, 'lost.png') });
+  program = await startProgram('web/e2e/yard.world', [], new URL(program.page).port);
+  await page.waitForFunction(() => document.querySelector('#lost').hidden && window.playhouse.tick > 0);
+  assert.ok(await page.getByTestId('pause').isEnabled());
+  assert.equal(await page.locator('#stage').evaluate((stage) => getComputedStyle(stage).filter), 'none');
+});

@@ -1,0 +1,35 @@
+import { describe, expect, it } from 'vitest';
+import { CameraRig, kTilted } from './camera_rig';
+
+const kMargins = { left: 250, right: 20, top: 80, bottom: 60 };
+
+describe('CameraRig.fit', () => {
+  for (const pitch of [0, 0.4, kTilted, 1.2]) {
+    for (const yaw of [0, 0.7]) {
+      it(`shows all of a box within the margins and wastes little, pitch ${pitch}, yaw ${yaw}`, () => {
+        const rig = new CameraRig();
+        rig.resize(1280, 800);
+        Object.assign(rig, { pitch, yaw });
+        rig.fit({ x_min: -6, x_max: 10, y_min: 1, y_max: 9 }, kMargins, 'jump');
+        rig.update(0);
+        const corners = [[-6, 1], [10, 1], [10, 9], [-6, 9]].map(([x, y]) => rig.pixelOf(x, y, 0)!);
+        const xs = corners.map(({ x }) => x);
+        const ys = corners.map(({ y }) => y);
+        const slack = 6;
+        expect(Math.min(...xs)).toBeGreaterThan(kMargins.left - slack);
+        expect(Math.max(...xs)).toBeLessThan(1280 - kMargins.right + slack);
+        expect(Math.min(...ys)).toBeGreaterThan(kMargins.top - slack);
+        expect(Math.max(...ys)).toBeLessThan(800 - kMargins.bottom + slack);
+        const used = Math.max((Math.max(...xs) - Math.min(...xs)) / 1010, (Math.max(...ys) - Math.min(...ys)) / 660);
+        expect(used).toBeGreaterThan(0.9);
+      });
+    }
+  }
+
+  it('shows a metre around a point', () => {
+    const rig = new CameraRig();
+    rig.resize(1280, 800);
+    rig.fit({ x_min: 3, x_max: 3, y_min: 3, y_max: 3 }, kMargins, 'jump');
+    expect(rig.scale).toBeCloseTo(660, 0);
+  });
+});
