@@ -7,11 +7,13 @@
 
 #include "playhouse/app/bench_server.h"
 #include "playhouse/app/commands.h"
+#include "playhouse/app/fail.h"
 #include "playhouse/app/world_opener.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/scenarios/scenario.h"
+#include "playhouse/stage/instruction_set.h"
 
 namespace playhouse::app {
 namespace {
@@ -38,27 +40,24 @@ void print_result(const BenchOptions& options, world::Engine& engine, double wal
   const world::World& world = engine.world();
   const std::uint64_t memory = resident_bytes();
   fmt::print(
-      R"({{"scenario":"{}","robots":{},"workers":{},"ticks":{},"sim_time":{:.1f},"wall_time":{:.6f},"real_time_factor":{:.2f},)"
-      R"("rays":{},"rays_per_s":{:.0f},"memory_bytes":{},"world_bytes":{},"hash":"{:016x}"}})"
+      R"({{"scenario":"{}","robots":{},"workers":{},"instruction_set":"{}","ticks":{},"sim_time":{:.1f},"wall_time":{:.6f},"real_time_factor":{:.2f},)"
+      R"("rays":{},"rays_per_s":{:.0f},"memory_bytes":{},"world_bytes":{},"column_bytes":{},"hash":"{:016x}","sensed_hash":"{:016x}"}})"
       "\n",
-      options.scenario, count_robots(world), options.workers, world.tick(), world.time(), wall_time,
-      world.time() / wall_time, engine.rays(), static_cast<double>(engine.rays()) / wall_time, memory,
-      memory > memory_before ? memory - memory_before : 0, world.hash());
+      options.scenario, count_robots(world), options.workers,
+      stage::kInstructionSetNames[static_cast<std::size_t>(stage::instruction_set())], world.tick(),
+      world.time(), wall_time, world.time() / wall_time, engine.rays(),
+      static_cast<double>(engine.rays()) / wall_time, memory,
+      memory > memory_before ? memory - memory_before : 0, world.bytes(), world.hash(), world.sensed_hash());
 }
 
 int bench_simulation(const BenchOptions& options, const scenarios::Scenario& scenario) {
   const std::uint64_t memory_before = resident_bytes();
   const Result<scene::SceneDesc> scene =
       scenarios::make(scenario.name, options.robots > 0 ? options.robots : scenario.robots);
-  if (!scene) {
-    log::error("{}", scene.error().line());
-    return kUsage;
-  }
-  Result<std::unique_ptr<world::Engine>> engine = make_engine(*scene, options.seed, options.workers);
-  if (!engine) {
-    log::error("{}", engine.error().line());
-    return kFailed;
-  }
+  if (!scene) return fail(scene.error(), kUsage);
+  Result<std::unique_ptr<world::Engine>> engine = make_engine(
+      *scene, {.seed = options.seed, .workers = options.workers}, controllers::Libraries::Use::kLoad, &warn);
+  if (!engine) return fail(engine.error());
   // The run itself is the one that `playhouse run --fast --headless` does.
   const double duration = options.duration > 0 ? options.duration : scenario.seconds;
   drivers::Simulation simulation(std::move(*engine), {.speed = 0, .duration = duration});

@@ -182,6 +182,15 @@ Result<RoundTrip> measure_round_trip(std::uint16_t port, int requests) {
   return RoundTrip{times[times.size() / 2], times[times.size() * 99 / 100]};
 }
 
+Result<RoundTrip> measure_round_trip_among_idle(std::uint16_t port, int requests, std::size_t idle) {
+  std::vector<Listener> others(idle);
+  for (Listener& other : others) {
+    if (!other.connect(port))
+      return Error{"", fmt::format("{} idle clients cannot connect: {}", idle, std::strerror(errno))};
+  }
+  return measure_round_trip(port, requests);
+}
+
 Result<FanOut> measure_fan_out(const FanOutPlan& plan) {
   constexpr double kSettle = 0.5;  // s, until every device is open
   Result<std::vector<Listener>> listeners = open_all(plan);

@@ -18,6 +18,8 @@ struct RoundTrip {
   double p50_ms = 0, p99_ms = 0;
 };
 Result<RoundTrip> measure_round_trip(std::uint16_t port, int requests);
+/// The same while so many others are connected and say nothing.
+Result<RoundTrip> measure_round_trip_among_idle(std::uint16_t port, int requests, std::size_t idle);
 
 /// How data reached `clients` connections, each with a position2d and a laser of robot (client modulo robots)
 /// open.

@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "playhouse/app/bench_clients.h"
-#include "playhouse/app/house.h"
+#include "playhouse/app/service.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/log_output.h"
 #include "playhouse/scenarios/scenario.h"
@@ -21,6 +21,7 @@ namespace {
 
 constexpr std::uint32_t kRobots = 20;
 constexpr int kRequests = 5000;
+constexpr std::size_t kIdleClients = 4000;
 constexpr double kFanOutSeconds = 3;
 
 /// A one-way line between the two processes.
@@ -32,8 +33,11 @@ struct Pipe {
 Result<std::string> measure(std::uint16_t port, std::size_t robots, pid_t server) {
   const Result<RoundTrip> round_trip = measure_round_trip(port, kRequests);
   if (!round_trip) return round_trip.error();
-  std::string line = fmt::format(R"("round_trip_p50_ms":{:.4f},"round_trip_p99_ms":{:.4f},"fan_out":[)",
-                                 round_trip->p50_ms, round_trip->p99_ms);
+  const Result<RoundTrip> among_idle = measure_round_trip_among_idle(port, kRequests, kIdleClients);
+  if (!among_idle) return among_idle.error();
+  std::string line = fmt::format(
+      R"("round_trip_p50_ms":{:.4f},"round_trip_p99_ms":{:.4f},"idle_clients":{},"among_idle_p50_ms":{:.4f},"among_idle_p99_ms":{:.4f},"fan_out":[)",
+      round_trip->p50_ms, round_trip->p99_ms, kIdleClients, among_idle->p50_ms, among_idle->p99_ms);
   for (const std::size_t clients : {1u, 20u, 200u}) {
     const Result<FanOut> fan_out = measure_fan_out(
         {.port = port, .clients = clients, .robots = robots, .seconds = kFanOutSeconds, .server = server});
@@ -62,23 +66,24 @@ int be_clients(int port_from, std::size_t robots) {
 }
 
 /// Serves until the clients' process ends.
-int be_server(House& house, int port_to, pid_t clients) {
-  for (const auto step : {&House::open_ports, &House::furnish}) {
-    if (const Result<void> done = (house.*step)(); !done) {
+int be_server(Service& service, int port_to, pid_t clients) {
+  for (const auto step : {&Service::open_ports, &Service::make_devices}) {
+    if (const Result<void> done = (service.*step)(); !done) {
       log::error("{}", done.error().line());
       return kFailed;
     }
   }
-  const std::uint16_t port = house.player_ports().front();
+  const std::uint16_t port = service.player_ports().front();
   // The child's `port` end closes if we fail before this, which ends it.
   if (write(port_to, &port, sizeof(port)) != static_cast<ssize_t>(sizeof(port))) return kFailed;
   std::thread waiter([&] {
     siginfo_t end;
     waitid(P_PID, static_cast<id_t>(clients), &end, WEXITED | WNOWAIT);
-    house.stop();
+    service.stop();
   });
-  const Outcome outcome = house.run();
-  if (outcome.signal != 0) kill(clients, SIGKILL);  // what it measures from here on is false
+  const Outcome outcome = service.run([&](int signal) {
+    if (signal != 0) kill(clients, SIGKILL);  // what it measures from here on is false
+  });
   waiter.join();
   int status = 0;
   waitpid(clients, &status, 0);
@@ -107,11 +112,11 @@ int bench_server(const BenchOptions& options) {
     std::_Exit(code);
   }
   close(port.ends[0]);
-  House house({.port = 0, .web = std::nullopt},
-              {.speed = 1, .duration = {}, .seed = options.seed, .workers = options.workers},
-              QuitTime::kIgnored);
-  house.take_scene(std::move(*scene));
-  const int code = be_server(house, port.ends[1], clients);
+  Service service({.port = 0, .web = std::nullopt},
+                  {.speed = 1, .duration = {}, .seed = options.seed, .workers = options.workers},
+                  QuitTime::kIgnored);
+  service.take_scene(std::move(*scene));
+  const int code = be_server(service, port.ends[1], clients);
   close(port.ends[1]);
   return code;
 }

@@ -57,7 +57,7 @@ class BusyTick : public ::testing::Test {
   }
 
   net::SimulatedNetwork network_{3};
-  drivers::testing::Stillness still_;
+  drivers::testing::StillSimulation still_;
   drivers::SimulatedDriver driver_;
   server::Server server_;
 };

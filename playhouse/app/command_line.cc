@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -25,10 +26,41 @@ constexpr const char* kExamples = R"(Examples:
   playhouse serve simple.cfg                         devices as a Player configuration file names them
   playhouse devices 127.0.0.1:6665                   what a server offers
   playhouse watch 127.0.0.1 laser:0                  a device's data as JSON lines
-  playhouse drive 127.0.0.1 position2d:0             a robot by the keyboard
+  playhouse drive 127.0.0.1 guest                    a robot by the keyboard
   playhouse check my.world                           what is wrong with a file
   playhouse bench laser --robots 1000                one line of figures
 `playhouse COMMAND --help` tells more. Documentation: docs/cli.md)";
+
+// Every line that begins with "  playhouse" is run by tests/e2e/test_program.py.
+constexpr const char* kRunExamples = R"(Examples:
+  playhouse run worlds/cave.world
+  playhouse run worlds/cave.world --port 7000 --web off
+  playhouse run worlds/cave.world --fast --headless --duration 60 --json)";
+constexpr const char* kServeExamples = R"(Examples:
+  playhouse serve my.cfg
+  playhouse serve my.cfg --bind 0.0.0.0 --paused)";
+constexpr const char* kDevicesExamples = R"(Examples:
+  playhouse devices
+  playhouse devices 127.0.0.1:6665 --json)";
+constexpr const char* kWatchExamples = R"(Examples:
+  playhouse watch 127.0.0.1 laser:0 --count 3
+  playhouse watch 127.0.0.1 guest --count 3)";
+constexpr const char* kDriveExamples = R"(Examples:
+  playhouse drive 127.0.0.1 guest
+  playhouse drive 127.0.0.1:6665 position2d:0)";
+constexpr const char* kCheckExamples = R"(Examples:
+  playhouse check my.cfg
+  playhouse check worlds/*.world worlds/*.inc)";
+constexpr const char* kBenchExamples = R"(Examples:
+  playhouse bench laser --robots 100 --duration 1
+  playhouse bench sonar --robots 100 --duration 1 --workers 2)";
+
+// Set where this file is compiled (CMakeLists.txt); sources without their history have none.
+#ifndef PLAYHOUSE_COMMIT
+#define PLAYHOUSE_COMMIT "unknown"
+#endif
+constexpr const char* kVersion =
+    "playhouse " PLAYHOUSE_VERSION " (commit " PLAYHOUSE_COMMIT ", Player protocol 3.1)";
 
 /// What CLI11 fills; the parts that need a second look become options afterwards.
 struct Raw {
@@ -77,6 +109,14 @@ std::string check_bind(const std::string& text) {
   return good ? "" : "an IPv4 or IPv6 address is wanted, without a port, not " + in_quotes(text);
 }
 
+/// As a browser writes it: no address, which needs no telling, no port, no scheme.
+std::string check_web_host(const std::string& text) {
+  const bool good = !text.empty() && std::ranges::all_of(text, [](unsigned char letter) {
+    return std::isalnum(letter) || letter == '-' || letter == '.' || letter == '_';
+  });
+  return good ? "" : "the name of a host is wanted, without http:// and port, not " + in_quotes(text);
+}
+
 std::string check_workers(const std::string& text) {
   return is_whole<unsigned>(text, 1, 1024) ? "" : "a number from 1 to 1024 is wanted, not " + in_quotes(text);
 }
@@ -102,6 +142,11 @@ void add_serving(CLI::App& app, Raw& raw, Serving& serving) {
   app.add_option("--bind", serving.bind, "address to listen on; 0.0.0.0: everybody's")
       ->check(check_bind)
       ->capture_default_str();
+  app.add_option("--web-host", serving.web_hosts,
+                 "a further name of this host that the page may be opened under (once for each)")
+      ->check(check_web_host)
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   app.add_flag("--headless", raw.headless, "no web page, as --web off");
 }
 
@@ -118,38 +163,52 @@ void add_running(CLI::App& app, Raw& raw, Running& running) {
   app.add_option("--workers", running.workers, "threads that compute; the result does not depend on it")
       ->check(check_workers)
       ->capture_default_str();
+  app.add_option("--allow-library", running.allowed_libraries,
+                 "a controller's library that a world may load from elsewhere; may be given again")
+      ->type_name("FILE.so")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   app.add_flag("--paused", running.paused, "wait to be resumed by a viewer or a client");
   app.add_flag("--json", running.json, "print the result as the last line of standard output");
 }
 
 void add_commands(CLI::App& app, Raw& raw) {
   CLI::App* run = app.add_subcommand("run", "simulate a world file and serve every robot of it");
+  run->footer(kRunExamples);
   run->add_option("WORLD", raw.run.world, "a .world file")->required();
   add_serving(*run, raw, raw.run.serving);
   add_running(*run, raw, raw.run.running);
 
   CLI::App* serve = app.add_subcommand("serve", "serve the devices of a Player configuration file");
+  serve->footer(kServeExamples);
   serve->add_option("FILE", raw.serve.file, "a .cfg file")->required();
   add_serving(*serve, raw, raw.serve.serving);
   add_running(*serve, raw, raw.serve.running);
 
   CLI::App* devices = app.add_subcommand("devices", "list the devices of a server");
+  devices->footer(kDevicesExamples);
   devices->add_option("HOST[:PORT]", raw.devices.server, "the server (127.0.0.1:6665)");
+  devices->add_flag("--json", raw.devices.json, "a JSON object per device, one a line");
 
   CLI::App* watch = app.add_subcommand("watch", "print a device's data as JSON lines");
   watch->add_option("HOST[:PORT]", raw.watch.server, "the server")->required();
-  watch->add_option("INTERFACE:INDEX", raw.watch.device, "the device, e.g. laser:0")->required();
+  watch->footer(kWatchExamples);
+  watch->add_option("DEVICE", raw.watch.device, "INTERFACE:INDEX, e.g. laser:0, or a model's name")
+      ->required();
   watch->add_option("--count", raw.watch.count, "end after so many messages")
       ->check(check_count<std::uint64_t, 1>);
 
   CLI::App* drive = app.add_subcommand("drive", "drive a robot by the keyboard");
   drive->add_option("HOST[:PORT]", raw.drive.server, "the server")->required();
-  drive->add_option("INTERFACE:INDEX", raw.drive.device, "the device, e.g. position2d:0")->required();
+  drive->footer(kDriveExamples);
+  drive->add_option("ROBOT", raw.drive.device, "its name, or its device, e.g. position2d:0")->required();
 
-  CLI::App* check = app.add_subcommand("check", "say what is wrong with a .world or .cfg file");
-  check->add_option("FILE", raw.check.file, "a .world or .cfg file")->required();
+  CLI::App* check = app.add_subcommand("check", "say what is wrong with .world, .inc and .cfg files");
+  check->footer(kCheckExamples);
+  check->add_option("FILE", raw.check.files, "a .world, .inc or .cfg file")->required();
 
   CLI::App* bench = app.add_subcommand("bench", "measure: sonar, laser, cave or server");
+  bench->footer(kBenchExamples);
   bench->add_option("SCENARIO", raw.bench.scenario, "sonar, laser, cave or server")->required();
   bench->add_option("--robots", raw.bench.robots, "how many (the scenario's own number)")
       ->check(check_robots);
@@ -238,7 +297,7 @@ CommandLine chosen(const CLI::App& app, Raw& raw) {
 Result<CommandLine> parse_command_line(std::span<const char* const> words) {
   CLI::App app("A robot device server and simulator: Player clients and Stage worlds.", "playhouse");
   Raw raw;
-  app.set_version_flag("--version", "playhouse " PLAYHOUSE_VERSION);
+  app.set_version_flag("-V,--version", kVersion);
   app.footer(kExamples);
   app.require_subcommand(1);
   add_commands(app, raw);

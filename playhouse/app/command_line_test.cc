@@ -9,6 +9,7 @@
 namespace playhouse::app {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 Result<CommandLine> parse(std::vector<const char*> words) {
@@ -54,6 +55,15 @@ TEST(CommandLine, run_takes_every_option) {
   EXPECT_EQ(run.running.workers, 4u);
   EXPECT_TRUE(run.running.paused);
   EXPECT_TRUE(run.running.json);
+}
+
+TEST(CommandLine, files_and_libraries_may_be_several) {
+  using testing::ElementsAre;
+  EXPECT_THAT(parsed<CheckOptions>({"check", "a.world", "b.cfg"}).files, ElementsAre("a.world", "b.cfg"));
+  EXPECT_THAT(fault({"check"}), HasSubstr("FILE"));
+  const auto run = parsed<RunOptions>({"run", "--allow-library", "/a.so", "--allow-library=/b.so", "w"});
+  EXPECT_THAT(run.running.allowed_libraries, ElementsAre("/a.so", "/b.so"));
+  EXPECT_EQ(run.world, "w");
 }
 
 TEST(CommandLine, headless_and_web_off_mean_no_page) {
@@ -111,6 +121,14 @@ TEST(CommandLine, only_an_address_can_be_bound) {
     EXPECT_EQ(parsed<RunOptions>({"run", "w", "--bind", text}).serving.bind, text);
 }
 
+TEST(CommandLine, the_page_may_have_further_names) {
+  EXPECT_THAT(
+      parsed<RunOptions>({"run", "--web-host", "robots.example", "--web-host=b", "w"}).serving.web_hosts,
+      ElementsAre("robots.example", "b"));
+  for (const char* text : {"", "http://robots.example", "robots.example:80", "a b"})
+    EXPECT_THAT(fault({"run", "w", "--web-host", text}), HasSubstr("--web-host: the name of a host")) << text;
+}
+
 TEST(CommandLine, a_letter_has_no_nearest_option_and_two_dashes_end_the_options) {
   EXPECT_EQ(fault({"run", "-p", "3", "w"}), "unknown option -p; playhouse COMMAND --help lists them");
   EXPECT_EQ(parsed<RunOptions>({"run", "--paused", "--", "-w.world"}).world, "-w.world");
@@ -121,6 +139,7 @@ TEST(CommandLine, help_has_examples_and_version_has_the_number) {
   EXPECT_THAT(parsed<Answer>({"run", "--help"}).text, HasSubstr("--duration"));
   EXPECT_THAT(parsed<Answer>({"run", "--help"}).text, HasSubstr("playhouse run [OPTIONS] WORLD"));
   EXPECT_THAT(parsed<Answer>({"--version"}).text, HasSubstr(PLAYHOUSE_VERSION));
+  EXPECT_EQ(parsed<Answer>({"-V"}).text, parsed<Answer>({"--version"}).text);
 }
 
 TEST(CommandLine, watch_needs_a_server_and_a_device) {
@@ -128,7 +147,7 @@ TEST(CommandLine, watch_needs_a_server_and_a_device) {
   EXPECT_EQ(watch.server, "localhost:7000");
   EXPECT_EQ(watch.device, "laser:0");
   EXPECT_EQ(watch.count, 3u);
-  EXPECT_THAT(fault({"watch", "localhost"}), HasSubstr("INTERFACE:INDEX"));
+  EXPECT_THAT(fault({"watch", "localhost"}), HasSubstr("DEVICE"));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/wire/messages.h"
+#include "playhouse_client/robot.h"
 
 namespace playhouse::app {
 
@@ -28,6 +29,31 @@ Result<DeviceName> parse_device_name(std::string_view text) {
     return Error{"", fmt::format("{} is no index; a device is named like {}:0", in_quotes(digits), name)};
   }
   return device;
+}
+
+Result<WantedDevice> parse_wanted_device(const std::string& text) {
+  const Result<DeviceName> address = parse_device_name(text);
+  if (address) return WantedDevice{*address, {}};
+  const std::size_t colon = text.find(':');
+  const std::string_view word = std::string_view(text).substr(0, colon);
+  const bool is_interface = wire::find_interface(word) != nullptr;
+  const bool has_index = colon != std::string::npos && colon + 1 < text.size() &&
+                         text.find_first_not_of("0123456789", colon + 1) == std::string::npos;
+  const bool is_part = word.find('.') != std::string_view::npos;  // r0.ranger:0 is a model
+  if (is_interface || (has_index && !is_part)) return address.error();
+  return WantedDevice{{}, text};
+}
+
+Result<DeviceName> find_device(client::Client& client, const WantedDevice& wanted,
+                               bool (*fits)(std::uint16_t interf)) {
+  if (wanted.address) return *wanted.address;
+  const Result<client::Robot> robot = client.robot(wanted.model);
+  if (!robot) return robot.error();
+  for (const client::RobotDevice& device : robot->devices()) {
+    if (fits(device.address.interf)) return DeviceName{device.address.interf, device.address.index};
+  }
+  return Error{client.peer(), "model " + in_quotes(wanted.model) +
+                                  " has no device for this; playhouse devices lists what there is"};
 }
 
 Result<client::Address> parse_server(const std::string& text) {

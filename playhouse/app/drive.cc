@@ -100,17 +100,24 @@ Result<void> drive_by_keys(client::Client& client, client::Device& robot, const 
   return send(robot, Wheel{});
 }
 
+bool drives(std::uint16_t interf) {
+  return interf == p2d::kCode;
+}
+
 }  // namespace
 
 int drive(const DriveOptions& options) {
-  const Result<DeviceName> name = parse_device_name(options.device);
-  if (!name) return fail(name.error(), kUsage);
-  if (name->interf != p2d::kCode) return fail({"", "drive wants a position2d device"}, kUsage);
+  const Result<WantedDevice> wanted = parse_wanted_device(options.device);
+  if (!wanted) return fail(wanted.error(), kUsage);
+  if (wanted->address && !drives(wanted->address->interf))
+    return fail({"", "drive wants a position2d device or a robot's name"}, kUsage);
   const Result<client::Address> server = parse_server(options.server);
   if (!server) return fail(server.error(), kUsage);
   Result<client::Client> client =
       client::Client::connect(server->host, server->port, {.mode = client::Mode::kPush});
   if (!client) return fail(client.error());
+  const Result<DeviceName> name = find_device(*client, *wanted, &drives);
+  if (!name) return fail(name.error());
   Result<client::Device> robot = client::Device::open(*client, name->interf, name->index);
   if (!robot)
     return fail({robot.error().where, robot.error().text + "; playhouse devices lists what there is"});

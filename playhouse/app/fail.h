@@ -1,16 +1,22 @@
 #pragma once
 
-/// How commands that are clients end when something went wrong: one line of the log, and the exit code.
+/// How commands say what is wrong: one line of the log per finding, a place in a file first.
+
+#include <string>
+#include <vector>
 
 #include "playhouse/app/options.h"
-#include "playhouse/base/log.h"
 #include "playhouse/base/result.h"
 
 namespace playhouse::app {
 
-inline int fail(const Error& error, Exit code = kFailed) {
-  log::error("{}", error.line());
-  return code;
-}
+/// Gives the exit code.
+int fail(const Error& error, Exit code = kFailed);
+
+/// The same for an error whose place is in a file, and for `others` there.
+int fail_in_file(const Error& error, const std::vector<Error>& others);
+
+/// A line about something odd in a file, "file:line: text".
+void warn(const std::string& line);
 
 }  // namespace playhouse::app

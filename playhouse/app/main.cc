@@ -4,6 +4,7 @@
 
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <span>
 #include <string>
@@ -11,11 +12,14 @@
 
 #include "playhouse/app/command_line.h"
 #include "playhouse/app/commands.h"
+#include "playhouse/app/descriptor_limit.h"
+#include "playhouse/app/fail.h"
 #include "playhouse/app/interrupt.h"
 #include "playhouse/app/player_link.h"
 #include "playhouse/app/standard_streams.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/log_output.h"
+#include "playhouse/stage/instruction_set.h"
 
 namespace playhouse::app {
 namespace {
@@ -47,19 +51,28 @@ void flush_before_the_end() {
   });
 }
 
+/// PLAYHOUSE_INSTRUCTION_SET, which tests set; results do not depend on it (docs/benchmarks.md).
+Result<void> choose_instruction_set() {
+  const char* const wanted = std::getenv("PLAYHOUSE_INSTRUCTION_SET");
+  if (wanted == nullptr) return {};
+  const Result<stage::InstructionSet> set = stage::parse_instruction_set(wanted);
+  if (!set) return Error{"PLAYHOUSE_INSTRUCTION_SET", set.error().text};
+  stage::choose_instruction_set(*set);
+  return {};
+}
+
 int start(int argc, const char* const* argv) {
   std::signal(SIGPIPE, SIG_IGN);
+  raise_descriptor_limit();
   end_at_once_on_signals();
   flush_before_the_end();
   const std::span<const char* const> words(argv + (argc > 0),
                                            static_cast<std::size_t>(argc > 0 ? argc - 1 : 0));
-  if (argc > 0 && called_player(argv[0])) return player_link(words);
   log::open(1);
+  if (const Result<void> chosen = choose_instruction_set(); !chosen) return fail(chosen.error(), kUsage);
+  if (argc > 0 && called_player(argv[0])) return player_link(words);
   const Result<CommandLine> line = parse_command_line(words);
-  if (!line) {
-    log::say("playhouse: " + line.error().text);
-    return kUsage;
-  }
+  if (!line) return fail(line.error(), kUsage);
   return std::visit(Dispatch{}, *line);
 }
 
@@ -74,9 +87,9 @@ int main(int argc, char** argv) {
     code = start(argc, argv);
   } catch (const std::exception& error) {  // memory, threads, and standard output: nothing else throws
     if (std::ferror(stdout) == 0) {
-      playhouse::log::say(std::string("playhouse: ") + error.what());
-      return kFailed;
+      return fail({{}, error.what()});
     }
   }
+  playhouse::log::flush();  // what the log held back is told, too
   return finish_output(code);
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace playhouse::app {
 
@@ -19,6 +20,8 @@ struct Serving {
   std::uint16_t port = kPlayerPort;             // 0: any free one
   std::optional<std::uint16_t> web = kWebPort;  // none: no page; 0: any free port
   std::string bind = "127.0.0.1";
+  std::string port_option = "--port";  // that sets `port`, for errors
+  std::vector<std::string> web_hosts;  // names of the page besides the machine's
 };
 
 /// How a world runs. What is not given comes from the world file.
@@ -27,6 +30,8 @@ struct Running {
   std::optional<double> duration;  // simulated seconds
   std::uint64_t seed = 1;
   unsigned workers = 1;
+  std::vector<std::string>
+      allowed_libraries;  // of controllers, outside the folders where they are looked for
   bool paused = false;
   bool json = false;  // the result as the last line of standard output
 };
@@ -45,11 +50,12 @@ struct ServeOptions {
 
 struct DevicesOptions {
   std::string server;  // "host", "host:port" or ""
+  bool json = false;   // an object per device
 };
 
 struct WatchOptions {
   std::string server;
-  std::string device;       // "laser:0"
+  std::string device;       // "laser:0", or the name of a model
   std::uint64_t count = 0;  // messages until the end; 0: for ever
 };
 
@@ -59,7 +65,7 @@ struct DriveOptions {
 };
 
 struct CheckOptions {
-  std::string file;
+  std::vector<std::string> files;
 };
 
 struct BenchOptions {

@@ -1,14 +1,19 @@
 #include "playhouse/app/player_link.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
-#include <charconv>
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <optional>
 #include <string>
-#include <string_view>
+#include <vector>
 
-#include "playhouse/app/open_house.h"
+#include "playhouse/app/fail.h"
+#include "playhouse/app/run_service.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/log_output.h"
@@ -16,7 +21,8 @@
 namespace playhouse::app {
 namespace {
 
-/// Exit code of Player's server for a wrong command line and for help.
+/// Exit code of Player's server for a wrong command line, for help, and for a file that is wrong. A file that
+/// is not there is kFailed.
 constexpr int kPlayerUsage = 255;
 
 constexpr const char* kHelp =
@@ -33,82 +39,81 @@ struct PlayerOptions {
   int level = 1;
   std::string log_file;
   std::string file;
-  bool help = false;
 };
 
-template <typename Number>
-bool parse_number(std::string_view text, Number& value) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size();
+/// As the original reads numbers: what is none is 0.
+int number(const char* text) {
+  return std::atoi(text);
 }
 
-/// Handles one option that takes a value.
-Result<void> set_option(char option, std::string_view value, PlayerOptions& options) {
-  if (option == 'l') {
-    options.log_file = value;
-  } else if (option == 'p' && !parse_number(value, options.port)) {
-    return Error{"", fmt::format("-p wants a port, not {}", in_quotes(value))};
-  } else if (option == 'd' &&
-             (!parse_number(value, options.level) || options.level < 0 || options.level > 9)) {
-    return Error{"", fmt::format("-d wants a level from 0 to 9, not {}", in_quotes(value))};
-  }
-  return {};
-}
-
-Result<PlayerOptions> parse(std::span<const char* const> words) {
+/// The options as the original takes them: in any order, letters together, the first file counts. None for a
+/// wrong command line.
+std::optional<PlayerOptions> parse(std::span<const char* const> words) {
+  std::string program = "player";
+  std::vector<std::string> copies(words.begin(), words.end());
+  std::vector<char*> arguments{program.data()};
+  for (std::string& copy : copies) arguments.push_back(copy.data());
+  arguments.push_back(nullptr);
   PlayerOptions options;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    const std::string_view word = words[i];
-    if (word.size() < 2 || word[0] != '-') {
-      if (!options.file.empty())
-        return Error{"", fmt::format("one file is wanted; {} is a second", in_quotes(word))};
-      options.file = word;
-      continue;
-    }
-    const char option = word[1];
-    if (option == 'h' || word == "--help") {
-      options.help = true;
-    } else if (option == 'q') {
-      options.level = 0;
-    } else if (option == 'p' || option == 'd' || option == 'l') {
-      const bool attached = word.size() > 2;  // -p6665
-      if (!attached && i + 1 == words.size()) return Error{"", fmt::format("-{} wants a value", option)};
-      const std::string_view value = attached ? word.substr(2) : std::string_view(words[++i]);
-      if (const Result<void> set = set_option(option, value, options); !set) return set.error();
-    } else if (word == "-s") {
-      return Error{"", "-s is not supported: leave running in the background to a service manager, or to &"};
-    } else {
-      return Error{"", fmt::format("unknown option {}", word)};
+  const int count = static_cast<int>(arguments.size()) - 1;
+  // getopt moves files behind the options and says itself what is wrong.
+  for (int option = 0; (option = getopt(count, arguments.data(), "p:d:l:qsh")) != -1;) {
+    switch (option) {
+      case 'p':
+        options.port = static_cast<std::uint16_t>(number(optarg));
+        break;
+      case 'd':
+        options.level = number(optarg);
+        break;
+      case 'l':
+        options.log_file = optarg;
+        break;
+      case 'q':
+        options.level = 0;
+        break;
+      case 's':
+        log::say(
+            "player: -s is not supported: leave running in the background to a service manager, or to &");
+        return std::nullopt;
+      default:
+        return std::nullopt;
     }
   }
+  if (optind == count) return std::nullopt;
+  options.file = arguments[static_cast<std::size_t>(optind)];
   return options;
 }
 
-/// Player ends with 255 for files and ports that cannot be used.
+/// As Player ends: 0 by Ctrl-C and SIGTERM, 255 for files and ports that cannot be used.
 int player_code(int code) {
+  if (code == 128 + SIGINT || code == 128 + SIGTERM) return kDone;
   return code == kFailed || code == kUsage ? kPlayerUsage : code;
+}
+
+bool is_there(const std::string& file) {
+  return access(file.c_str(), R_OK) == 0;
 }
 
 }  // namespace
 
 int player_link(std::span<const char* const> words) {
-  const Result<PlayerOptions> options = parse(words);
-  if (!options || options->help || options->file.empty()) {
-    log::say(options ? kHelp : "player: " + options.error().text + "\n" + kHelp);
+  const std::optional<PlayerOptions> options = parse(words);
+  if (!options) {
+    log::say(kHelp);
     return kPlayerUsage;
   }
   log::open(options->level);
   if (!options->log_file.empty()) {
-    if (const Result<void> opened = log::also_to(options->log_file); !opened) {
-      log::error("{}", opened.error().line());
-      return kPlayerUsage;
-    }
+    if (const Result<void> opened = log::also_to(options->log_file); !opened) return fail(opened.error());
   }
-  House house({.port = options->port, .web = std::nullopt, .bind = "0.0.0.0"}, {}, QuitTime::kIgnored);
-  const int code = open_house(
-      house, [&] { return house.read_cfg(options->file); }, {},
-      [&house] {
-        fmt::print("Listening on ports: {} \n", fmt::join(house.player_ports(), " "));
+  if (!is_there(options->file))
+    return fail({escaped(options->file), std::string("cannot be opened: ") + std::strerror(errno)});
+  Service service({.port = options->port, .web = std::nullopt, .bind = "0.0.0.0", .port_option = "-p"}, {},
+                  QuitTime::kIgnored);
+  const int code = run_service(
+      service, [&] { return service.read_cfg(options->file); }, {},
+      [&service] {
+        fmt::print("Listening on ports: {} \n", fmt::join(service.player_ports(), " "));
         std::fflush(stdout);
       });
   fmt::print("Quitting.\n");

@@ -6,8 +6,7 @@
 
 #include <cstdio>
 
-#include "playhouse/app/options.h"
-#include "playhouse/base/log_output.h"
+#include "playhouse/app/fail.h"
 
 namespace playhouse::app {
 namespace {
@@ -29,7 +28,7 @@ void keep_standard_streams() {
 int finish_output(int code) {
   const bool flushed = std::fflush(stdout) == 0;
   if ((flushed && std::ferror(stdout) == 0) || reader_left()) return code;
-  log::say("playhouse: standard output cannot be written");
+  fail({{}, "standard output cannot be written"});
   return code == kDone ? kFailed : code;
 }
 

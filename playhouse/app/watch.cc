@@ -61,15 +61,17 @@ bool sends_data(std::uint16_t interf) {
 }  // namespace
 
 int watch(const WatchOptions& options) {
-  const Result<DeviceName> name = parse_device_name(options.device);
-  if (!name) return fail(name.error(), kUsage);
-  if (!sends_data(name->interf))
+  const Result<WantedDevice> wanted = parse_wanted_device(options.device);
+  if (!wanted) return fail(wanted.error(), kUsage);
+  if (wanted->address && !sends_data(wanted->address->interf))
     return fail({"", "a device of this interface sends no data to watch"}, kUsage);
   const Result<client::Address> server = parse_server(options.server);
   if (!server) return fail(server.error(), kUsage);
   Result<client::Client> client =
       client::Client::connect(server->host, server->port, {.mode = client::Mode::kPush});
   if (!client) return fail(client.error());
+  const Result<DeviceName> name = find_device(*client, *wanted, &sends_data);
+  if (!name) return fail(name.error());
   Result<client::Device> device = client::Device::open(*client, name->interf, name->index);
   if (!device)
     return fail({device.error().where, device.error().text + "; playhouse devices lists what there is"});

@@ -6,8 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "playhouse/base/log.h"
-#include "playhouse/controllers/attach.h"
 #include "playhouse/stage/engine.h"
 
 namespace playhouse::app {
@@ -20,15 +18,18 @@ std::filesystem::path program_folder() {
 
 }  // namespace
 
-Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene, std::uint64_t seed,
-                                                   unsigned workers) {
+Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene, const Running& running,
+                                                   controllers::Libraries::Use use, const Warn& warn) {
   Result<std::unique_ptr<world::Engine>> engine =
-      stage::make_engine(scene, {.seed = seed, .workers = workers});
+      stage::make_engine(scene, {.seed = running.seed, .workers = running.workers});
   if (!engine) return engine;
-  const std::vector<std::filesystem::path> folders = controllers::library_folders(scene, program_folder());
-  const Result<std::vector<std::string>> attached = controllers::attach((*engine)->world(), folders);
+  const controllers::Libraries libraries{
+      .folders = controllers::library_folders(scene, program_folder()),
+      .allowed = {running.allowed_libraries.begin(), running.allowed_libraries.end()},
+      .use = use};
+  const Result<std::vector<std::string>> attached = controllers::attach((*engine)->world(), libraries);
   if (!attached) return attached.error();
-  for (const std::string& warning : *attached) log::warn("{}", warning);
+  for (const std::string& warning : *attached) warn(warning);
   return engine;
 }
 

@@ -4,19 +4,25 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <string>
 
 #include "playhouse/app/options.h"
 #include "playhouse/base/result.h"
+#include "playhouse/controllers/attach.h"
 #include "playhouse/drivers/simulated/simulation.h"
 #include "playhouse/scene/scene_desc.h"
 #include "playhouse/world/engine.h"
 
 namespace playhouse::app {
 
+/// Takes a line about something odd in a file, "file:line: text".
+using Warn = std::function<void(const std::string&)>;
+
 /// An engine for the scene, with the controllers that its models name. The scene must outlive it.
-Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene, std::uint64_t seed,
-                                                   unsigned workers);
+Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene, const Running& running,
+                                                   controllers::Libraries::Use use, const Warn& warn);
 
 /// Whether the world file's quit_time ends the run.
 enum class QuitTime : std::uint8_t { kHonoured, kIgnored };

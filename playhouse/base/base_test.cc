@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <set>
 
 #include "playhouse/base/hash.h"
 #include "playhouse/base/in_quotes.h"
@@ -42,17 +43,40 @@ TEST(Result, holds_a_value_or_an_error) {
   EXPECT_EQ(bad.error().line(), "a.world:2: no such thing");
 }
 
-TEST(Rng, depends_on_each_of_its_four_inputs_and_on_nothing_else) {
-  EXPECT_EQ(Rng(1, 2, 3, 4).bits(), Rng(1, 2, 3, 4).bits());
-  const std::uint64_t base = Rng(1, 2, 3, 4).bits();
-  EXPECT_NE(base, Rng(2, 2, 3, 4).bits());
-  EXPECT_NE(base, Rng(1, 3, 3, 4).bits());
-  EXPECT_NE(base, Rng(1, 2, 4, 4).bits());
-  EXPECT_NE(base, Rng(1, 2, 3, 5).bits());
+TEST(Rng, depends_on_each_of_its_inputs_and_on_nothing_else) {
+  EXPECT_EQ(Rng(1, 2, {Purpose::kColor, 3}).bits(), Rng(1, 2, {Purpose::kColor, 3}).bits());
+  const std::uint64_t base = Rng(1, 2, {Purpose::kColor, 3}).bits();
+  EXPECT_NE(base, Rng(2, 2, {Purpose::kColor, 3}).bits());
+  EXPECT_NE(base, Rng(1, 3, {Purpose::kColor, 3}).bits());
+  EXPECT_NE(base, Rng(1, 2, {Purpose::kController, 3}).bits());
+  EXPECT_NE(base, Rng(1, 2, {Purpose::kColor, 4}).bits());
+  EXPECT_NE(base, Rng(1, 2, {Purpose::kColor, 3, 1}).bits());
+}
+
+// Every sensor, beam and purpose of a world of 100 sensors with 20 beams, in two ticks; and the largest rows.
+TEST(Rng, no_two_streams_are_one) {
+  std::set<std::uint64_t> first_numbers;
+  std::size_t streams = 0;
+  const auto add = [&](std::uint64_t tick, const Stream& stream) {
+    ++streams;
+    first_numbers.insert(Rng(1, tick, stream).bits());
+  };
+  constexpr std::uint32_t kLargest = 0xFFFFFFFF;
+  for (const std::uint64_t tick : {0u, 1u}) {
+    for (std::uint64_t number = 0; number < static_cast<std::uint64_t>(Purpose::kCount); ++number) {
+      const auto purpose = static_cast<Purpose>(number);
+      for (std::uint32_t row = 0; row < 100; ++row)
+        for (std::uint32_t part = 0; part < 20; ++part) add(tick, {purpose, row, part});
+      add(tick, {purpose, kLargest, 0});
+      add(tick, {purpose, 0, kLargest});
+      add(tick, {purpose, kLargest, kLargest});
+    }
+  }
+  EXPECT_EQ(first_numbers.size(), streams);
 }
 
 TEST(Rng, gaussian_has_mean_zero_and_variance_one) {
-  Rng rng(1, 0, 0, 0);
+  Rng rng(1);
   constexpr int kDraws = 100000;
   double sum = 0, squares = 0;
   for (int i = 0; i < kDraws; ++i) {

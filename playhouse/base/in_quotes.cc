@@ -1,13 +1,10 @@
 #include "playhouse/base/in_quotes.h"
 
-#include <fmt/format.h>
-
-#include <iterator>
-
 namespace playhouse {
 namespace {
 
 constexpr std::size_t kShownBytes = 200;
+constexpr char kHexDigits[] = "0123456789abcdef";
 
 /// The beginning of a text, without a part of a UTF-8 character at its end.
 std::string_view beginning(std::string_view text) {
@@ -52,7 +49,10 @@ std::string escaped(std::string_view text) {
   while (!text.empty()) {
     const std::size_t size = utf8_character(text);
     if (size == 0 || is_control(text[0])) {
-      fmt::format_to(std::back_inserter(result), "\\x{:02x}", static_cast<unsigned char>(text[0]));
+      const auto byte = static_cast<unsigned char>(text[0]);
+      result += "\\x";
+      result += kHexDigits[byte >> 4];
+      result += kHexDigits[byte & 15];
       text.remove_prefix(1);
     } else {
       result += text.substr(0, size);

@@ -6,12 +6,17 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <mutex>
 #include <string>
 #include <utility>
 
+#include "playhouse/base/before_abort.h"
+#include "playhouse/base/in_quotes.h"
+#include "playhouse/base/line_limits.h"
 #include "playhouse/base/line_writer.h"
 #include "playhouse/base/log_output.h"
 
@@ -28,6 +33,12 @@ LineWriter& standard_error() {
 
 bool is_terminal() {
   return isatty(STDERR_FILENO) == 1;
+}
+
+/// https://no-color.org: any text but none.
+bool refuses_color() {
+  const char* const value = std::getenv("NO_COLOR");
+  return value != nullptr && *value != '\0';
 }
 
 const char* color_of(spdlog::level::level_enum level) {
@@ -50,13 +61,18 @@ class WriterSink final : public spdlog::sinks::base_sink<std::mutex> {
 
  private:
   void sink_it_(const spdlog::details::log_msg& message) override {
+    // Whoever wrote the text, no control character in it reaches a terminal.
+    const std::string payload = escaped({message.payload.data(), message.payload.size()});
+    spdlog::details::log_msg shown = message;
+    shown.payload = payload;
     spdlog::memory_buf_t text;
-    formatter_->format(message, text);
+    formatter_->format(shown, text);
     std::string line(text.data(), text.size());
-    if (colored_ && message.color_range_end > message.color_range_start) {
-      line.insert(message.color_range_end, "\x1b[m");
-      line.insert(message.color_range_start, color_of(message.level));
+    if (colored_) {
+      line.insert(shown.color_range_end, "\x1b[m");
+      line.insert(shown.color_range_start, color_of(shown.level));
     }
+    if (!shown.source.empty()) line.insert(shown.color_range_start, escaped(shown.source.filename) + ": ");
     writer_.add(line);
   }
   void flush_() override { writer_.flush(); }
@@ -65,10 +81,42 @@ class WriterSink final : public spdlog::sinks::base_sink<std::mutex> {
   bool colored_;
 };
 
+/// Of the lines since open(); before it, in tests, nothing is held back.
+struct Limited {
+  std::mutex mutex;
+  bool on = false;
+  LineLimits limits;
+};
+Limited& limited() {
+  static Limited limited;
+  return limited;
+}
+
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+void give(spdlog::level::level_enum level, const std::string& line) {
+  spdlog::default_logger_raw()->log(level, spdlog::string_view_t(line));
+}
+
+void give_all(const std::vector<LineLimits::Line>& lines) {
+  for (const LineLimits::Line& line : lines)
+    give(static_cast<spdlog::level::level_enum>(line.level), line.text);
+}
+
+/// What was held back and not told yet.
+std::vector<LineLimits::Line> held_back() {
+  const std::lock_guard lock(limited().mutex);
+  return limited().limits.summaries(now());
+}
+
 }  // namespace
 
 void open(int level) {
-  const bool colored = is_terminal() && spdlog::details::os::is_color_terminal();
+  limited().on = true;
+  set_before_abort(&flush);
+  const bool colored = is_terminal() && spdlog::details::os::is_color_terminal() && !refuses_color();
   auto sink = std::make_shared<WriterSink>(standard_error(), colored);
   sink->set_pattern((is_terminal() ? kEraseLine : "") + std::string("%^%l%$: %v"));
   auto logger = std::make_shared<spdlog::logger>("playhouse", std::move(sink));
@@ -83,9 +131,27 @@ Result<void> also_to(const std::string& path) {
   if (file < 0) return Error{path, "the log file cannot be written: " + std::string(std::strerror(errno))};
   static LineWriter writer(file);
   auto sink = std::make_shared<WriterSink>(writer, false);
-  sink->set_pattern("[%Y-%m-%d %H:%M:%S.%e] %l: %v");
+  sink->set_pattern("[%Y-%m-%d %H:%M:%S.%e] %^%l%$: %v");
   spdlog::default_logger()->sinks().push_back(std::move(sink));
   return {};
+}
+
+void write(spdlog::level::level_enum level, fmt::string_view format, fmt::format_args values) {
+  if (!spdlog::should_log(level)) return;
+  std::string line = fmt::vformat(format, values);
+  const std::string_view kind(format.data(), format.size());
+  if (kind == "{}" || !limited().on) return give(level, line);
+  std::vector<LineLimits::Line> lines;
+  {
+    const std::lock_guard lock(limited().mutex);
+    lines = limited().limits.pass(level, kind, std::move(line), now());
+  }
+  give_all(lines);
+}
+
+void tell(spdlog::level::level_enum level, const Error& finding) {
+  const int anywhere = finding.where.empty() ? 0 : 1;  // a line of 0: no place
+  spdlog::default_logger()->log(spdlog::source_loc{finding.where.c_str(), anywhere, ""}, level, finding.text);
 }
 
 void say(const std::string& line) {
@@ -97,6 +163,7 @@ void show_progress(const std::string& text) {
 }
 
 bool flush() {
+  give_all(held_back());
   spdlog::default_logger()->flush();
   return standard_error().flush();
 }

@@ -3,6 +3,8 @@
 /// What the program itself does with the output of its log; modules that have something to say use log.h.
 /// Nobody waits for whoever reads it (line_writer.h). Any thread.
 
+#include <spdlog/common.h>
+
 #include <string>
 
 #include "playhouse/base/result.h"
@@ -12,6 +14,10 @@ namespace playhouse::log {
 /// Appends every log line, with its time, to a file as well, which is made if it does not exist. Call once,
 /// after open().
 Result<void> also_to(const std::string& path);
+
+/// A log line about a file, with its place first, as editors follow it: "file:line: error: what"; without a
+/// place, a log line like any other.
+void tell(spdlog::level::level_enum level, const Error& finding);
 
 /// A line of its own on standard error, without a level, between the log lines.
 void say(const std::string& line);

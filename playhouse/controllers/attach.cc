@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "playhouse/base/in_quotes.h"
+#include "playhouse/base/log.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/controllers/expand.h"
 #include "playhouse/controllers/loaded.h"
@@ -39,7 +40,7 @@ std::unique_ptr<Batch> make_built_in(std::string_view name) {
 }
 
 Error unknown(const std::string& where, const std::string& name,
-              std::span<const std::filesystem::path> folders) {
+              const std::vector<std::filesystem::path>& folders) {
   std::vector<std::string> words(kBuiltIns.begin(), kBuiltIns.end());
   for (const std::filesystem::path& folder : folders) {
     std::error_code ignored;
@@ -52,10 +53,12 @@ Error unknown(const std::string& where, const std::string& name,
   std::sort(words.begin() + kBuiltIns.size(), words.end());
   const std::vector<std::string_view> candidates(words.begin(), words.end());
   const std::string nearest = did_you_mean(name, candidates);
+  if (std::filesystem::path(name).is_absolute())
+    return {where, "no controller " + in_quotes(name) + ": there is no file " + in_quotes(name + ".so")};
   if (!nearest.empty()) return {where, "no controller " + in_quotes(name) + nearest};
   std::string places;
   for (const std::filesystem::path& folder : folders)
-    places += (places.empty() ? "" : ", ") + folder.string();
+    places += (places.empty() ? "" : ", ") + escaped(folder.string());
   return {where, "no controller " + in_quotes(name) + ": it is not built in, and " + in_quotes(name + ".so") +
                      " is not in " + places};
 }
@@ -76,41 +79,48 @@ void add_folders(const char* variable, std::vector<std::filesystem::path>& folde
   }
 }
 
-/// The batches of one world while they fill.
-class Crew {
- public:
-  Crew(world::World& world, std::span<const std::filesystem::path> folders)
-      : world_(world), folders_(folders) {}
+/// Whether a name leads out of the folders in which it is looked for.
+bool leads_outside(std::string_view name) {
+  const std::filesystem::path path = std::filesystem::path(name).lexically_normal();
+  return path.is_absolute() || (!path.empty() && *path.begin() == "..");
+}
 
-  Result<void> hire(const Post& post, const std::string& where);
+/// The batches of one world while they fill.
+class Batches {
+ public:
+  Batches(world::World& world, const Libraries& libraries) : world_(world), libraries_(libraries) {}
+
+  Result<void> add(const Post& post, const std::string& where);
   void warn(std::string line) { warnings_.push_back(std::move(line)); }
+  void warn_of_demo(const std::string& name, const std::string& where);
   std::vector<std::string> take_warnings() { return std::move(warnings_); }
 
  private:
-  /// The batch of that name; null, with a warning, for a demonstration of Stage.
+  /// The batch of that name; null, with a warning, for a demonstration of Stage and where nothing is loaded.
   Result<Batch*> batch(const std::string& name, const std::string& where);
+  /// The same for the library at `file`.
+  Result<std::unique_ptr<Batch>> load(const std::string& name, const std::filesystem::path& file,
+                                      const std::string& where);
+  bool is_allowed(const std::string& name, const std::filesystem::path& file) const;
 
   world::World& world_;
-  std::span<const std::filesystem::path> folders_;
+  const Libraries& libraries_;
   std::map<std::string, Batch*> by_name_;
   std::vector<std::string> warnings_;
 };
 
-Result<Batch*> Crew::batch(const std::string& name, const std::string& where) {
+Result<Batch*> Batches::batch(const std::string& name, const std::string& where) {
   if (const auto at = by_name_.find(name); at != by_name_.end()) return at->second;
   std::unique_ptr<Batch> made = make_built_in(name);
-  if (const std::filesystem::path file = made ? "" : find_library(name, folders_); !file.empty()) {
-    Result<Library> library = Library::open(file);
-    // STAGEPATH leads to Stage's own builds of its demonstrations: no reason to refuse the world.
-    if (!library && !is_stage_demo(name)) {
-      return Error{where, "controller " + in_quotes(name) + ": " + library.error().line()};
-    }
-    if (library) made = std::make_unique<Loaded>(std::move(*library));
-  }
-  if (!made && !is_stage_demo(name)) return unknown(where, name, folders_);
-  if (!made) {
-    warn(where + ": Stage's demonstration " + in_quotes(name) +
-         " is not part of this program; its robots stay without a controller");
+  const std::filesystem::path file = made ? "" : find_library(name, libraries_.folders);
+  if (!file.empty()) {
+    Result<std::unique_ptr<Batch>> loaded = load(name, file, where);
+    if (!loaded) return loaded.error();
+    made = std::move(*loaded);
+  } else if (!made && is_stage_demo(name)) {
+    warn_of_demo(name, where);
+  } else if (!made) {
+    return unknown(where, name, libraries_.folders);
   }
   Batch* const batch = made.get();
   by_name_.emplace(name, batch);
@@ -118,7 +128,44 @@ Result<Batch*> Crew::batch(const std::string& name, const std::string& where) {
   return batch;
 }
 
-Result<void> Crew::hire(const Post& post, const std::string& where) {
+void Batches::warn_of_demo(const std::string& name, const std::string& where) {
+  warn(where + ": Stage's demonstration " + in_quotes(name) +
+       " is not part of this program; its robots stay without a controller");
+}
+
+bool Batches::is_allowed(const std::string& name, const std::filesystem::path& file) const {
+  std::error_code ignored;
+  return !leads_outside(name) ||
+         std::ranges::any_of(libraries_.allowed, [&](const std::filesystem::path& allowed) {
+           return std::filesystem::equivalent(file, allowed, ignored);
+         });
+}
+
+Result<std::unique_ptr<Batch>> Batches::load(const std::string& name, const std::filesystem::path& file,
+                                             const std::string& where) {
+  const std::string path = escaped(std::filesystem::absolute(file).lexically_normal().string());
+  if (libraries_.use == Libraries::Use::kFind) {
+    warn(where + ": controller " + in_quotes(name) + " is " + path +
+         ", which is there and not checked: checking loads no code" +
+         (is_allowed(name, file) ? "" : "; running it takes --allow-library " + path));
+    return std::unique_ptr<Batch>();
+  }
+  if (!is_allowed(name, file)) {
+    return Error{where, "controller " + in_quotes(name) +
+                            " is code outside the folders of controllers; if you trust it, " +
+                            "run with --allow-library " + path};
+  }
+  log::info("controller {}: loads {}", in_quotes(name), path);
+  Result<Library> library = Library::open(file);
+  if (library) return std::unique_ptr<Batch>(std::make_unique<Loaded>(std::move(*library)));
+  // STAGEPATH leads to Stage's own builds of its demonstrations: no reason to refuse the world.
+  if (!is_stage_demo(name))
+    return Error{where, "controller " + in_quotes(name) + ": " + library.error().line()};
+  warn_of_demo(name, where);
+  return std::unique_ptr<Batch>();
+}
+
+Result<void> Batches::add(const Post& post, const std::string& where) {
   const Result<Batch*> found = batch(post.name, where);
   if (!found) return found.error();
   if (!*found) return {};
@@ -142,8 +189,8 @@ std::vector<std::filesystem::path> library_folders(const scene::SceneDesc& scene
   return folders;
 }
 
-Result<std::vector<std::string>> attach(world::World& world, std::span<const std::filesystem::path> folders) {
-  Crew crew(world, folders);
+Result<std::vector<std::string>> attach(world::World& world, const Libraries& libraries) {
+  Batches batches(world, libraries);
   for (std::uint32_t row = 0; row < world.models.size(); ++row) {
     const scene::ModelDesc& desc = world.desc({row});
     // Robots of one batch may be decided for at the same time, so each is in it once.
@@ -152,16 +199,16 @@ Result<std::vector<std::string>> attach(world::World& world, std::span<const std
       std::vector<std::string> words = split(desc.ctrl[order]);
       if (words.empty()) continue;
       if (!names.insert(words[0]).second) {
-        crew.warn(world.scene().at(desc.where) + ": " + in_quotes(desc.name) + " names controller " +
-                  in_quotes(words[0]) + " twice; the second is left out");
+        batches.warn(world.scene().at(desc.where) + ": " + in_quotes(desc.name) + " names controller " +
+                     in_quotes(words[0]) + " twice; the second is left out");
         continue;
       }
       Post post{{row}, words[0], {words.begin() + 1, words.end()}, order};
-      if (const Result<void> hired = crew.hire(post, world.scene().at(desc.where)); !hired)
-        return hired.error();
+      if (const Result<void> added = batches.add(post, world.scene().at(desc.where)); !added)
+        return added.error();
     }
   }
-  return crew.take_warnings();
+  return batches.take_warnings();
 }
 
 }  // namespace playhouse::controllers

@@ -2,8 +2,8 @@
 
 /// From the names that a scene's models carry (`ctrl "wander"`) to controllers that decide for them.
 
+#include <cstdint>
 #include <filesystem>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -12,17 +12,27 @@
 
 namespace playhouse::controllers {
 
-/// Where libraries of controllers are looked for, in order: the folder of the world file, those of
-/// PLAYHOUSE_PATH and STAGEPATH (separated by colons), and `program_folder`.
+/// The libraries of controllers that a world may use. A library's code runs with all rights of the program,
+/// so a world file cannot have any file of the machine loaded by its path.
+struct Libraries {
+  enum class Use : std::uint8_t { kLoad, kFind };  // kFind: none is loaded, as a file is only checked
+
+  std::vector<std::filesystem::path> folders;  // where they are looked for by name, in order
+  std::vector<std::filesystem::path> allowed;  // outside these folders
+  Use use = Use::kLoad;
+};
+
+/// Where libraries are looked for: the folder of the world file, those of PLAYHOUSE_PATH and STAGEPATH
+/// (separated by colons), and `program_folder`.
 std::vector<std::filesystem::path> library_folders(const scene::SceneDesc& scene,
                                                    const std::filesystem::path& program_folder);
 
-/// Gives every model of the world the controllers that its `ctrl` names: built-ins first, then libraries in
-/// `folders`. Call once, before the first tick; fills world.deciders and subscribes what the controllers use.
-/// Gives the warnings, "file:line: text": demonstrations of Stage that this program has not got, a name given
-/// twice.
-/// Fails on the first name that is unknown, library that can't be used, or model that lacks what its
-/// controller needs.
-Result<std::vector<std::string>> attach(world::World& world, std::span<const std::filesystem::path> folders);
+/// Gives every model of the world the controllers that its `ctrl` names: built-ins first, then `libraries`,
+/// each of which has a line in the log before it is loaded. Call once, before the first tick; fills
+/// world.deciders and subscribes what the controllers use. Gives the warnings, "file:line: text":
+/// demonstrations of Stage that this program has not got, a name given twice, a library that is only found.
+/// Fails on the first name that is unknown, library that can't or may not be used, or model that lacks what
+/// its controller needs.
+Result<std::vector<std::string>> attach(world::World& world, const Libraries& libraries);
 
 }  // namespace playhouse::controllers

@@ -26,7 +26,7 @@ struct Ranger {
   std::span<const float> bearings;  // rad, of each beam in R
   float range_max = 0;              // m, the largest of its sensors
   bool fresh = false;               // measured since the last decide()
-  bool used = true;                 // set false in start(): it then need not measure for you
+  bool used = true;                 // set false in start(): it then measures nothing for you
 };
 
 /// A marker that a fiducial finder sees.
@@ -51,7 +51,7 @@ struct Robot {
   geom::Twist velocity;  // m/s and rad/s, in R
   bool stalled = false;  // its last motion was blocked
   std::span<const Sighting> sightings;
-  Rng random{0, 0, 0, 0};  // differs for every robot, controller and tick
+  Rng random{0};  // differs for every robot, controller and tick
 
   // Orders. A command stays in force until the next one.
   void drive(double forward, double turn) { drive(geom::Twist{forward, 0, 0, turn}); }

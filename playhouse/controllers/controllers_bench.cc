@@ -15,7 +15,7 @@ void decide(benchmark::State& state, const std::vector<scene::RangerSensorDesc>&
   world::World world(scene, 1);
   if (!attach(world, {})) return state.SkipWithError("no controllers");
   std::vector<float> beams(997);
-  Rng random(1, 0, 0, 0);
+  Rng random(1);
   for (float& beam : beams) beam = static_cast<float>(random.uniform(0.4, 5));
   testing::measure(world, beams);
   for (auto _ : state) {

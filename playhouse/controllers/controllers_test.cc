@@ -138,6 +138,37 @@ TEST(Expand, turns_to_the_side_with_more_room_and_stops_when_blocked) {
   EXPECT_GT(f.command(0).a, 0);
 }
 
+/// True if a robot drives on whose beam at `degrees` is this long, with free space ahead in all others.
+bool drives_with(const char* name, int degrees, float range) {
+  Fixture f(testing::robots(1, testing::ring(36), name));
+  EXPECT_EQ(f.error, "");
+  std::vector<float> beams(36, 5.0f);
+  std::fill(beams.begin() + 10, beams.end() - 9, 1.0f);  // behind
+  beams[static_cast<std::size_t>((degrees + 360) % 360 / 10)] = range;
+  testing::measure(f.world, beams);
+  testing::decide(f.world);
+  return f.command(0).x > 0;
+}
+
+TEST(Expand, drives_while_every_beam_is_longer_than_stage_wants_it_at_its_bearing) {
+  const struct {
+    const char* name;
+    int degrees;
+    float longer_than;  // m
+  } wanted[] = {{"expand_swarm", 0, 0.5f},        {"expand_swarm", 30, 0.5f / 1.5f},
+                {"expand_swarm", 60, 0.5f / 3},   {"expand_swarm", 90, 0.5f / 5},
+                {"expand_pioneer", 10, 0.75f},    {"expand_pioneer", 30, 0.75f / 2},
+                {"expand_pioneer", 50, 0.75f / 4}};
+  for (const auto& [name, degrees, longer_than] : wanted) {
+    for (const int side : {degrees, -degrees}) {
+      EXPECT_FALSE(drives_with(name, side, longer_than)) << name << " at " << side;
+      EXPECT_TRUE(drives_with(name, side, longer_than + 0.001f)) << name << " at " << side;
+    }
+  }
+  for (const int side : {120, 180, -120}) EXPECT_TRUE(drives_with("expand_swarm", side, 0)) << side;
+  for (const int side : {80, 90, 180, -90}) EXPECT_TRUE(drives_with("expand_pioneer", side, 0)) << side;
+}
+
 TEST(Expand, works_with_a_ring_of_any_size) {
   for (std::size_t sensors = 1; sensors <= 40; ++sensors) {
     Fixture f(testing::robots(3, testing::ring(sensors), "expand_pioneer"));
@@ -209,7 +240,7 @@ TEST(Attach, gives_the_same_decisions_however_the_robots_are_divided) {
   Fixture whole(scene), halves(scene);
   for (int tick = 0; tick < 200; ++tick) {
     std::vector<float> beams(7 * 30);
-    Rng random(1, tick, 0, 0);
+    Rng random(tick);
     for (float& beam : beams) beam = static_cast<float>(random.uniform(0.2, 3));
     testing::measure(whole.world, beams);
     testing::measure(halves.world, beams);

@@ -1,7 +1,6 @@
 #include "playhouse/controllers/expand.h"
 
 #include <cmath>
-#include <span>
 
 namespace playhouse::controllers {
 namespace {
@@ -21,6 +20,13 @@ struct Look {
   bool blocked = false;  // a beam that matters is too short
 };
 
+/// What a beam at `bearing` must be longer than; below 0 where it does not matter. [m]
+float clearance_at(std::span<const Clearance> clearance, double bearing) {
+  for (const Clearance& c : clearance)
+    if (std::fabs(bearing) <= c.up_to) return c.longer_than;
+  return -1;
+}
+
 /// Four independent lanes, added in a fixed order: the same bits whether or not the compiler uses SIMD.
 Look look(const float* range, std::span<const float> x, std::span<const float> y,
           std::span<const float> clear) {
@@ -30,7 +36,7 @@ Look look(const float* range, std::span<const float> x, std::span<const float> y
   const auto add = [&](std::size_t k, std::size_t lane) {
     sum_x[lane] += range[k] * x[k];
     sum_y[lane] += range[k] * y[k];
-    blocked[lane] |= range[k] < clear[k];
+    blocked[lane] |= range[k] <= clear[k];
   };
   std::size_t k = 0;
   for (; k + kLanes <= x.size(); k += kLanes) {
@@ -50,12 +56,9 @@ std::uint32_t Expand::ring_of(const std::vector<float>& bearings) {
   Ring ring;
   for (const float bearing : bearings) {
     const auto [sin, cos] = geom::sincos(bearing);
-    const double off = std::fabs(bearing);
     ring.x.push_back(static_cast<float>(cos));
     ring.y.push_back(static_cast<float>(sin));
-    ring.clear.push_back(off <= config_.ahead   ? config_.safe_distance
-                         : off <= config_.flank ? config_.safe_distance / 2
-                                                : 0.0f);
+    ring.clear.push_back(clearance_at(config_.clearance, bearing));
   }
   rings_.push_back(std::move(ring));
   return at->second;
@@ -66,8 +69,8 @@ Result<void> Expand::add(world::World& world, const Post& post) {
   if (!robot) return Error{{}, "needs a position model"};
   const world::RangerRow ranger = widest(world, rangers_of(world, post.model));
   if (!ranger) return Error{{}, "needs a ranger with at least one sensor"};
-  world::subscribe(world, post.model);
-  world::subscribe(world, world.rangers.model[ranger.index]);
+  world::subscribe_controller(world, post.model);
+  world::subscribe_controller(world, world.rangers.model[ranger.index]);
 
   const std::vector<float> bearings = bearings_of(world, post.model, ranger);
   PLAYHOUSE_ASSERT(bearings.size() == beam_count(world, ranger));

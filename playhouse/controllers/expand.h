@@ -4,24 +4,39 @@
 /// it. Works with any ring of range sensors. Constants are Stage's; see docs/controllers.md.
 
 #include <map>
+#include <span>
 
 #include "playhouse/controllers/batch.h"
 
 namespace playhouse::controllers {
 
-/// How a kind of robot spreads.
-struct ExpandConfig {
-  double cruise = 0;        // m/s, when the way is free
-  double gain = 1;          // rad/s of turn per rad of bearing to free space
-  double free_angle = 0.5;  // rad, drives only while free space is no further off than this
-  float safe_distance = 0;  // m, wanted ahead; half of it on the flanks
-  double ahead = 0;         // rad, sensors up to this bearing look ahead
-  double flank = 0;         // rad, sensors beyond `ahead` up to this bearing look at the flanks
+/// How far beams must reach for the robot to drive: less to the sides than ahead.
+struct Clearance {
+  double up_to;       // rad, for beams up to this bearing on either side, from the clearance before it on
+  float longer_than;  // m
 };
 
-inline constexpr ExpandConfig kExpandSwarm{.cruise = 0.3, .safe_distance = 0.5f, .ahead = 0.6, .flank = 1.6};
-inline constexpr ExpandConfig kExpandPioneer{
-    .cruise = 0.2, .safe_distance = 0.75f, .ahead = 0.2, .flank = 1.0};
+/// How a kind of robot spreads.
+struct ExpandConfig {
+  double cruise = 0;                     // m/s, when the way is free
+  double gain = 1;                       // rad/s of turn per rad of bearing to free space
+  double free_angle = 0.5;               // rad, drives only while free space is no further off than this
+  std::span<const Clearance> clearance;  // by bearing; beams beyond the last do not matter
+};
+
+// Stage has one number for each sensor of its ring. Here it holds halfway to the next sensor, for any ring.
+inline constexpr Clearance kSwarmClearance[] = {  // sensors at 0, 30, 60 and 90 degrees
+    {geom::radians(15), 0.5f},
+    {geom::radians(45), 0.5f / 1.5f},
+    {geom::radians(75), 0.5f / 3},
+    {geom::radians(105), 0.5f / 5}};
+inline constexpr Clearance kPioneerClearance[] = {  // sonars at 10, 30 and 50 degrees; the next is at 90
+    {geom::radians(20), 0.75f},
+    {geom::radians(40), 0.75f / 2},
+    {geom::radians(70), 0.75f / 4}};
+
+inline constexpr ExpandConfig kExpandSwarm{.cruise = 0.3, .clearance = kSwarmClearance};
+inline constexpr ExpandConfig kExpandPioneer{.cruise = 0.2, .clearance = kPioneerClearance};
 
 class Expand final : public Batch {
  public:
@@ -38,7 +53,7 @@ class Expand final : public Batch {
   /// What follows from the directions of a ring's beams; shared by all robots with the same ring.
   struct Ring {
     std::vector<float> x, y;   // direction of each beam in the robot's frame
-    std::vector<float> clear;  // m, each beam must be at least this long to drive on; 0: it doesn't matter
+    std::vector<float> clear;  // m, each beam must be longer than this to drive on; below 0: any will do
   };
   std::uint32_t ring_of(const std::vector<float>& bearings);
 

@@ -32,16 +32,17 @@ Result<Library> Library::open(const std::filesystem::path& path) {
   // A bare name would be looked for by the loader in its own places.
   const std::string file = std::filesystem::absolute(path).string();
   void* handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (!handle) return Error{file, "can't be loaded: " + loader_says(file)};
+  if (!handle) return Error{escaped(file), "can't be loaded: " + escaped(loader_says(file))};
   Library library(handle, nullptr, file);
 
   using Version = std::uint32_t (*)();
   const auto version = reinterpret_cast<Version>(dlsym(handle, "playhouse_controller_version"));
   library.make_ = reinterpret_cast<Make>(dlsym(handle, "playhouse_controller_make"));
-  if (!version || !library.make_) return Error{file, why_not_ours(handle)};
+  if (!version || !library.make_) return Error{escaped(file), why_not_ours(handle)};
   if (const std::uint32_t found = version(); found != kControllerVersion) {
-    return Error{file, "is built for controller version " + std::to_string(found) + ", this program has " +
-                           std::to_string(kControllerVersion) + "; build it again"};
+    return Error{escaped(file), "is built for controller version " + std::to_string(found) +
+                                    ", this program has " + std::to_string(kControllerVersion) +
+                                    "; build it again"};
   }
   return library;
 }
@@ -63,12 +64,12 @@ Library::~Library() {
 Result<std::unique_ptr<Controller>> Library::make() const {
   try {
     std::unique_ptr<Controller> controller(make_());
-    if (!controller) return Error{file_, "made no controller"};
+    if (!controller) return Error{escaped(file_), "made no controller"};
     return controller;
   } catch (const std::exception& error) {
-    return Error{file_, escaped(error.what())};
+    return Error{escaped(file_), escaped(error.what())};
   } catch (...) {
-    return Error{file_, "threw something that is no std::exception"};
+    return Error{escaped(file_), "threw something that is no std::exception"};
   }
 }
 

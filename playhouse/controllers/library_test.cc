@@ -23,12 +23,11 @@ using ::testing::StartsWith;
 
 /// Two robots with a ring of four sensors and the same `ctrl`.
 struct Fixture {
-  explicit Fixture(const std::string& ctrl)
+  explicit Fixture(const std::string& ctrl, const Libraries& libraries = {.folders = {TEST_LIBRARIES}})
       : scene(testing::robots(2, testing::ring(4), ctrl)), world(scene, 7) {
-    const std::vector<std::filesystem::path> folders{TEST_LIBRARIES};
-    const auto attached = attach(world, folders);
+    const auto attached = attach(world, libraries);
     error = attached ? "" : attached.error().line();
-    warnings = attached ? attached->size() : 0;
+    if (attached) warnings = *attached;
   }
   void tick() {
     testing::measure(world, {1.5f});
@@ -38,7 +37,7 @@ struct Fixture {
   scene::SceneDesc scene;
   world::World world;
   std::string error;
-  std::size_t warnings = 0;
+  std::vector<std::string> warnings;
 };
 
 TEST(Loaded, reads_ranges_and_bearings_and_drives) {
@@ -87,6 +86,16 @@ TEST(Loaded, wakes_only_the_rangers_that_the_controller_uses) {
   EXPECT_EQ(all.world.models.subscribers[1], 1u);
   EXPECT_EQ(deaf.world.models.subscribers[1], 0u);
   EXPECT_EQ(deaf.world.models.subscribers[0], 1u);
+}
+
+TEST(Loaded, shows_nothing_of_what_a_ranger_that_is_switched_off_measures_for_others) {
+  Fixture watched("probe deaf"), alone("probe deaf");
+  world::subscribe(watched.world, {1});
+  watched.tick();
+  alone.tick();
+  watched.world.sensors.ranges[0] += 1;
+  EXPECT_EQ(watched.world.models.say[0], "0");
+  EXPECT_EQ(watched.world.hash(), alone.world.hash());
 }
 
 TEST(Loaded, ends_a_controller_that_throws_and_stops_its_robot) {
@@ -153,7 +162,7 @@ TEST(Library, that_is_no_library_is_refused) {
   std::ofstream(folder / "text.so") << "this is no shared library\n";
   const scene::SceneDesc scene = testing::robots(1, testing::ring(4), "text");
   world::World world(scene, 7);
-  const auto attached = attach(world, std::vector<std::filesystem::path>{folder});
+  const auto attached = attach(world, {.folders = {folder}});
   ASSERT_FALSE(attached);
   EXPECT_THAT(attached.error().line(), HasSubstr("can't be loaded"));
 }
@@ -161,7 +170,7 @@ TEST(Library, that_is_no_library_is_refused) {
 TEST(Library, of_a_stage_demonstration_does_not_stop_the_world) {
   Fixture f("fasr");
   EXPECT_EQ(f.error, "");
-  EXPECT_EQ(f.warnings, 1u);
+  EXPECT_EQ(f.warnings.size(), 1u);
 }
 
 TEST(Library, names_are_suggested_when_one_is_misspelt) {
@@ -171,6 +180,46 @@ TEST(Library, names_are_suggested_when_one_is_misspelt) {
 TEST(Library, that_is_nowhere_is_told_with_the_places) {
   EXPECT_THAT(Fixture("nowhere").error,
               EndsWith("it is not built in, and \"nowhere.so\" is not in " TEST_LIBRARIES));
+}
+
+const std::string kProbe = TEST_LIBRARIES "/probe";
+
+TEST(Library, has_a_line_in_the_log_before_it_is_loaded) {
+  EXPECT_THAT(logged([] { Fixture("probe"); }),
+              HasSubstr("controller \"probe\": loads " TEST_LIBRARIES "/probe.so\n"));
+}
+
+TEST(Library, outside_the_folders_is_loaded_only_if_it_is_allowed) {
+  const std::filesystem::path elsewhere = std::filesystem::path(TEST_LIBRARIES) / "sub";
+  std::filesystem::create_directories(elsewhere);
+  for (const std::string& name : {kProbe, std::string("../probe")}) {
+    const Fixture refused(name, {.folders = {elsewhere}});
+    EXPECT_EQ(refused.error, "test.world:1: controller \"" + name +
+                                 "\" is code outside the folders of controllers; if you trust it, run with "
+                                 "--allow-library " +
+                                 kProbe + ".so");
+    EXPECT_TRUE(refused.world.deciders.empty());
+    EXPECT_EQ(Fixture(name, {.folders = {elsewhere}, .allowed = {"/none.so", kProbe + ".so"}}).error, "");
+  }
+  EXPECT_EQ(Fixture("sub/../probe").error, "") << "stays inside";
+  EXPECT_EQ(Fixture("/none/probe").error,
+            "test.world:1: no controller \"/none/probe\": there is no file \"/none/probe.so\"");
+}
+
+TEST(Library, is_found_and_never_loaded_where_a_file_is_only_checked) {
+  const Libraries find{.folders = {TEST_LIBRARIES}, .use = Libraries::Use::kFind};
+  // stranger and broken would fail if they were loaded.
+  for (const std::string name : {"probe", "stranger", "broken"}) {
+    const Fixture f(name, find);
+    EXPECT_EQ(f.error, "");
+    EXPECT_TRUE(f.world.deciders.empty());
+    EXPECT_EQ(f.warnings,
+              std::vector<std::string>{"test.world:1: controller \"" + name + "\" is " TEST_LIBRARIES "/" +
+                                       name + ".so, which is there and not checked: checking loads no code"});
+  }
+  EXPECT_THAT(Fixture(kProbe, find).warnings.at(0),
+              EndsWith("; running it takes --allow-library " + kProbe + ".so"));
+  EXPECT_THAT(Fixture("prob", find).error, EndsWith("(did you mean \"probe\"?)"));
 }
 
 TEST(Library, is_looked_for_beside_the_world_then_in_the_environment_then_with_the_program) {

@@ -44,7 +44,7 @@ Result<void> Loaded::add(World& world, const Post& post) {
   seat->arguments = post.arguments;
   seat->ranger_rows = rangers_of(world, post.model);
   seat->finders = finders_of(world, post.model);
-  seat->stream = static_cast<std::uint64_t>(world::Stream::kController) + (std::uint64_t{post.order} << 32);
+  seat->stream = {Purpose::kController, post.model.index, post.order};
   seat->seen.assign(seat->ranger_rows.size(), 0);
   for (const world::RangerRow row : seat->ranger_rows) {
     const scene::ModelDesc& desc = world.desc(world.rangers.model[row.index]);
@@ -64,13 +64,18 @@ Result<void> Loaded::add(World& world, const Post& post) {
   show(world, *seat);
   std::string text;
   if (const char* why = thrown_by(text, [&] { seat->controller->start(seat->robot); })) return Error{{}, why};
-  world::subscribe(world, post.model);
+  world::subscribe_controller(world, post.model);
   for (std::size_t k = 0; k < seat->rangers.size(); ++k) {
-    if (seat->rangers[k].used) world::subscribe(world, world.rangers.model[seat->ranger_rows[k].index]);
+    if (seat->rangers[k].used) {
+      world::subscribe_controller(world, world.rangers.model[seat->ranger_rows[k].index]);
+    } else {  // else it would see what it measures for others
+      seat->ranger_rows[k] = {};
+      seat->rangers[k].ranges = {};
+    }
   }
   for (const world::FiducialRow finder : seat->finders)
-    world::subscribe(world, world.fiducials.model[finder.index]);
-  obey(world, *seat);
+    world::subscribe_controller(world, world.fiducials.model[finder.index]);
+  apply_command(world, *seat);
   seats_.push_back(std::move(seat));
   return {};
 }
@@ -90,6 +95,7 @@ void Loaded::show(const World& world, Seat& seat) {
   }
   for (std::size_t k = 0; k < seat.rangers.size(); ++k) {
     const world::RangerRow row = seat.ranger_rows[k];
+    if (!row) continue;
     const std::uint64_t measured = world.rangers.measured_tick[row.index];
     seat.rangers[k].ranges =
         std::span(world.sensors.ranges).subspan(first_beam(world, row), seat.bearings[k].size());
@@ -103,21 +109,21 @@ void Loaded::show(const World& world, Seat& seat) {
     }
   }
   robot.sightings = seat.sightings;
-  robot.random = Rng(world.seed(), world.tick(), seat.model.index, seat.stream);
+  robot.random = Rng(world.seed(), world.tick(), seat.stream);
   robot.flags = world.models.flags[seat.model.index];
   robot.order = Robot::Order::kNone;
 }
 
 /// Orders to columns.
-void Loaded::obey(World& world, Seat& seat) {
+void Loaded::apply_command(World& world, Seat& seat) {
   const Robot& robot = seat.robot;
-  bool obeyed = true;
+  bool applied = true;
   if (seat.position && robot.order == Robot::Order::kDrive) {
-    obeyed = world::command_velocity(world, seat.position, robot.twist);
+    applied = world::command_velocity(world, seat.position, robot.twist);
   } else if (seat.position && robot.order == Robot::Order::kGoTo) {
-    obeyed = world::command_position(world, seat.position, robot.goal);
+    applied = world::command_position(world, seat.position, robot.goal);
   }
-  if (!obeyed) return end(world, seat, "its command has a number that is not finite or far too large");
+  if (!applied) return end(world, seat, "its command has a number that is not finite or far too large");
   world.models.flags[seat.model.index] = robot.flags;
   std::string& say = world.models.say[seat.model.index];
   if (say != robot.say) say = robot.say;
@@ -139,7 +145,7 @@ void Loaded::decide(World& world, std::size_t begin, std::size_t end_row) {
     if (const char* why = thrown_by(text, [&] { seat.controller->decide(seat.robot); })) {
       end(world, seat, why);
     } else {
-      obey(world, seat);
+      apply_command(world, seat);
     }
   }
 }

@@ -30,19 +30,19 @@ class Loaded final : public Batch {
     world::PositionRow position;  // none: it can't drive
     std::string controller_name, name;
     std::vector<std::string> arguments;
-    std::vector<world::RangerRow> ranger_rows;
-    std::vector<std::uint64_t> seen;  // tick of the last scan shown, per ranger
+    std::vector<world::RangerRow> ranger_rows;  // none: switched off
+    std::vector<std::uint64_t> seen;            // tick of the last scan shown, per ranger
     std::vector<std::vector<float>> bearings;
     std::vector<Ranger> rangers;
     std::vector<world::FiducialRow> finders;
-    std::vector<Sighting> sightings;  // keeps its capacity from tick to tick
-    std::uint64_t stream = 0;         // of random numbers
+    std::vector<Sighting> sightings;      // keeps its capacity from tick to tick
+    Stream stream{Purpose::kController};  // of random numbers
     Robot robot;
     bool ended = false;
   };
 
   static void show(const world::World& world, Seat& seat);
-  static void obey(world::World& world, Seat& seat);
+  static void apply_command(world::World& world, Seat& seat);
   static void end(world::World& world, Seat& seat, const char* why);
 
   Library library_;  // outlives the seats

@@ -65,10 +65,11 @@ Result<void> Wander::add(world::World& world, const Post& post) {
   const world::SensorRow sensor = scanner(world, rangers_of(world, post.model));
   if (!sensor) return Error{{}, "needs a ranger with at least one sensor"};
   const world::RangerRow ranger = world.sensors.ranger[sensor.index];
-  world::subscribe(world, post.model);
-  world::subscribe(world, world.rangers.model[ranger.index]);
+  world::subscribe_controller(world, post.model);
+  world::subscribe_controller(world, world.rangers.model[ranger.index]);
 
   robot_.push_back(robot);
+  stream_.push_back({Purpose::kController, post.model.index, post.order});
   ranger_.push_back(ranger);
   first_beam_.push_back(world.sensors.first_beam[sensor.index]);
   beams_.push_back(world.sensors.beam_count[sensor.index]);
@@ -91,9 +92,7 @@ void Wander::decide(world::World& world, std::size_t begin, std::size_t end) {
       continue;
     }
     if (avoiding_[i] == 0) {
-      const world::ModelRow model = world.positions.model[robot_[i].index];
-      Rng random(world.seed(), world.tick(), model.index,
-                 static_cast<std::uint64_t>(world::Stream::kController));
+      Rng random(world.seed(), world.tick(), stream_[i]);
       avoiding_[i] = kKeepLeast + static_cast<std::uint32_t>(random.bits() % kKeepSpread);
       turn_[i] = view.left < view.right ? -kTurn : kTurn;
     }

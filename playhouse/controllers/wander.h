@@ -2,6 +2,7 @@
 
 /// wander: drives ahead and turns away from what a scanner sees. Stage's constants; see docs/controllers.md.
 
+#include "playhouse/base/rng.h"
 #include "playhouse/controllers/batch.h"
 
 namespace playhouse::controllers {
@@ -18,6 +19,7 @@ class Wander final : public Batch {
  private:
   // Fixed, one row per robot.
   std::vector<world::PositionRow> robot_;
+  std::vector<Stream> stream_;
   std::vector<world::RangerRow> ranger_;
   std::vector<std::uint32_t> first_beam_, beams_;
 

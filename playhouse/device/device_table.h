@@ -5,7 +5,9 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "playhouse/base/result.h"
@@ -13,6 +15,9 @@
 #include "playhouse/device/driver.h"
 
 namespace playhouse::device {
+
+/// As people write it: "6665:laser:0".
+std::string describe(Address address);
 
 class DeviceTable {
  public:
@@ -33,18 +38,22 @@ class DeviceTable {
 
   /// The device at an address; an invalid id if there is none.
   DeviceId find(Address address) const;
+  /// What to say of an address where no device is: "no such device, the nearest is 6665:laser:0".
+  std::string why_missing(Address address) const;
   const Entry& operator[](DeviceId id) const;
   std::size_t size() const { return entries_.size(); }
   /// The devices of one port, in order of creation.
   std::span<const DeviceId> devices_of(std::uint32_t robot) const;
 
   /// One more user; the first one starts the device and gets the driver's error if it cannot start.
-  Result<void> open(DeviceId id, Receipt receipt = {});
+  Result<void> open(DeviceId id);
   /// One user less; the last one stops the device. Asserts that there is one. Does nothing while the table is
   /// destroyed, which stops every device once: drivers that hold others release them then.
-  void close(DeviceId id, Receipt receipt = {});
+  void close(DeviceId id);
 
  private:
+  std::optional<Address> nearest_on(std::uint32_t robot, Address wanted) const;
+
   std::vector<Entry> entries_;
   bool ending_ = false;
   std::map<Address, DeviceId> by_address_;

@@ -1,26 +1,21 @@
 #include <gtest/gtest.h>
 
 #include "playhouse/device/device_table.h"
-#include "playhouse/device/properties.h"
-#include "playhouse/wire/codec.h"
-#include "playhouse/wire/generated/common.h"
 
 namespace playhouse::device {
 namespace {
-
-constexpr std::uint8_t kReq = 3;
 
 struct CountingDriver final : Driver {
   int starts = 0, stops = 0;
   bool broken = false;
   std::string_view name() const override { return "counting"; }
-  Result<void> start(DeviceId, Receipt) override {
+  Result<void> start(DeviceId) override {
     if (broken) return Error{"", "no hardware"};
     ++starts;
     return {};
   }
-  void stop(DeviceId, Receipt) override { ++stops; }
-  bool command(const Message&) override { return true; }
+  void stop(DeviceId) override { ++stops; }
+  Taken command(const Message&) override { return Taken::kLatest; }
   void request(const Message&, Replier) override {}
   bool capable(DeviceId, std::uint8_t, std::uint8_t) const override { return false; }
 };
@@ -46,6 +41,20 @@ TEST(DeviceTable, refuses_a_second_device_at_an_address_and_the_server_s_own) {
   ASSERT_FALSE(again);
   EXPECT_EQ(again.error().line(), "6665:position2d:0: there is such a device already");
   EXPECT_FALSE(table.add({6665, 1, 0}, driver));
+}
+
+TEST(DeviceTable, names_the_nearest_device_to_one_that_is_missing) {
+  CountingDriver driver;
+  DeviceTable table;
+  for (const Address address : {Address{6665, 6, 2}, {6665, 6, 5}, {6665, 4, 0}, {6666, 62, 1}})
+    ASSERT_TRUE(table.add(address, driver));
+  EXPECT_EQ(table.why_missing({6665, 6, 0}), "no such device, the nearest is 6665:laser:2");
+  EXPECT_EQ(table.why_missing({6665, 6, 3}), "no such device, the nearest is 6665:laser:2");
+  EXPECT_EQ(table.why_missing({6665, 6, 4}), "no such device, the nearest is 6665:laser:5");
+  EXPECT_EQ(table.why_missing({6665, 6, 65535}), "no such device, the nearest is 6665:laser:5");
+  EXPECT_EQ(table.why_missing({6665, 62, 1}), "no such device, the nearest is 6666:ranger:1");
+  EXPECT_EQ(table.why_missing({6665, 10, 0}), "no such device, and none of its interface");
+  EXPECT_EQ(DeviceTable().why_missing({6665, 6, 0}), "no such device, and none of its interface");
 }
 
 TEST(DeviceTable, starts_with_the_first_open_and_stops_with_the_last_close) {
@@ -90,43 +99,6 @@ struct Answers final : Outlet {
     body = std::move(bytes);
   }
 };
-
-template <typename T>
-Answers ask(PropertyBag& bag, std::uint8_t subtype, const T& request) {
-  Answers answers;
-  const std::vector<std::byte> body = wire::encode(request);
-  bag.request({DeviceId{0}, kReq, subtype, body}, Replier(answers, 1));
-  return answers;
-}
-
-TEST(PropertyBag, answers_get_with_the_value_and_set_with_an_empty_ack) {
-  PropertyBag bag;
-  bag.declare("skip_lines", 7);
-  bag.declare("ip", std::string("127.0.0.1"));
-  const wire::IntpropReq skip{wire::c_string("skip_lines"), 9};
-  const Answers before = ask(bag, wire::kReqGetIntprop, skip);
-  EXPECT_EQ(before.ack, true);
-  EXPECT_EQ(wire::decode<wire::IntpropReq>(before.body)->value, 7);
-  const Answers set = ask(bag, wire::kReqSetIntprop, skip);
-  EXPECT_EQ(set.ack, true);
-  EXPECT_TRUE(set.body.empty());
-  EXPECT_EQ(bag.get("skip_lines"), PropertyValue(9));
-  const Answers text = ask(bag, wire::kReqGetStrprop, wire::StrpropReq{wire::c_string("ip"), ""});
-  EXPECT_EQ(wire::decode<wire::StrpropReq>(text.body)->value, wire::c_string("127.0.0.1"));
-}
-
-TEST(PropertyBag, refuses_an_unknown_key_another_type_and_a_read_only_property) {
-  PropertyBag bag;
-  bag.declare("rate", 0.5);
-  bag.declare("serial", 4711, PropertyAccess::kReadOnly);
-  EXPECT_EQ(ask(bag, wire::kReqGetIntprop, wire::IntpropReq{wire::c_string("nope"), 0}).ack, false);
-  EXPECT_EQ(ask(bag, wire::kReqGetIntprop, wire::IntpropReq{wire::c_string("rate"), 0}).ack, false);
-  EXPECT_EQ(ask(bag, wire::kReqSetIntprop, wire::IntpropReq{wire::c_string("serial"), 1}).ack, false);
-  EXPECT_EQ(ask(bag, wire::kReqGetIntprop, wire::IntpropReq{wire::c_string("serial"), 0}).ack, true);
-  EXPECT_EQ(bag.get("serial"), PropertyValue(4711));
-  EXPECT_FALSE(bag.set("rate", 1));
-  EXPECT_TRUE(bag.set("serial", 1));
-}
 
 TEST(Replier, answers_nack_when_it_is_dropped_and_once_only) {
   Answers answers;

@@ -1,12 +1,10 @@
 #pragma once
 
-/// Driver: the code behind devices. The server calls a driver on the io thread and never waits for it; a driver
-/// answers requests through a Replier and sends data through a Publisher, both from any thread.
+/// Driver: the code behind devices. The server calls a driver on the io thread and never waits for it; a
+/// driver answers requests through a Replier and sends data through a Publisher, both from any thread.
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,21 +16,13 @@
 
 namespace playhouse::device {
 
-/// Kept by a driver until it has carried out what came with it; copies are one receipt. A client waits while drivers keep
-/// limits::kSessionAnswers of its receipts, so that none fills a queue which the others need too. Empty: nobody waits.
-/// Any thread may let go of one.
-using Receipt = std::shared_ptr<const void>;
-
-/// A command or request as it reaches a driver: already checked against its message definition, so `body` decodes.
+/// A command or request as it reaches a driver: already checked against its message definition, so `body`
+/// decodes.
 struct Message {
   DeviceId device;
-  std::uint8_t type = 0;     // wire::MessageType
+  std::uint8_t type = 0;  // wire::MessageType
   std::uint8_t subtype = 0;
   std::span<const std::byte> body;  // valid for the call
-  std::function<Receipt()> make_receipt = {};  // valid for the call
-
-  /// For a command that has to wait; a request has its replier.
-  Receipt receipt() const { return make_receipt ? make_receipt() : Receipt(); }
 };
 
 /// Where answers and data go: the server. Every function may be called from any thread.
@@ -42,11 +32,14 @@ class Outlet {
   virtual void answer(std::uint64_t ticket, bool ack, std::vector<std::byte> body) = 0;
 };
 
-/// The one right to answer a request. Destroyed unused it answers NACK, so no request stays silent. Move-only.
+/// The one right to answer a request. Destroyed unused it answers NACK, so no request stays silent.
+/// Move-only.
 class Replier {
  public:
   Replier(Outlet& outlet, std::uint64_t ticket) : outlet_(&outlet), ticket_(ticket) {}
-  Replier(Replier&& other) noexcept : outlet_(other.outlet_), ticket_(other.ticket_) { other.outlet_ = nullptr; }
+  Replier(Replier&& other) noexcept : outlet_(other.outlet_), ticket_(other.ticket_) {
+    other.outlet_ = nullptr;
+  }
   Replier& operator=(Replier&& other) noexcept {
     std::swap(outlet_, other.outlet_);
     std::swap(ticket_, other.ticket_);
@@ -68,9 +61,9 @@ class Replier {
 /// One message for every subscriber of a device.
 struct Publication {
   DeviceId device;
-  std::uint8_t subtype = 0;        // of a DATA message
-  double timestamp = 0;            // s, strictly increasing per device and subtype
-  std::vector<std::byte> body;     // encoded once
+  std::uint8_t subtype = 0;     // of a DATA message
+  double timestamp = 0;         // s, strictly increasing per device and subtype
+  std::vector<std::byte> body;  // encoded once
 };
 
 /// Hand-over 2 to 3: what drivers publish. Any thread; a batch wakes the io thread once.
@@ -78,6 +71,13 @@ class Publisher {
  public:
   virtual ~Publisher() = default;
   virtual void publish(std::vector<Publication> batch) = 0;
+};
+
+/// What became of a command.
+enum class Taken : std::uint8_t {
+  kNo,      // the device has no such command, or cannot do what it says (the server logs it once)
+  kLatest,  // carried out, or kept where a newer one replaces it
+  kQueued,  // waits behind other things; barrier() tells when it is carried out
 };
 
 class Driver {
@@ -88,18 +88,21 @@ class Driver {
   virtual std::string_view name() const = 0;
 
   /// Called by the table for the first open and after the last close of one device. Must not block.
-  virtual Result<void> start(DeviceId device, Receipt receipt) = 0;
-  virtual void stop(DeviceId device, Receipt receipt) = 0;
+  virtual Result<void> start(DeviceId device) = 0;
+  virtual void stop(DeviceId device) = 0;
 
-  /// A new command replaces the old one. False: this device has no such command, or cannot do what it says (the server
-  /// logs it once).
-  virtual bool command(const Message& message) = 0;
+  virtual Taken command(const Message& message) = 0;
 
   /// Answer now or later, once; returning without keeping the replier means NACK.
   virtual void request(const Message& message, Replier replier) = 0;
 
   /// True when `request` understands this (type, subtype); answers CAPABILITIES.
   virtual bool capable(DeviceId device, std::uint8_t type, std::uint8_t subtype) const = 0;
+
+  /// Answers once what came before (starts, stops, queued commands) is carried out. The server asks behind
+  /// each of them and lets no client get more than limits::kSessionAnswers ahead, so that none fills a queue
+  /// which the others need too. To be overridden by drivers that let things wait.
+  virtual void barrier(Replier replier) { replier.ack(); }
 };
 
 }  // namespace playhouse::device

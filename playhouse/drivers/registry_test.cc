@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "playhouse/drivers/testing/small_town.h"
+#include "playhouse/drivers/testing/memory_site.h"
 #include "playhouse/wire/generated/laser.h"
 #include "playhouse/wire/generated/ranger.h"
 
@@ -17,7 +17,7 @@ using ::testing::ElementsAre;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using testing::SmallTown;
+using testing::MemorySite;
 using ::testing::StartsWith;
 
 constexpr const char* kWorld = R"(
@@ -33,42 +33,63 @@ constexpr const char* kStage =
     "usegui 0 )\n";
 
 std::string fault(const std::string& cfg) {
-  SmallTown town(kWorld);
-  return town.build(cfg);
+  MemorySite site(kWorld);
+  return site.build(cfg);
 }
 
 TEST(StageDriver, opens_its_world_beside_the_file_and_provides_what_is_named) {
-  SmallTown town(kWorld);
-  ASSERT_EQ(town.build(std::string(kStage) + R"(
+  MemorySite site(kWorld);
+  ASSERT_EQ(site.build(std::string(kStage) + R"(
 driver( name "stage" provides ["position2d:0" "ranger:0" "ranger:1"] model "r0" )
 driver( name "stage" provides ["6666:position2d:0"] model "r1" ))"),
             "");
-  EXPECT_THAT(town.opened, ElementsAre(EndsWith("some.world")));
-  EXPECT_THAT(town.devices(), ElementsAre("6665:31:0=stage", "6665:4:0=stage", "6665:62:0=stage",
+  EXPECT_THAT(site.opened, ElementsAre(EndsWith("some.world")));
+  EXPECT_THAT(site.devices(), ElementsAre("6665:31:0=stage", "6665:4:0=stage", "6665:62:0=stage",
                                           "6665:62:1=stage", "6666:4:0=stage"));
-  EXPECT_THAT(town.site().ports(), ElementsAre(6665u, 6666u));
-  EXPECT_THAT(town.site().warnings(), IsEmpty());
+  EXPECT_THAT(site.site().ports(), ElementsAre(6665u, 6666u));
+  EXPECT_THAT(site.site().warnings(), IsEmpty());
 }
 
 TEST(StageDriver, gives_each_address_the_next_model_that_fits) {
-  SmallTown town(kWorld);
+  MemorySite site(kWorld);
   ASSERT_EQ(
-      town.build(std::string(kStage) +
+      site.build(std::string(kStage) +
                  "driver( name \"stage\" provides [\"laser:0\" \"ranger:0\" \"ranger:1\"] model \"r0\" )"),
       "");
   // Both rangers are there, and the laser is the one with a scanner.
-  town.driver({6665, 6, 0})
-      .request({town.id({6665, 6, 0}), 3, wire::laser::kReqGetGeom, {}}, device::Replier(town.notebook, 1));
-  EXPECT_TRUE(town.notebook.answers[1].ack);
+  site.driver({6665, 6, 0})
+      .request({site.id({6665, 6, 0}), 3, wire::laser::kReqGetGeom, {}}, device::Replier(site.recorder, 1));
+  EXPECT_TRUE(site.recorder.answers[1].ack);
+}
+
+TEST(StageDriver, tells_the_directory_which_model_each_device_shows) {
+  MemorySite site(kWorld);
+  ASSERT_EQ(site.build(std::string("driver( name \"rangertolaser\" provides [\"7000:laser:3\"] "
+                                   "requires [\"ranger:1\"] )\n") +
+                       kStage + R"(
+driver( name "stage" provides ["position2d:0" "ranger:0" "ranger:1"] model "r0" )
+driver( name "stage" provides ["6666:position2d:0"] model "r1" ))"),
+            "");
+  Simulation& simulation = *site.site().simulation();
+  EXPECT_EQ(list_models(simulation.world(), simulation.directory(), 0).text,
+            "0\tr0\tposition\t\t6665:position2d:0\n"
+            "1\tr0.ranger:0\tranger\tr0\t6665:ranger:0\n"
+            "2\tr0.ranger:1\tranger\tr0\t6665:ranger:1 7000:laser:3\n"
+            "3\tr1\tposition\t\t6666:position2d:0\n"
+            "4\tr1.ranger:0\tranger\tr1\t\n");
+  EXPECT_THAT(
+      device_names(simulation.world(), simulation.directory(), 6665),
+      ElementsAre(ElementsAre("position2d:0"), ElementsAre("ranger:0"),
+                  ElementsAre("ranger:1", "7000:laser:3"), ElementsAre("6666:position2d:0"), IsEmpty()));
 }
 
 TEST(StageDriver, leaves_out_interfaces_of_the_original_that_are_not_simulated_yet) {
-  SmallTown town(kWorld);
-  ASSERT_EQ(town.build(std::string(kStage) +
+  MemorySite site(kWorld);
+  ASSERT_EQ(site.build(std::string(kStage) +
                        "driver( name \"stage\" provides [\"position2d:0\" \"gripper:0\"] model \"r0\" )"),
             "");
-  EXPECT_EQ(town.devices().size(), 2u);
-  EXPECT_THAT(std::vector(town.site().warnings().begin(), town.site().warnings().end()),
+  EXPECT_EQ(site.devices().size(), 2u);
+  EXPECT_THAT(std::vector(site.site().warnings().begin(), site.site().warnings().end()),
               ElementsAre(AllOf(StartsWith("test.cfg:2"), HasSubstr("gripper:0"))));
 }
 
@@ -102,51 +123,51 @@ TEST(Registry, an_unknown_driver_gets_the_nearest_name) {
 }
 
 TEST(Registry, a_field_that_no_driver_reads_is_warned_of) {
-  SmallTown town(kWorld);
-  ASSERT_EQ(town.build(std::string(kStage) +
+  MemorySite site(kWorld);
+  ASSERT_EQ(site.build(std::string(kStage) +
                        "driver( name \"stage\" provides [\"position2d:0\"] modle \"r0\" model \"r0\" )"),
             "");
-  EXPECT_THAT(std::vector(town.site().warnings().begin(), town.site().warnings().end()),
+  EXPECT_THAT(std::vector(site.site().warnings().begin(), site.site().warnings().end()),
               ElementsAre(AllOf(StartsWith("test.cfg:2"), HasSubstr("modle"))));
 }
 
 TEST(Registry, alwayson_devices_run_without_a_client) {
-  SmallTown town(kWorld);
-  ASSERT_EQ(town.build(std::string(kStage) +
+  MemorySite site(kWorld);
+  ASSERT_EQ(site.build(std::string(kStage) +
                        "driver( name \"stage\" provides [\"position2d:0\"] model \"r0\" alwayson 1 )"),
             "");
-  EXPECT_EQ(town.held[town.id({6665, 4, 0}).row], 1);
-  town.run(1);
-  EXPECT_EQ(town.notebook.published.size(), 1u);
+  EXPECT_EQ(site.held[site.id({6665, 4, 0}).row], 1);
+  site.run(1);
+  EXPECT_EQ(site.recorder.published.size(), 1u);
 }
 
 /// A laser made of the scanner of r0.
 class RangerToLaserTest : public ::testing::Test {
  protected:
-  RangerToLaserTest() : town_(kWorld) {
-    EXPECT_EQ(town_.build(std::string(kStage) + R"(
+  RangerToLaserTest() : site(kWorld) {
+    EXPECT_EQ(site.build(std::string(kStage) + R"(
 driver( name "rangertolaser" provides ["laser:0"] requires ["ranger:1"] )
 driver( name "stage" provides ["ranger:0" "ranger:1"] model "r0" ))"),
               "");
   }
-  device::DeviceId laser() const { return town_.id({6665, 6, 0}); }
-  device::DeviceId ranger() const { return town_.id({6665, 62, 1}); }
-  device::Driver& driver() const { return town_.driver({6665, 6, 0}); }
+  device::DeviceId laser() const { return site.id({6665, 6, 0}); }
+  device::DeviceId ranger() const { return site.id({6665, 62, 1}); }
+  device::Driver& driver() const { return site.driver({6665, 6, 0}); }
 
-  SmallTown town_;
+  MemorySite site;
 };
 
 TEST_F(RangerToLaserTest, finds_its_ranger_wherever_it_is_in_the_file) {
-  EXPECT_THAT(town_.devices(),
+  EXPECT_THAT(site.devices(),
               ElementsAre("6665:31:0=stage", "6665:6:0=rangertolaser", "6665:62:0=stage", "6665:62:1=stage"));
 }
 
 TEST_F(RangerToLaserTest, holds_the_ranger_while_the_laser_is_open_and_makes_one_scan_of_each_of_its) {
-  ASSERT_TRUE(driver().start(laser(), {}));
-  EXPECT_EQ(town_.held[ranger().row], 1);
-  town_.run(2);
+  ASSERT_TRUE(driver().start(laser()));
+  EXPECT_EQ(site.held[ranger().row], 1);
+  site.run(2);
   std::vector<const device::Publication*> scans;
-  for (const device::Publication& publication : town_.notebook.published) {
+  for (const device::Publication& publication : site.recorder.published) {
     if (publication.device == laser()) scans.push_back(&publication);
   }
   ASSERT_EQ(scans.size(), 2u);
@@ -156,31 +177,39 @@ TEST_F(RangerToLaserTest, holds_the_ranger_while_the_laser_is_open_and_makes_one
   EXPECT_EQ(scan->intensity.size(), 3u);
   EXPECT_EQ(scan->max_range, 8.0f);
   EXPECT_DOUBLE_EQ(scans[1]->timestamp, 0.2);
-  driver().stop(laser(), {});
-  EXPECT_EQ(town_.held[ranger().row], 0);
-  town_.notebook.published.clear();
-  town_.run(1);
-  EXPECT_TRUE(town_.notebook.published.empty());
+  driver().stop(laser());
+  EXPECT_EQ(site.held[ranger().row], 0);
+  site.recorder.published.clear();
+  site.run(1);
+  EXPECT_TRUE(site.recorder.published.empty());
+}
+
+TEST_F(RangerToLaserTest, has_done_what_it_was_told_when_the_ranger_has) {
+  ASSERT_TRUE(driver().start(laser()));
+  driver().barrier(device::Replier(site.recorder, 9));
+  EXPECT_FALSE(site.recorder.answers.contains(9));
+  site.run(1);
+  EXPECT_TRUE(site.recorder.answers[9].ack);
 }
 
 TEST_F(RangerToLaserTest, asks_the_ranger_for_geometry_and_configuration) {
-  driver().request({laser(), 3, wire::laser::kReqGetGeom, {}}, device::Replier(town_.notebook, 1));
-  driver().request({laser(), 3, wire::laser::kReqGetConfig, {}}, device::Replier(town_.notebook, 2));
-  const auto geom = wire::decode<wire::laser::Geom>(town_.notebook.answers[1].body);
+  driver().request({laser(), 3, wire::laser::kReqGetGeom, {}}, device::Replier(site.recorder, 1));
+  driver().request({laser(), 3, wire::laser::kReqGetConfig, {}}, device::Replier(site.recorder, 2));
+  const auto geom = wire::decode<wire::laser::Geom>(site.recorder.answers[1].body);
   ASSERT_TRUE(geom);
   EXPECT_NEAR(geom->pose.px, 0.15, 1e-12) << "the scanner is 5 cm in front of its ranger";
-  const auto config = wire::decode<wire::laser::Config>(town_.notebook.answers[2].body);
+  const auto config = wire::decode<wire::laser::Config>(site.recorder.answers[2].body);
   ASSERT_TRUE(config);
   EXPECT_EQ(config->max_range, 8.0f);
 }
 
 TEST_F(RangerToLaserTest, refuses_what_a_ranger_cannot_do) {
   const std::vector<std::byte> config = wire::encode(wire::laser::Config{});
-  driver().request({laser(), 3, wire::laser::kReqSetConfig, config}, device::Replier(town_.notebook, 1));
-  EXPECT_FALSE(town_.notebook.answers[1].ack);
+  driver().request({laser(), 3, wire::laser::kReqSetConfig, config}, device::Replier(site.recorder, 1));
+  EXPECT_FALSE(site.recorder.answers[1].ack);
   const std::vector<std::byte> off = wire::encode(wire::laser::PowerConfig{0});
-  driver().request({laser(), 3, wire::laser::kReqPower, off}, device::Replier(town_.notebook, 2));
-  EXPECT_FALSE(town_.notebook.answers[2].ack);
+  driver().request({laser(), 3, wire::laser::kReqPower, off}, device::Replier(site.recorder, 2));
+  EXPECT_FALSE(site.recorder.answers[2].ack);
 }
 
 TEST(RangerToLaser, says_what_is_wrong_and_where) {
@@ -199,6 +228,10 @@ TEST(RangerToLaser, says_what_is_wrong_and_where) {
               HasSubstr("found \"rangr:7\" (did you mean \"ranger\"?)"));
   EXPECT_THAT(fault(stage + "driver( name \"rangertolaser\" provides [\"lasr:0\"] requires [\"ranger:0\"] )"),
               HasSubstr("found \"lasr:0\" (did you mean \"laser\"?)"));
+  EXPECT_THAT(fault(stage + R"(driver( name "stage" provides ["ranger:0"] model "r0" )
+driver( name "rangertolaser" provides ["laser:0"] requires ["ranger:0"] ))"),
+              AllOf(StartsWith("test.cfg:3"),
+                    HasSubstr("\"ranger:0\" has 2 sensors, and a laser shows the scan of one")));
 }
 
 }  // namespace

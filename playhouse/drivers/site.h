@@ -31,8 +31,8 @@ class Surroundings {
   /// Makes a device known to clients.
   virtual Result<device::DeviceId> add_device(device::Address address, device::Driver& driver) = 0;
   /// Opens a device on behalf of a driver, and undoes it.
-  virtual Result<void> hold(device::DeviceId device, device::Receipt receipt) = 0;
-  virtual void release(device::DeviceId device, device::Receipt receipt) = 0;
+  virtual Result<void> hold(device::DeviceId device) = 0;
+  virtual void release(device::DeviceId device) = 0;
   /// Loads a world file into an engine that is ready to run.
   virtual Result<std::unique_ptr<Simulation>> open_world(const std::string& path) = 0;
 };

@@ -9,13 +9,16 @@
 #include <memory>
 #include <string>
 
+#include "playhouse/net/http_places.h"
 #include "playhouse/net/websocket.h"
 
 namespace playhouse::net {
 
 /// Answers the upgrade request and calls `done` with the socket; a failed handshake just ends the connection.
+/// The socket holds the place until it is closed: through the handshake and while it closes it gives way.
 void accept_websocket(boost::beast::tcp_stream stream,
                       const boost::beast::http::request<boost::beast::http::empty_body>& request,
-                      std::string peer, std::function<void(std::unique_ptr<WebSocket>)> done);
+                      std::string peer, std::unique_ptr<HttpPlace> place,
+                      std::function<void(std::unique_ptr<WebSocket>)> done);
 
 }  // namespace playhouse::net

@@ -8,9 +8,11 @@
 #include <utility>
 
 #include "playhouse/base/limits.h"
-#include "playhouse/base/log.h"
 #include "playhouse/net/asio_accept.h"
+#include "playhouse/net/asio_http.h"
 #include "playhouse/net/asio_websocket.h"
+#include "playhouse/net/http_places.h"
+#include "playhouse/net/http_request.h"
 
 namespace playhouse::net {
 namespace {
@@ -19,23 +21,17 @@ namespace asio = boost::asio;
 namespace beast = boost::beast;
 namespace http = beast::http;
 using beast::error_code;
-using Request = http::request<http::empty_body>;
 using Response = http::response<http::span_body<const char>>;
 
-std::string text_of(beast::string_view text) {
-  return {text.data(), text.size()};
-}
+constexpr std::chrono::seconds kLingerTime{2};  // of reading on behind the last answer, so that it arrives
 
-HttpRequest request_of(const Request& from, const std::string& peer) {
-  HttpRequest request;
-  request.path = text_of(from.target().substr(0, from.target().find('?')));
-  request.host = text_of(from[http::field::host]);
-  request.origin = text_of(from[http::field::origin]);
-  request.if_none_match = text_of(from[http::field::if_none_match]);
-  request.accepts_gzip = http::token_list(from[http::field::accept_encoding]).exists("gzip");
-  request.peer = peer;
-  return request;
-}
+/// Of every answer: it is what it says, belongs to this site alone, and tells other sites nothing.
+constexpr std::pair<const char*, const char*> kFixedFields[] = {
+    {"X-Content-Type-Options", "nosniff"},
+    {"X-Frame-Options", "DENY"},
+    {"Cross-Origin-Resource-Policy", "same-origin"},
+    {"Cross-Origin-Opener-Policy", "same-origin"},
+    {"Referrer-Policy", "no-referrer"}};
 
 HttpReply plain(unsigned status, std::string text) {
   HttpReply reply;
@@ -48,45 +44,68 @@ HttpReply plain(unsigned status, std::string text) {
 class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
  public:
   HttpConnection(asio::ip::tcp::socket socket, std::string peer, HttpService& service,
-                 std::shared_ptr<int> place)
-      : stream_(std::move(socket)), peer_(std::move(peer)), service_(service), place_(std::move(place)) {}
+                 const HttpDeadlines& deadlines, std::unique_ptr<HttpPlace> place)
+      : stream_(std::move(socket)),
+        peer_(std::move(peer)),
+        service_(service),
+        deadlines_(deadlines),
+        place_(std::move(place)) {}
+
+  /// Waits for the next request.
+  void start() {
+    if (buffer_.size() > 0) return read();
+    wait(deadlines_.idle);
+    stream_.async_read_some(buffer_.prepare(limits::kHttpHeaderBytes),
+                            [self = shared_from_this()](const error_code& error, std::size_t count) {
+                              if (error) return self->close();
+                              self->buffer_.commit(count);
+                              self->read();
+                            });
+  }
+
+ private:
+  /// The peer has this long for what comes next, or until its place is wanted.
+  void wait(std::chrono::milliseconds time) {
+    stream_.expires_after(time);
+    place_->gives_way([this] { close(); });
+  }
 
   void read() {
     parser_.emplace();
     parser_->header_limit(static_cast<std::uint32_t>(limits::kHttpHeaderBytes));
     parser_->body_limit(0);
-    stream_.expires_after(std::chrono::seconds(limits::kHttpIdleSeconds));
-    http::async_read(
+    wait(deadlines_.head);
+    http::async_read_header(
         stream_, buffer_, *parser_,
         [self = shared_from_this()](const error_code& error, std::size_t) { self->read_done(error); });
   }
 
- private:
   void read_done(const error_code& error) {
-    if (error == http::error::body_limit) return answer(plain(413, "a request here has no body"), false);
-    if (error == http::error::header_limit)
-      return answer(plain(431, "the request's header is too long"), false);
-    if (error.category() == http::make_error_code(http::error::end_of_stream).category() &&
-        error != http::error::end_of_stream && error != http::error::partial_message) {
-      return answer(plain(400, "not an HTTP request"), false);
+    if (error) {
+      const std::optional<HttpRefusal> refusal = refusal_of(error);
+      return refusal ? refuse(*refusal) : close();
     }
-    if (error) return close();
-    const Request& message = parser_->get();
-    const HttpRequest request = request_of(message, peer_);
-    if (beast::websocket::is_upgrade(message)) return upgrade(request);
-    if (message.method() != http::verb::get && message.method() != http::verb::head) {
-      return answer(plain(405, "only GET and HEAD are served here"), false);
-    }
+    const auto request = read_request(parser_->get(), peer_);
+    if (const auto* refusal = std::get_if<HttpRefusal>(&request)) return refuse(*refusal);
+    serve(std::get<HttpRequest>(request));
+  }
+
+  void serve(const HttpRequest& request) {
+    if (const Result<void> ours = service_.serves(request.host); !ours)
+      return refuse({421, ours.error().line()});
+    if (beast::websocket::is_upgrade(parser_->get())) return upgrade(request);
     HttpReply reply = service_.get(request);
     if (reply.status == 200 && !reply.etag.empty() && request.if_none_match == reply.etag) reply.status = 304;
-    answer(std::move(reply), message.keep_alive());
+    answer(std::move(reply), parser_->get().keep_alive());
   }
+
+  void refuse(const HttpRefusal& refusal) { answer(plain(refusal.status, refusal.text), false); }
 
   void upgrade(const HttpRequest& request) {
     if (const Result<void> allowed = service_.may_upgrade(request); !allowed) {
-      return answer(plain(403, allowed.error().line()), false);
+      return refuse({403, allowed.error().line()});
     }
-    accept_websocket(std::move(stream_), parser_->get(), peer_,
+    accept_websocket(std::move(stream_), parser_->get(), peer_, std::move(place_),
                      [&service = service_, request](std::unique_ptr<WebSocket> socket) {
                        service.upgraded(std::move(socket), request);
                      });
@@ -101,20 +120,38 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     response_->keep_alive(keep_alive);
     response_->set(http::field::content_type, sv(reply_.content_type));
     response_->set(http::field::cache_control, sv(reply_.cache_control));
-    response_->set("X-Content-Type-Options", "nosniff");
+    response_->set("Content-Security-Policy", sv(reply_.content_security_policy));
+    for (const auto& [name, value] : kFixedFields) response_->set(name, value);
     if (!reply_.etag.empty()) response_->set(http::field::etag, sv(reply_.etag));
     if (!reply_.content_encoding.empty())
       response_->set(http::field::content_encoding, sv(reply_.content_encoding));
     if (reply_.status == 405) response_->set(http::field::allow, "GET, HEAD");
     if (reply_.status != 304) response_->content_length(body.size());
     if (with_body) response_->body() = beast::span<const char>(body.data(), body.size());
-    stream_.expires_after(std::chrono::seconds(limits::kHttpIdleSeconds));
+    wait(deadlines_.answer);
     serializer_.emplace(*response_);
     http::async_write(stream_, *serializer_,
                       [self = shared_from_this(), keep_alive](const error_code& error, std::size_t) {
-                        if (error || !keep_alive) return self->close();
-                        self->read();
+                        if (error) return self->close();
+                        keep_alive ? self->start() : self->finish();
                       });
+  }
+
+  /// Says that nothing follows and reads on to the peer's end: closing over bytes that nobody read would make
+  /// the system take back the answer.
+  void finish() {
+    error_code ignored;
+    stream_.socket().shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
+    wait(kLingerTime);
+    discard();
+  }
+
+  void discard() {
+    buffer_.clear();
+    stream_.async_read_some(buffer_.prepare(4096),
+                            [self = shared_from_this()](const error_code& error, std::size_t) {
+                              error ? self->close() : self->discard();
+                            });
   }
 
   static beast::string_view sv(std::string_view text) { return {text.data(), text.size()}; }
@@ -128,7 +165,8 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   beast::tcp_stream stream_;
   const std::string peer_;
   HttpService& service_;
-  std::shared_ptr<int> place_;  // counts the open connections
+  const HttpDeadlines deadlines_;
+  std::unique_ptr<HttpPlace> place_;  // none once the socket is a WebSocket's
   beast::flat_buffer buffer_{limits::kHttpHeaderBytes + 4096};
   std::optional<http::request_parser<http::empty_body>> parser_;
   HttpReply reply_;
@@ -138,22 +176,21 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
 
 }  // namespace
 
+void serve_http(asio::ip::tcp::socket socket, std::string peer, HttpService& service,
+                const HttpDeadlines& deadlines, const std::shared_ptr<HttpPlaces>& places) {
+  auto place = std::make_unique<HttpPlace>(places, peer);
+  std::make_shared<HttpConnection>(std::move(socket), std::move(peer), service, deadlines, std::move(place))
+      ->start();
+}
+
 Result<std::unique_ptr<Listener>> listen_http(IoLoop& loop, const std::string& bind, std::uint16_t port,
-                                              HttpService& service) {
-  // The listener and each connection own the counter; a connection over the limit is closed at once, and told
-  // when it begins: a flood of connections must not become one of log lines.
-  auto places = std::make_shared<int>(0);
-  return listen_tcp(
-      loop.impl(), bind, port,
-      [&service, places, full = false](asio::ip::tcp::socket socket, std::string peer) mutable {
-        if (static_cast<std::size_t>(places.use_count()) > limits::kHttpConnections) {
-          if (!std::exchange(full, true))
-            log::warn("web: {} turned away, {} connections are open", peer, limits::kHttpConnections);
-          return;
-        }
-        full = false;
-        std::make_shared<HttpConnection>(std::move(socket), std::move(peer), service, places)->read();
-      });
+                                              HttpService& service, HttpDeadlines deadlines) {
+  // The listener and each connection own the table of places.
+  return listen_tcp(loop.impl(), bind, port,
+                    [&service, deadlines, places = std::make_shared<HttpPlaces>()](
+                        asio::ip::tcp::socket socket, std::string peer) {
+                      serve_http(std::move(socket), std::move(peer), service, deadlines, places);
+                    });
 }
 
 }  // namespace playhouse::net

@@ -3,10 +3,12 @@
 /// A small HTTP/1.1 server for GET and HEAD, and the door to WebSockets. Knows neither files nor viewers: a
 /// service answers each request at once from memory. Limits: limits::kHttp*. Everything is for the io thread.
 
+#include <chrono>
 #include <memory>
 #include <string>
 #include <string_view>
 
+#include "playhouse/base/limits.h"
 #include "playhouse/net/io_loop.h"
 #include "playhouse/net/websocket.h"
 
@@ -27,6 +29,8 @@ struct HttpReply {
   std::string_view content_encoding;  // e.g. "gzip"; empty: none
   std::string_view etag;              // quoted; empty: none
   std::string_view cache_control = "no-cache";
+  /// What a page may load and who may show it in a frame; a text that is no page may nothing.
+  std::string_view content_security_policy = "default-src 'none'; frame-ancestors 'none'";
   std::shared_ptr<const std::string> text;  // the body, or
   std::string_view constant;                // a body that outlives the server
 };
@@ -34,15 +38,25 @@ struct HttpReply {
 class HttpService {
  public:
   virtual ~HttpService() = default;
+  /// Whether requests for this host ("name" or "name:port", as the browser calls us; empty: HTTP/1.0 names
+  /// none) are for us. Asked first, of every request; an error is answered with 421 and its text.
+  virtual Result<void> serves(const std::string& host) = 0;
   virtual HttpReply get(const HttpRequest& request) = 0;
   /// Asked before a WebSocket is made of a connection; an error is answered with 403 and its text.
   virtual Result<void> may_upgrade(const HttpRequest& request) = 0;
   virtual void upgraded(std::unique_ptr<WebSocket> socket, const HttpRequest& request) = 0;
 };
 
+/// How long a connection may wait for its peer.
+struct HttpDeadlines {
+  std::chrono::milliseconds idle = std::chrono::seconds(limits::kHttpIdleSeconds);
+  std::chrono::milliseconds head = std::chrono::seconds(limits::kHttpHeadSeconds);
+  std::chrono::milliseconds answer = std::chrono::seconds(limits::kHttpAnswerSeconds);
+};
+
 /// Serves on bind:port (0: any free one) for as long as the Listener lives. The service outlives the loop's
 /// run.
 Result<std::unique_ptr<Listener>> listen_http(IoLoop& loop, const std::string& bind, std::uint16_t port,
-                                              HttpService& service);
+                                              HttpService& service, HttpDeadlines deadlines = {});
 
 }  // namespace playhouse::net

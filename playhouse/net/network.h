@@ -29,7 +29,11 @@ class ConnectionEvents {
   virtual void received(std::span<const std::byte> bytes) = 0;
   /// The system has taken everything that was sent: in_flight_bytes() is 0.
   virtual void drained() = 0;
-  /// The peer closed or was lost. Comes once, after every byte that arrived; nothing comes afterwards.
+  /// Nothing that is sent reaches the peer any more: it was reset, or vanished. in_flight_bytes() is 0 from
+  /// now on. Bytes that it sent before may still come, and closed() does. Comes once at most.
+  virtual void lost() = 0;
+  /// No more bytes will come. Comes once, after every byte that arrived. The peer may have shut down its
+  /// sending half alone: it still reads, unless lost() came or comes.
   virtual void closed(const std::string& why) = 0;
 };
 
@@ -44,7 +48,8 @@ class Connection {
   virtual void send(std::span<const SharedBytes> parts) = 0;
   /// Bytes given to send() that the system has not taken yet.
   virtual std::size_t in_flight_bytes() const = 0;
-  /// Stops and continues reading; unread bytes stay with the system, which slows the peer down.
+  /// Stops and continues reading; unread bytes stay with the system, which slows the peer down. lost() comes
+  /// all the same, closed() does not.
   virtual void pause() = 0;
   virtual void resume() = 0;
   /// Lets what is in flight go out in the background (for a few seconds at most), then closes. No more

@@ -5,15 +5,41 @@
 
 namespace playhouse::net {
 
+/// Bytes that come and go in pieces. Moves them at once, where a deque moves one after the other.
+class ByteQueue {
+ public:
+  bool empty() const { return begin_ == bytes_.size(); }
+  std::size_t size() const { return bytes_.size() - begin_; }
+  void append(std::span<const std::byte> bytes) { bytes_.insert(bytes_.end(), bytes.begin(), bytes.end()); }
+  std::span<const std::byte> front(std::size_t most) const {
+    return std::span(bytes_).subspan(begin_, std::min(most, size()));
+  }
+  void pop(std::size_t count) {
+    begin_ += count;
+    if (2 * begin_ < bytes_.size()) return;
+    bytes_.erase(bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(begin_));
+    begin_ = 0;
+  }
+  void clear() {
+    bytes_.clear();
+    begin_ = 0;
+  }
+
+ private:
+  std::vector<std::byte> bytes_;
+  std::size_t begin_ = 0;  // what is before was taken
+};
+
 /// Both directions of one connection.
 struct SimulatedLink {
   std::string name;
   ConnectionEvents* events = nullptr;
-  std::deque<std::byte> to_server;  // sent by the peer, not yet delivered
-  std::deque<std::byte> in_flight;  // sent by the server, not yet taken by the "system"
-  std::deque<std::byte> window;     // taken, not yet read by the peer
-  std::vector<std::byte> read;      // read by the peer, waiting for take()
+  ByteQueue to_server;          // sent by the peer, not yet delivered
+  ByteQueue in_flight;          // sent by the server, not yet taken by the "system"
+  ByteQueue window;             // taken, not yet read by the peer
+  std::vector<std::byte> read;  // read by the peer, waiting for take()
   bool finished = false, vanished = false, stalled = false, paused = false;
+  bool told_lost = false, told_closed = false;
   bool draining = false;  // the server is owed a `drained`
   bool flushing = false;  // the server said close_after_flush
   bool closed = false;    // the server's end is gone
@@ -34,7 +60,7 @@ class SimulatedConnection final : public Connection {
   void send(std::span<const SharedBytes> parts) override {
     if (link_->vanished) return;
     for (const SharedBytes& part : parts) {
-      link_->in_flight.insert(link_->in_flight.end(), part->begin(), part->end());
+      link_->in_flight.append(*part);
     }
     link_->draining = true;
   }
@@ -67,19 +93,18 @@ struct SimulatedTimer final : Timer {
   std::shared_ptr<int> live = std::make_shared<int>(0);
 };
 
-std::size_t move_front(std::deque<std::byte>& from, std::size_t count, auto& to) {
-  const auto end = from.begin() + static_cast<std::ptrdiff_t>(std::min(count, from.size()));
-  const auto moved = static_cast<std::size_t>(end - from.begin());
-  to.insert(to.end(), from.begin(), end);
-  from.erase(from.begin(), end);
-  return moved;
+std::size_t move_front(ByteQueue& from, std::size_t most, ByteQueue& to) {
+  const std::span<const std::byte> moved = from.front(most);
+  to.append(moved);
+  from.pop(moved.size());
+  return moved.size();
 }
 
 }  // namespace
 
 void SimulatedPeer::send(std::span<const std::byte> bytes) {
   if (link_->finished || link_->vanished) return;
-  link_->to_server.insert(link_->to_server.end(), bytes.begin(), bytes.end());
+  link_->to_server.append(bytes);
 }
 void SimulatedPeer::finish() {
   link_->finished = true;
@@ -107,11 +132,11 @@ bool SimulatedPeer::closed() const {
 
 SimulatedNetwork::~SimulatedNetwork() = default;
 
-SimulatedPeer SimulatedNetwork::connect(std::uint16_t port) {
+SimulatedPeer SimulatedNetwork::connect(std::uint16_t port, const std::string& address) {
   const auto found = ports_.find(port);
   PLAYHOUSE_ASSERT(found != ports_.end() && *found->second);
   auto link = std::make_shared<SimulatedLink>();
-  link->name = "simulated:" + std::to_string(++connections_);
+  link->name = address + ":" + std::to_string(++connections_);
   links_.push_back(link);
   post([acceptor = found->second, link] {
     if (*acceptor) (*acceptor)(std::make_unique<SimulatedConnection>(link));
@@ -155,8 +180,8 @@ void SimulatedNetwork::run_for(double seconds) {
 
 bool SimulatedNetwork::step() {
   bool busy = false;
-  for (std::deque<Task> tasks = std::exchange(tasks_, {}); !tasks.empty(); tasks.pop_front()) {
-    tasks.front()();
+  for (Task& task : std::exchange(tasks_, {})) {
+    std::exchange(task, nullptr)();
     busy = true;
   }
   // By index: an event may connect further peers.
@@ -170,21 +195,31 @@ bool SimulatedNetwork::step_link(SimulatedLink& link) {
   bool busy = false;
 
   // From the peer to the server.
-  if (link.events && !link.to_server.empty() && (!link.paused || link.vanished)) {
-    std::vector<std::byte> bytes;
-    move_front(link.to_server, piece(), bytes);
+  if (link.events && link.vanished && !std::exchange(link.told_lost, true)) {
+    link.events->lost();
+    busy = true;
+  }
+  if (link.events && !link.paused && !link.to_server.empty()) {
+    const std::span<const std::byte> front = link.to_server.front(piece());
+    const std::vector<std::byte> bytes(front.begin(), front.end());  // the peer may send or vanish meanwhile
+    link.to_server.pop(bytes.size());
     link.events->received(bytes);
     busy = true;
-  } else if (link.events && link.to_server.empty() && (link.finished || link.vanished) &&
-             (!link.paused || link.vanished)) {
-    std::exchange(link.events, nullptr)->closed(link.vanished ? "lost" : "closed");
+  } else if (link.events && !link.paused && (link.finished || link.vanished) &&
+             !std::exchange(link.told_closed, true)) {
+    link.events->closed(link.vanished ? "lost" : "closed");
     busy = true;
   }
 
   // From the server to the peer.
   const std::size_t room = link.window.size() < window_bytes ? window_bytes - link.window.size() : 0;
   busy |= move_front(link.in_flight, std::min(room, piece()), link.window) > 0;
-  if (!link.stalled) busy |= move_front(link.window, piece(), link.read) > 0;
+  if (!link.stalled) {
+    const std::span<const std::byte> front = link.window.front(piece());
+    link.read.insert(link.read.end(), front.begin(), front.end());
+    busy |= !front.empty();
+    link.window.pop(front.size());
+  }
   if (link.in_flight.empty() && std::exchange(link.draining, false)) {
     busy = true;
     if (link.events && !link.vanished) link.events->drained();

@@ -5,7 +5,6 @@
 /// waiting.
 
 #include <cstdint>
-#include <deque>
 #include <map>
 #include <memory>
 #include <string>
@@ -45,7 +44,7 @@ class SimulatedPeer {
 
 class SimulatedNetwork final : public Network {
  public:
-  explicit SimulatedNetwork(std::uint64_t seed) : rng_(seed, 0, 0, 0) {}
+  explicit SimulatedNetwork(std::uint64_t seed) : rng_(seed) {}
   ~SimulatedNetwork() override;
 
   /// How many bytes the "system" buffers for a peer that does not read.
@@ -54,7 +53,7 @@ class SimulatedNetwork final : public Network {
   std::size_t piece_bytes = 4096;
 
   /// A connection to an open port; asserts that somebody listens there. The acceptor runs in the next run().
-  SimulatedPeer connect(std::uint16_t port);
+  SimulatedPeer connect(std::uint16_t port, const std::string& address = "127.0.0.1");
   /// Does everything there is to do now.
   void run();
   /// The same up to `seconds` of virtual time from now, timers included.
@@ -77,7 +76,7 @@ class SimulatedNetwork final : public Network {
   double now_ = 0;
   std::uint16_t next_port_ = 40000;
   std::uint64_t connections_ = 0;
-  std::deque<Task> tasks_;
+  std::vector<Task> tasks_;
   std::multimap<double, Alarm> alarms_;
   std::map<std::uint16_t, std::shared_ptr<Acceptor>> ports_;
   std::vector<std::shared_ptr<SimulatedLink>> links_;

@@ -32,7 +32,7 @@ class TcpStream : public std::enable_shared_from_this<TcpStream> {
   }
 
   void send(std::span<const SharedBytes> parts) {
-    if (write_failed_) return;
+    if (peer_lost_) return;
     for (const SharedBytes& part : parts) {
       in_flight_bytes_ += part->size();
       queued_.push_back(part);
@@ -40,12 +40,11 @@ class TcpStream : public std::enable_shared_from_this<TcpStream> {
     if (writing_.empty()) write_queued();
   }
 
-  // A peer that is lost is read to its end: nothing that goes out could ever end the pause.
-  void pause() { paused_ = !write_failed_; }
+  void pause() { paused_ = true; }
 
   void resume() {
     if (!std::exchange(paused_, false)) return;
-    if (events_ && !waiting_) wait_for_bytes();
+    if (events_ && !waiting_ && !read_to_end_) wait_for_bytes();
   }
 
   void close() {
@@ -84,10 +83,16 @@ class TcpStream : public std::enable_shared_from_this<TcpStream> {
     const std::size_t count = socket_.read_some(asio::buffer(loop_.read_buffer), error);
     if (count > 0) events_->received(std::span(loop_.read_buffer).first(count));
     if (!events_) return;  // the owner closed us
-    if (error && error != asio::error::would_block && error != asio::error::interrupted) {
-      return std::exchange(events_, nullptr)->closed(error == asio::error::eof ? "closed" : error.message());
-    }
+    if (error && error != asio::error::would_block && error != asio::error::interrupted)
+      return end_reading(error);
     if (!paused_) wait_for_bytes();
+  }
+
+  void end_reading(const error_code& error) {
+    read_to_end_ = true;
+    if (error == asio::error::eof) return events_->closed("closed");
+    lose_peer();
+    if (events_) events_->closed(error.message());
   }
 
   void write_queued() {
@@ -102,21 +107,22 @@ class TcpStream : public std::enable_shared_from_this<TcpStream> {
   }
 
   void written(const error_code& error) {
+    if (peer_lost_) return writing_.clear();
     for (const SharedBytes& part : writing_) in_flight_bytes_ -= part->size();
     writing_.clear();
-    if (error) return fail_writing();
+    if (error) return lose_peer();
     if (!queued_.empty()) return write_queued();
     if (closing_) return end_of_output();
     if (events_) events_->drained();
   }
 
-  // What the peer sent before it went away may still wait to be read, so reading goes on to its end.
-  void fail_writing() {
-    write_failed_ = true;
+  // What the peer sent before it went away may still wait to be read.
+  void lose_peer() {
+    if (std::exchange(peer_lost_, true)) return;
     queued_.clear();
     in_flight_bytes_ = 0;
     if (closing_) return close();
-    resume();
+    if (events_) events_->lost();
   }
 
   void end_of_output() {
@@ -132,7 +138,7 @@ class TcpStream : public std::enable_shared_from_this<TcpStream> {
   ConnectionEvents* events_ = nullptr;
   std::vector<SharedBytes> writing_, queued_;
   std::size_t in_flight_bytes_ = 0;
-  bool waiting_ = false, paused_ = false, closing_ = false, write_failed_ = false;
+  bool waiting_ = false, paused_ = false, read_to_end_ = false, closing_ = false, peer_lost_ = false;
 };
 
 class TcpConnection final : public Connection {

@@ -1,8 +1,11 @@
 #include "playhouse/net/websocket.h"
 
 #include <algorithm>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/asio/write.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/websocket.hpp>
+#include <chrono>
 #include <deque>
 #include <utility>
 #include <variant>
@@ -18,12 +21,20 @@ namespace beast = boost::beast;
 namespace websocket = beast::websocket;
 using beast::error_code;
 
+/// From closing with a reason until the socket is closed, whether the peer has taken the reason or not.
+constexpr std::chrono::seconds kCloseTime{2};
+
 /// The stream and its queue. Shared by the WebSocket and the operations in progress, which may outlive it.
 class Stream : public std::enable_shared_from_this<Stream> {
  public:
-  Stream(beast::tcp_stream stream, std::string peer) : socket_(std::move(stream)), peer_(std::move(peer)) {
+  Stream(beast::tcp_stream stream, std::string peer, std::unique_ptr<HttpPlace> place)
+      : socket_(std::move(stream)),
+        close_deadline_(socket_.get_executor()),
+        peer_(std::move(peer)),
+        place_(std::move(place)) {
+    place_->gives_way([this] { end(); });
     // Pings an idle peer and closes one that does not answer.
-    socket_.set_option(websocket::stream_base::timeout{std::chrono::seconds(10),
+    socket_.set_option(websocket::stream_base::timeout{std::chrono::seconds(limits::kHttpHeadSeconds),
                                                        std::chrono::seconds(limits::kHttpIdleSeconds), true});
     socket_.read_message_max(limits::kViewerCommandBytes);
     socket_.auto_fragment(false);
@@ -33,7 +44,9 @@ class Stream : public std::enable_shared_from_this<Stream> {
   void accept(const Request& request, Done done) {
     socket_.async_accept(request,
                          [self = shared_from_this(), done = std::move(done)](const error_code& error) {
-                           if (!error) done(self);
+                           if (error || !self->place_) return;
+                           self->place_->stays();
+                           done(self);
                          });
   }
 
@@ -48,43 +61,63 @@ class Stream : public std::enable_shared_from_this<Stream> {
     if (queued_.size() == 1) write();
   }
 
+  void pause() { paused_ = true; }
+
+  void resume() {
+    paused_ = false;
+    if (events_ && !reading_) read();
+  }
+
   std::size_t messages_in_flight() const { return queued_.size(); }
   const std::string& peer() const { return peer_; }
 
   void close(std::string reason) {
     events_ = nullptr;
     closing_ = true;
+    if (place_) place_->gives_way([this] { end(); });
     reason_ = std::move(reason);
+    close_deadline_.expires_after(kCloseTime);
+    close_deadline_.async_wait([weak = weak_from_this()](const error_code&) {
+      if (const auto self = weak.lock()) self->end();
+    });
     if (queued_.size() > 1) queued_.resize(1);  // only what is being written goes out
-    if (queued_.empty()) say_goodbye();
+    if (queued_.empty()) send_close();
   }
 
   void drop() {
     events_ = nullptr;
-    if (!closing_) beast::get_lowest_layer(socket_).close();
+    if (!closing_) end();
   }
 
  private:
   void read() {
+    reading_ = true;
     socket_.async_read(buffer_, [self = shared_from_this()](const error_code& error, std::size_t) {
       self->read_done(error);
     });
   }
 
   void read_done(const error_code& error) {
-    if (!events_) return;
     if (error) return fail(error == websocket::error::closed ? "closed" : error.message());
-    if (!socket_.got_text()) return fail("sent a binary message");
-    const auto bytes = buffer_.cdata();
-    events_->received({static_cast<const char*>(bytes.data()), bytes.size()});
-    buffer_.consume(buffer_.size());
-    if (events_) read();
+    if (events_) {
+      if (!socket_.got_text()) return fail("sent a binary message");
+      const auto bytes = buffer_.cdata();
+      events_->received({static_cast<const char*>(bytes.data()), bytes.size()});
+    }
+    buffer_.clear();
+    reading_ = false;
+    if (closing_ || (events_ && !paused_)) read();
   }
 
   void fail(const std::string& why) {
     failed_ = true;
     if (events_) std::exchange(events_, nullptr)->closed(why);
+    end();
+  }
+
+  void end() {
     beast::get_lowest_layer(socket_).close();
+    place_.reset();
   }
 
   void write() {
@@ -105,23 +138,41 @@ class Stream : public std::enable_shared_from_this<Stream> {
       return fail(error.message());
     }
     if (!queued_.empty()) return write();
-    if (closing_) return say_goodbye();
+    if (closing_) return send_close();
     if (events_) events_->drained();
   }
 
-  void say_goodbye() {
-    websocket::close_reason reason(websocket::close_code::policy_error);
-    reason.reason.assign(reason_.data(), std::min(reason_.size(), reason.reason.max_size()));
-    socket_.async_close(reason, [self = shared_from_this()](const error_code&) {});
+  /// Beast's own close waits for a read in progress; if that fails, it waits for the close, and neither ever
+  /// ends. So the frame (RFC 6455 5.5.1) goes past Beast, and what still comes is read and dropped
+  /// until the peer's end.
+  void send_close() {
+    constexpr std::size_t kMostBytes = 123;  // of a reason
+    constexpr auto kCode = static_cast<unsigned>(websocket::close_code::policy_error);
+    reason_.resize(std::min(reason_.size(), kMostBytes));
+    const char head[] = {'\x88', static_cast<char>(2 + reason_.size()), static_cast<char>(kCode >> 8),
+                         static_cast<char>(kCode & 0xFF)};
+    reason_.insert(0, head, sizeof head);
+    asio::async_write(tcp(), asio::buffer(reason_),
+                      [self = shared_from_this()](const error_code& error, std::size_t) {
+                        if (error) return self->end();
+                        error_code ignored;
+                        self->tcp().shutdown(asio::socket_base::shutdown_send, ignored);
+                      });
+    if (!reading_) read();
   }
 
+  asio::ip::tcp::socket& tcp() { return beast::get_lowest_layer(socket_).socket(); }
+
   websocket::stream<beast::tcp_stream> socket_;
+  asio::steady_timer close_deadline_;
   const std::string peer_;
+  std::unique_ptr<HttpPlace> place_;  // while the socket is open
   beast::flat_buffer buffer_;
   std::deque<std::variant<std::shared_ptr<const std::string>, SharedBytes>> queued_;  // front: being written
   WebSocketEvents* events_ = nullptr;
-  std::string reason_;
-  bool closing_ = false, failed_ = false;
+  std::string reason_;    // of closing; then the whole frame
+  bool reading_ = false;  // until what was read is dealt with
+  bool paused_ = false, closing_ = false, failed_ = false;
 };
 
 class BeastWebSocket final : public WebSocket {
@@ -131,6 +182,8 @@ class BeastWebSocket final : public WebSocket {
   void start(WebSocketEvents& events) override { stream_->start(events); }
   void send_text(std::shared_ptr<const std::string> text) override { stream_->send(std::move(text)); }
   void send_binary(SharedBytes bytes) override { stream_->send(std::move(bytes)); }
+  void pause() override { stream_->pause(); }
+  void resume() override { stream_->resume(); }
   std::size_t messages_in_flight() const override { return stream_->messages_in_flight(); }
   void close(std::string reason) override { stream_->close(std::move(reason)); }
   const std::string& peer() const override { return stream_->peer(); }
@@ -142,9 +195,10 @@ class BeastWebSocket final : public WebSocket {
 }  // namespace
 
 void accept_websocket(beast::tcp_stream stream, const beast::http::request<beast::http::empty_body>& request,
-                      std::string peer, std::function<void(std::unique_ptr<WebSocket>)> done) {
+                      std::string peer, std::unique_ptr<HttpPlace> place,
+                      std::function<void(std::unique_ptr<WebSocket>)> done) {
   beast::get_lowest_layer(stream).expires_never();  // the socket has its own timeouts
-  auto made = std::make_shared<Stream>(std::move(stream), std::move(peer));
+  auto made = std::make_shared<Stream>(std::move(stream), std::move(peer), std::move(place));
   made->accept(request, [done = std::move(done)](const std::shared_ptr<Stream>& ready) {
     done(std::make_unique<BeastWebSocket>(ready));
   });

@@ -31,9 +31,12 @@ class WebSocket {
   virtual void start(WebSocketEvents& events) = 0;
   virtual void send_text(std::shared_ptr<const std::string> text) = 0;
   virtual void send_binary(SharedBytes bytes) = 0;
+  /// Stops and continues reading; what the peer sends stays with the system, which slows it down.
+  virtual void pause() = 0;
+  virtual void resume() = 0;
   /// Messages given to send_*() that the system has not taken yet.
   virtual std::size_t messages_in_flight() const = 0;
-  /// Says goodbye with a reason (below 124 bytes), in the background. No more events.
+  /// Closes with a reason (below 124 bytes), in the background. No more events.
   virtual void close(std::string reason) = 0;
   /// The other end as "address:port".
   virtual const std::string& peer() const = 0;

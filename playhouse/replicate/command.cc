@@ -14,8 +14,8 @@ namespace {
 
 namespace json = boost::json;
 
-constexpr std::array<std::string_view, 8> kWords = {"pause", "resume", "step", "speed",
-                                                    "drag",  "select", "look", "ack"};
+constexpr std::array<std::string_view, 9> kWords = {"pause", "resume", "step", "speed", "drag",
+                                                    "drive", "select", "look", "ack"};
 
 /// Reads the members of one object; the first fault sticks. Done with nothing left over.
 class Members {
@@ -88,6 +88,15 @@ Drag drag(Members& in) {
   return drag;
 }
 
+Drive drive(Members& in) {
+  Drive drive;
+  drive.model = in.count("model");
+  drive.velocity.x = in.number("forward", -kDriveMost, kDriveMost);
+  drive.velocity.y = in.number("sideways", -kDriveMost, kDriveMost);
+  drive.velocity.a = in.number("turn", -kDriveMost, kDriveMost);
+  return drive;
+}
+
 Look look(Members& in) {
   Look look;
   look.view.x_min = in.number("x_min", -kPlaceMost, kPlaceMost);
@@ -106,6 +115,7 @@ Result<Command> read(const json::object& object) {
   if (what == "step") return in.finish(Step{});
   if (what == "speed") return in.finish(SetSpeed{in.number("times_real_time", 0, kSpeedMost)});
   if (what == "drag") return in.finish(drag(in));
+  if (what == "drive") return in.finish(drive(in));
   if (what == "select") return in.finish(Select{in.count_or_null("model")});
   if (what == "look") return in.finish(look(in));
   if (what == "ack") return in.finish(Acknowledge{in.count("frame")});

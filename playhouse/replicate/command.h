@@ -25,6 +25,11 @@ struct Drag {
   double x = 0, y = 0;      // m, W
   double a = 0;             // rad
 };
+/// Velocities of one robot's wheels, which hold for limits::kViewerDriveSeconds unless renewed.
+struct Drive {
+  std::uint32_t model = 0;  // row; the receiver checks that it exists and has wheels
+  geom::Twist velocity;     // m/s, rad/s in the robot's frame; all zero: let go
+};
 struct Select {
   std::optional<std::uint32_t> model;  // row; none: nothing is selected any more
 };
@@ -36,10 +41,11 @@ struct Acknowledge {
   std::uint32_t frame = 0;
 };
 
-using Command = std::variant<Pause, Resume, Step, SetSpeed, Drag, Select, Look, Acknowledge>;
+using Command = std::variant<Pause, Resume, Step, SetSpeed, Drag, Drive, Select, Look, Acknowledge>;
 
 inline constexpr double kSpeedMost = 1000;  // times real time
 inline constexpr double kPlaceMost = 1e6;   // m, of a coordinate from a viewer
+inline constexpr double kDriveMost = 100;   // m/s or rad/s, of a velocity from a viewer
 
 Result<Command> parse_command(std::string_view text);
 

@@ -16,6 +16,10 @@ TEST(Command, every_command_is_read) {
   const auto drag = std::get<Drag>(*parse_command(R"({"do":"drag","model":3,"x":1,"y":-2.5,"a":0.5})"));
   EXPECT_EQ(drag.model, 3u);
   EXPECT_EQ(drag.y, -2.5);
+  const auto drive =
+      std::get<Drive>(*parse_command(R"({"do":"drive","model":3,"forward":0.4,"sideways":-0.1,"turn":1.5})"));
+  EXPECT_EQ(drive.model, 3u);
+  EXPECT_EQ(drive.velocity, (geom::Twist{0.4, -0.1, 0, 1.5}));
   EXPECT_EQ(std::get<Select>(*parse_command(R"({"do":"select","model":4})")).model, 4u);
   EXPECT_EQ(std::get<Select>(*parse_command(R"({"do":"select","model":null})")).model, std::nullopt);
   const auto look = std::get<Look>(
@@ -46,6 +50,13 @@ TEST(Command, what_cannot_be_is_refused_with_a_reason) {
       {R"({"do":"drag","model":1.5,"x":0,"y":0,"a":0})", "whole number"},
       {R"({"do":"drag","model":-1,"x":0,"y":0,"a":0})", "within its range"},
       {R"({"do":"drag","model":1,"x":1e99,"y":0,"a":0})", "within its range"},
+      {R"({"do":"drive","model":1,"forward":101,"sideways":0,"turn":0})",
+       "\"forward\" must be a number within"},
+      {R"({"do":"drive","model":1,"forward":0,"sideways":0,"turn":1e400})",
+       "\"turn\" must be a number within"},
+      {R"({"do":"drive","model":1,"forward":0,"sideways":NaN,"turn":0})", "not JSON"},
+      {R"({"do":"drive","model":1,"forward":0,"sideways":null,"turn":0})", "\"sideways\" must be a number"},
+      {R"({"do":"drive","model":1,"forward":0,"turn":0})", "\"sideways\" must be a number"},
       {R"({"do":"select"})", "\"model\" must be a number"},
       {R"({"do":"look","x_min":-1,"y_min":-2,"x_max":3,"y_max":4,"sensors":1})", "true or false"},
       {R"({"do":"ack","frame":[[[1]]]})", "not JSON"},

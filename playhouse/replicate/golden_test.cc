@@ -53,6 +53,15 @@ std::string held(const Replica& replica) {
       replica.tick, replica.pace.paused, replica.pace.speed, models, positions, scans, findings);
 }
 
+/// Wheels on the first port for every robot, and for the first a laser on another port.
+DeviceNames small_devices(const SmallWorld& small) {
+  DeviceNames devices(small.world.models.size());
+  for (std::uint32_t k = 0; k < small.world.positions.size(); ++k)
+    devices[SmallWorld::robot(static_cast<int>(k))] = {fmt::format("position2d:{}", k)};
+  devices[SmallWorld::robot(0) + 1] = {"6666:ranger:0", "6666:laser:0"};
+  return devices;
+}
+
 /// Packets of a short story: everything in view, one robot selected, nothing selected, far away, paused.
 std::string make_golden() {
   SmallWorld small(3);
@@ -79,7 +88,7 @@ std::string make_golden() {
     frames += fmt::format("{}\n{{\"packet\":\"{}\",\n\"after\":{}}}", frame > 1 ? "," : "", hex(packet),
                           held(replica));
   }
-  return fmt::format("{{\"scene\":{},\"frames\":[{}]}}\n", scene_text(small.world, layout), frames);
+  return fmt::format("{{\"scene\":{},\"frames\":[{}]}}\n", scene_text(small.world, layout, small_devices(small)), frames);
 }
 
 TEST(Golden, the_packets_that_the_page_is_tested_with_are_current) {
@@ -94,7 +103,7 @@ TEST(Golden, the_packets_that_the_page_is_tested_with_are_current) {
 TEST(SceneText, is_json_with_equal_shapes_and_sensors_written_once) {
   SmallWorld small(5);
   const Layout layout(small.world);
-  const boost::json::value scene = boost::json::parse(scene_text(small.world, layout));
+  const boost::json::value scene = boost::json::parse(scene_text(small.world, layout, {}));
   EXPECT_EQ(scene.at("protocol").as_int64(), 1);
   EXPECT_EQ(scene.at("models").as_array().size(), 21u);
   EXPECT_EQ(scene.at("shapes").as_array().size(), 2u);
@@ -105,6 +114,21 @@ TEST(SceneText, is_json_with_equal_shapes_and_sensors_written_once) {
   EXPECT_EQ(robot.at("start").at(0).as_int64(), layout.start[5].x);
   EXPECT_TRUE(robot.at("movable").as_bool());
   EXPECT_FALSE(scene.at("models").at(0).as_object().contains("movable"));
+  EXPECT_FALSE(robot.as_object().contains("devices"));
+}
+
+TEST(SceneText, tells_each_model_with_its_devices) {
+  SmallWorld small(2);
+  const boost::json::value scene =
+      boost::json::parse(scene_text(small.world, Layout(small.world), small_devices(small)));
+  const auto devices = [&](std::uint32_t row) {
+    const boost::json::object& model = scene.at("models").at(row).as_object();
+    return model.contains("devices") ? boost::json::serialize(model.at("devices")) : "none";
+  };
+  EXPECT_EQ(devices(0), "none");
+  EXPECT_EQ(devices(SmallWorld::robot(0)), R"(["position2d:0"])");
+  EXPECT_EQ(devices(SmallWorld::robot(0) + 1), R"(["6666:ranger:0","6666:laser:0"])");
+  EXPECT_EQ(devices(SmallWorld::robot(1)), R"(["position2d:1"])");
 }
 
 TEST(SceneText, names_from_files_cannot_break_it) {
@@ -113,7 +137,7 @@ TEST(SceneText, names_from_files_cannot_break_it) {
   desc.models.emplace_back();
   desc.models[0].name = desc.models[0].alias = "</script>\"";
   const world::World world(desc, 1);
-  const boost::json::value scene = boost::json::parse(scene_text(world, Layout(world)));
+  const boost::json::value scene = boost::json::parse(scene_text(world, Layout(world), {}));
   EXPECT_EQ(scene.at("name").as_string(), desc.name);
   EXPECT_EQ(scene.at("models").at(0).at("name").as_string(), desc.models[0].name);
 }

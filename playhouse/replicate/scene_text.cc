@@ -15,6 +15,11 @@ std::string quoted(std::string_view text) {
   return boost::json::serialize(boost::json::string(text));
 }
 
+/// "wander" of "wander 3 fast".
+std::string_view first_word(std::string_view line) {
+  return line.substr(0, line.find(' '));
+}
+
 /// Metres and radians to a tenth of a millimetre: what a screen can show.
 std::string number(double value) {
   return std::isfinite(value) ? fmt::format("{:g}", std::round(value * 1e4) / 1e4) : "0";
@@ -92,8 +97,7 @@ class Texts {
 std::string window(const scene::WindowDesc& window) {
   return fmt::format(R"({{"center":[{},{}],"scale":{},"pitch":{},"yaw":{},"sensors":{},"follow":{}}})",
                      number(window.center.x), number(window.center.y), number(window.scale),
-                     number(window.pitch), number(window.yaw), window.show_data,
-                     quoted(window.follow_model));
+                     number(window.pitch), number(window.yaw), window.show_data, quoted(window.follow_model));
 }
 
 const char* kind(scene::ModelKind kind) {
@@ -110,8 +114,8 @@ const char* kind(scene::ModelKind kind) {
   return "plain";
 }
 
-std::string model(const world::World& world, const Layout& layout, std::uint32_t row, Texts& shapes,
-                  Texts& sensor_sets) {
+std::string model(const world::World& world, const Layout& layout, const DeviceNames& devices,
+                  std::uint32_t row, Texts& shapes, Texts& sensor_sets) {
   const scene::ModelDesc& desc = world.desc({row});
   const ModelState& start = layout.start[row];
   std::string text =
@@ -120,6 +124,11 @@ std::string model(const world::World& world, const Layout& layout, std::uint32_t
                   start.z, start.a, start.state, start.color);
   auto out = std::back_inserter(text);
   if (desc.alias != desc.name) fmt::format_to(out, R"(,"alias":{})", quoted(desc.alias));
+  if (row < devices.size() && !devices[row].empty())
+    fmt::format_to(out, R"(,"devices":{})", list(devices[row], quoted));
+  if (!desc.ctrl.empty())
+    fmt::format_to(out, R"(,"controllers":{})",
+                   list(desc.ctrl, [](const std::string& line) { return quoted(first_word(line)); }));
   if (desc.X_MB != geom::Pose{}) fmt::format_to(out, R"(,"origin":{})", pose(desc.X_MB));
   fmt::format_to(out, R"(,"size":{})", size(desc.size));
   if (!desc.blocks.empty() || !desc.bitmaps.empty())
@@ -144,12 +153,12 @@ std::string model(const world::World& world, const Layout& layout, std::uint32_t
 
 }  // namespace
 
-std::string scene_text(const world::World& world, const Layout& layout) {
+std::string scene_text(const world::World& world, const Layout& layout, const DeviceNames& devices) {
   Texts shapes, sensor_sets;
   std::string models;
   for (std::uint32_t row = 0; row < world.models.size(); ++row) {
     if (row > 0) models += ",\n";
-    models += model(world, layout, row, shapes, sensor_sets);
+    models += model(world, layout, devices, row, shapes, sensor_sets);
   }
   const scene::SceneDesc& scene = world.scene();
   return fmt::format(

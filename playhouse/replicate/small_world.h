@@ -23,7 +23,7 @@ class SmallWorld {
   /// tick alone.
   void tick() {
     ++world.tick_;
-    Rng rng(7, world.tick_, 0, 0);
+    Rng rng(world.tick_);
     for (std::uint32_t k = 0; k < world.positions.size(); ++k) move(k, rng);
     for (float& range : world.sensors.ranges) range = static_cast<float>(6 * rng.uniform());
     for (std::uint64_t& tick : world.rangers.measured_tick) tick = world.tick_;

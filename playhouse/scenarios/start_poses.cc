@@ -10,10 +10,10 @@ namespace playhouse::scenarios {
 namespace {
 
 constexpr std::uint64_t kSeed = 2026;
-enum Stream : std::uint64_t { kSquare, kOrder, kHeading };
 
 double draw_heading(std::size_t robot) {
-  return Rng(kSeed, 0, robot, kHeading).uniform(-geom::kPi, geom::kPi);
+  return Rng(kSeed, 0, {Purpose::kStartHeading, static_cast<std::uint32_t>(robot)})
+      .uniform(-geom::kPi, geom::kPi);
 }
 
 /// Pixels whose middle is further than `reach` pixels (along either axis) from solid ones.
@@ -43,7 +43,8 @@ std::vector<std::uint8_t> room_around(const scene::Bitmap& rock, int reach) {
 /// Fisher-Yates with fixed numbers.
 void shuffle(std::vector<geom::Vec2>& spots) {
   for (std::size_t k = spots.size(); k > 1; --k) {
-    std::swap(spots[k - 1], spots[Rng(kSeed, 0, k, kOrder).bits() % k]);
+    Rng random(kSeed, 0, {Purpose::kStartOrder, static_cast<std::uint32_t>(k)});
+    std::swap(spots[k - 1], spots[random.bits() % k]);
   }
 }
 
@@ -57,7 +58,7 @@ std::vector<geom::Pose> in_square(std::size_t count, double side) {
   std::vector<geom::Pose> poses;
   poses.reserve(count);
   for (std::size_t k = 0; k < count; ++k) {
-    Rng random(kSeed, 0, k, kSquare);
+    Rng random(kSeed, 0, {Purpose::kStartSpot, static_cast<std::uint32_t>(k)});
     const double x =
         (static_cast<double>(k % columns) + 0.5) * cell - side / 2 + random.uniform(-jitter, jitter);
     const double y =

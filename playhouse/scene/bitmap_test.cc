@@ -71,6 +71,32 @@ TEST(Bitmap, a_bmp_is_read) {
   EXPECT_THAT(solid_of(bmp), ElementsAre(0));
 }
 
+/// A BMP without palette, `depth` bits a pixel, all zero.
+std::string bmp_of(int width, int height, int depth) {
+  const int row = (width * depth + 31) / 32 * 4;
+  std::string bmp("BM\0\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0", 18);
+  const auto number = [&bmp](int value, int bytes) {
+    for (int i = 0; i < bytes; ++i) bmp += static_cast<char>(value >> (8 * i) & 255);
+  };
+  number(width, 4);
+  number(height, 4);
+  number(1, 2);
+  number(depth, 2);
+  bmp.resize(54 + static_cast<std::size_t>(row * height), '\0');
+  return bmp;
+}
+
+TEST(Bitmap, a_bmp_that_ends_before_its_last_pixel_is_no_image) {
+  const std::string whole = bmp_of(5, 40, 24);  // 15 bytes of pixels and 1 of padding in a row
+  EXPECT_EQ(solid_of(whole).size(), 200u);
+  EXPECT_EQ(solid_of(whole.substr(0, whole.size() - 1)).size(), 200u) << "padding is no pixel";
+  for (const std::size_t bytes : {whole.size() - 2, whole.size() - 16, whole.size() / 2, std::size_t{54}}) {
+    const Result<Bitmap> bitmap = decode_bitmap(whole.substr(0, bytes));
+    ASSERT_FALSE(bitmap) << bytes;
+    EXPECT_EQ(bitmap.error().text, "is no readable BMP: the file ends too early") << bytes;
+  }
+}
+
 TEST(Bitmap, what_is_no_image_says_so) {
   const auto error = [](std::string_view bytes) {
     const Result<Bitmap> bitmap = decode_bitmap(bytes, 1000);

@@ -36,21 +36,20 @@ std::vector<geom::Vec2> thin_wall(const std::vector<geom::Vec2>& points) {
 /// Maps the joint bounding box of a shape onto a size.
 struct Stretch {
   geom::Box box;
-  Bounds z{1e300, -1e300};
+  Bounds z{0, 0};  // with the floor
   geom::Size size;
 
   /// All points lie on one line along an axis.
   bool flat() const { return !(box.x_max > box.x_min) || !(box.y_max > box.y_min); }
   geom::Vec2 operator()(geom::Vec2 p) const {
     const auto onto = [](double v, double min, double max, double width) {
-      return max > min ? ((v - min) / (max - min) - 0.5) * width : 0.0;
+      return max > min ? ((v - min) / (max - min) - 0.5) * width : -0.5 * width;
     };
     return {onto(p.x, box.x_min, box.x_max, size.x), onto(p.y, box.y_min, box.y_max, size.y)};
   }
-  /// A shape without extent in z is as high as the model, like one that does not mention z.
-  Bounds operator()(std::optional<Bounds> b) const {
-    if (!b || !(z.max > z.min)) return {0, size.z};
-    return {(b->min - z.min) / (z.max - z.min) * size.z, (b->max - z.min) / (z.max - z.min) * size.z};
+  Bounds operator()(const std::optional<Bounds>& b) const {
+    if (!b) return {0, size.z};
+    return {b->min / (z.max - z.min) * size.z, b->max / (z.max - z.min) * size.z};
   }
   std::vector<geom::Vec2> operator()(const std::vector<geom::Vec2>& points) const {
     std::vector<geom::Vec2> mapped;
@@ -61,7 +60,7 @@ struct Stretch {
 };
 
 Stretch stretch_of(const Shape& shape, const geom::Size& size) {
-  Stretch stretch{{}, {1e300, -1e300}, size};
+  Stretch stretch{{}, {}, size};
   const auto widen = [&stretch](Bounds z) {
     stretch.z = {std::min(stretch.z.min, z.min), std::max(stretch.z.max, z.max)};
   };
@@ -96,9 +95,15 @@ Shape::Prism read_block(const Properties& properties) {
                            " is missing; what is missing is [0 0]");
   }
   double z[2] = {};
-  if (properties.tuple("z", "LL", z, "[min max]")) {
-    if (z[1] < z[0]) state.fail(properties.where("z"), "the block ends below its start: z [min max]");
+  properties.tuple("z", "LL", z, "[min max]");
+  if (z[1] < z[0]) state.fail(properties.where("z"), "the block ends below its start: z [min max]");
+  if (z[1] > z[0]) {
     prism.z = Bounds{z[0], z[1]};
+  } else if (!state.error) {
+    state.warnings.add(
+        Warning::kShape, prism.where,
+        std::string(properties.has("z") ? "the block has no height" : "the block has no \"z\"") +
+            "; it is as high as the model");
   }
   return prism;
 }
@@ -124,6 +129,21 @@ void fit_shape(const Shape& shape, const geom::Size& size, LoadState& state, Mod
   Contours contours{{}, z.min, z.max};
   for (const auto& loop : shape.contours) contours.loops.push_back(stretch(loop));
   model.bitmaps.push_back(std::move(contours));
+}
+
+std::optional<geom::Size> body_size(const geom::Size& size, const Properties& properties) {
+  const auto warn = [&](std::string_view what) {
+    properties.state().warnings.add(Warning::kShape, properties.where("size"),
+                                    "\"size\" has no extent in " + std::string(what));
+  };
+  if (size.x == 0 && size.y == 0) {
+    warn("x and y, so the model has no body");
+    return std::nullopt;
+  }
+  if (size.x == 0) warn("x; the body is 0.01 m thick there");
+  if (size.y == 0) warn("y; the body is 0.01 m thick there");
+  if (size.z == 0) warn("z, so the body collides with nothing");
+  return geom::Size{size.x > 0 ? size.x : kWall, size.y > 0 ? size.y : kWall, size.z};
 }
 
 Block box_block(const geom::Size& size) {

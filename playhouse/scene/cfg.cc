@@ -8,6 +8,7 @@
 #include "playhouse/base/limits.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/scene/colors.h"
+#include "playhouse/scene/vocabulary.h"
 #include "playhouse/scene/warnings.h"
 
 namespace playhouse::scene {
@@ -170,9 +171,13 @@ class CfgLoader {
         port_(port) {}
 
   Result<CfgFile> load();
+  /// The errors after the one that load() gave.
+  std::vector<Error> take_others() { return std::move(others_); }
 
  private:
-  Result<void> read_file();
+  void read_file();
+  void add(const Error& fault);
+  Error nothing_to_serve() const;
   Result<void> read_globals();
   Result<void> add_section(const Section& section);
   Result<void> add_driver(const Instance& instance);
@@ -183,7 +188,10 @@ class CfgLoader {
   const Document& document_;
   Macros macros_;
   Warnings warnings_;
-  std::size_t fields_ = 0;  // of all sections
+  std::optional<Error> error_;  // the first fault
+  std::vector<Error> others_;   // the next ones
+  bool has_models_ = false;     // as a world file has
+  std::size_t fields_ = 0;      // of all sections
   std::uint16_t port_;
   CfgFile cfg_;
   std::map<std::tuple<std::string, std::uint16_t, std::string, std::uint16_t>, std::string>
@@ -193,13 +201,30 @@ class CfgLoader {
 Result<CfgFile> CfgLoader::load() {
   cfg_.path = document_.sources.file_names().front();
   file_->folder = folder_of(cfg_.path);
-  if (const Result<void> read = read_file(); !read) return warnings_.with_slip(read.error());
+  read_file();
+  if (error_) return warnings_.with_slip(*error_);
+  if (cfg_.drivers.empty()) return nothing_to_serve();
   cfg_.warnings = warnings_.take();
   return std::move(cfg_);
 }
 
-Result<void> CfgLoader::read_file() {
-  if (const auto globals = read_globals(); !globals) return globals;
+void CfgLoader::add(const Error& fault) {
+  if (!error_) {
+    error_ = fault;
+  } else {
+    others_.push_back(fault);
+  }
+}
+
+Error CfgLoader::nothing_to_serve() const {
+  const std::string path = escaped(cfg_.path);
+  if (has_models_)
+    return Error{path, "is a world file, not a configuration: playhouse run " + path + " serves its robots"};
+  return warnings_.with_slip({path, "has no driver ( ... ) section, so there is nothing to serve"});
+}
+
+void CfgLoader::read_file() {
+  if (const auto globals = read_globals(); !globals) return add(globals.error());
   for (const Statement& statement : document_.statements) {
     if (!statement.base.empty()) {
       if (!macros_.define(statement)) {
@@ -209,13 +234,9 @@ Result<void> CfgLoader::read_file() {
       }
       continue;
     }
-    if (const auto added = add_section(statement.section); !added) return added;
+    if (const auto added = add_section(statement.section); !added) add(added.error());
+    if (error_ && (others_.size() + 1 >= limits::kWarningsOfAKind || fields_ > limits::kEntities)) return;
   }
-  if (cfg_.drivers.empty())
-    return Error{
-        cfg_.path,
-        "has no driver ( ... ) section, so there is nothing to serve (a world file is for playhouse run)"};
-  return {};
 }
 
 Result<void> CfgLoader::read_globals() {
@@ -250,6 +271,7 @@ Result<void> CfgLoader::add_section(const Section& section) {
   }
   if (instance->type == "driver") return add_driver(*instance);
   if (instance->type == "interface") return check_interface(*instance);
+  has_models_ = has_models_ || find_model_type(instance->type) != nullptr;
   warnings_.add(Warning::kUnknownWord, section.where, "section " + in_quotes(section.name) + " has no effect",
                 [&] {
                   std::vector<std::string_view> words = macros_.names();
@@ -314,18 +336,21 @@ Result<void> CfgLoader::check_interface(const Instance& instance) {
 }
 
 Result<CfgFile> load_cfg_text(std::string text, const std::string& path, FileReader& files,
-                              std::uint16_t port) {
+                              std::uint16_t port, std::vector<Error>* others) {
   Result<Document> document = parse_document(Format::kConfiguration, path, std::move(text), files);
   if (!document) return document.error();
   auto file = std::make_shared<CfgDocument>(CfgDocument{std::move(*document), {}, {}});
-  return CfgLoader(std::move(file), port).load();
+  CfgLoader loader(std::move(file), port);
+  Result<CfgFile> cfg = loader.load();
+  if (others) *others = loader.take_others();
+  return cfg;
 }
 
-Result<CfgFile> load_cfg(const std::string& path, std::uint16_t port) {
+Result<CfgFile> load_cfg(const std::string& path, std::uint16_t port, std::vector<Error>* others) {
   DiskFiles files;
-  Result<std::string> text = files.read(path);
-  if (!text) return Error{path, text.error().text};
-  return load_cfg_text(std::move(*text), path, files, port);
+  Result<std::string> text = DiskFiles(NamedBy::kPerson).read(path);
+  if (!text) return Error{escaped(path), text.error().text};
+  return load_cfg_text(std::move(*text), path, files, port, others);
 }
 
 }  // namespace playhouse::scene

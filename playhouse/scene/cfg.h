@@ -81,11 +81,13 @@ struct CfgFile {
 
 /// Loads a configuration file. Fails with one error, "file:line: what": bad syntax, a driver without `name`
 /// or `provides`, a malformed address, or two drivers that provide the same one. `port` stands for the port
-/// of addresses that have none.
-Result<CfgFile> load_cfg(const std::string& path, std::uint16_t port = 6665);
+/// of addresses that have none. `others`, if given, gets the errors after the first, up to
+/// limits::kWarningsOfAKind in all.
+Result<CfgFile> load_cfg(const std::string& path, std::uint16_t port = 6665,
+                         std::vector<Error>* others = nullptr);
 
 /// The same for a text that was read from `path`; included files come from `files`.
 Result<CfgFile> load_cfg_text(std::string text, const std::string& path, FileReader& files,
-                              std::uint16_t port = 6665);
+                              std::uint16_t port = 6665, std::vector<Error>* others = nullptr);
 
 }  // namespace playhouse::scene

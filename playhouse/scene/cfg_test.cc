@@ -162,8 +162,9 @@ TEST(Cfg, what_has_no_effect_is_a_warning) {
 TEST(Cfg, faults_of_a_file_are_one_line_with_the_place) {
   const std::string good = "driver ( name \"d\" provides [ \"gps:0\" ] )\n";
   EXPECT_EQ(error_of("# nothing\n"),
-            "dir/t.cfg: has no driver ( ... ) section, so there is nothing to serve (a world file is for "
-            "playhouse run)");
+            "dir/t.cfg: has no driver ( ... ) section, so there is nothing to serve");
+  EXPECT_EQ(error_of("define wall model ( )\nwall ( pose [0 0 0 0] )"),
+            "dir/t.cfg: is a world file, not a configuration: playhouse run dir/t.cfg serves its robots");
   EXPECT_THAT(error_of("driver ( provides \"gps:0\" )"), HasSubstr("dir/t.cfg:1: a driver needs a name"));
   EXPECT_THAT(error_of("\ndriver ( name \"d\" )"), HasSubstr("dir/t.cfg:2: driver \"d\" needs the devices"));
   EXPECT_THAT(error_of(good + good),
@@ -234,6 +235,7 @@ TEST(Cfg, names_of_any_length_and_bytes_are_short_lines) {
 
 TEST(DeviceAddress, every_form_of_the_format_is_read) {
   const auto parse = [](std::string_view text) { return parse_device_address(text).value(); };
+  EXPECT_EQ(parse("7001:ranger:1 ").text(), "7001:ranger:1") << "the original takes it";
   EXPECT_EQ(parse("laser:0"), (DeviceAddress{"", "", {}, "laser", 0}));
   EXPECT_EQ(parse("6666:laser:0"), (DeviceAddress{"", "", 6666, "laser", 0}));
   EXPECT_EQ(parse("::6666:laser:0"), (DeviceAddress{"", "", 6666, "laser", 0}));

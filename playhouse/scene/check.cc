@@ -2,6 +2,8 @@
 
 #include <map>
 
+#include "playhouse/base/finding.h"
+#include "playhouse/base/in_quotes.h"
 #include "playhouse/scene/cfg.h"
 #include "playhouse/scene/syntax.h"
 #include "playhouse/scene/world_loader.h"
@@ -20,51 +22,55 @@ std::string summary(const SceneDesc& scene) {
     ++types[model.type];
     for (const RangerSensorDesc& sensor : model.sensors) beams += sensor.samples;
   }
-  std::string line = scene.path + ": " + counted(scene.models.size(), "model");
+  std::string line = escaped(scene.path) + ": " + counted(scene.models.size(), "model");
   for (const auto& [type, count] : types) line += ", " + std::to_string(count) + " " + type;
   return line + ", " + counted(beams, "beam");
 }
 
 void append(CheckReport& report, const std::vector<std::string>& warnings) {
-  for (const std::string& warning : warnings) report.lines.push_back("warning: " + warning);
+  for (const std::string& warning : warnings) report.lines.push_back(finding("warning", placed(warning)));
 }
 
-void fail(CheckReport& report, const Error& error) {
+void fail(CheckReport& report, const Error& error, const std::vector<Error>& others = {}) {
   report.ok = false;
-  report.lines.push_back("error: " + error.line());
+  report.lines.push_back(finding("error", error));
+  for (const Error& other : others) report.lines.push_back(finding("error", other));
 }
 
-void report_world(const Result<SceneDesc>& scene, CheckReport& report) {
-  if (!scene) return fail(report, scene.error());
+void report_world(const std::string& path, NamedBy by, CheckReport& report) {
+  std::vector<Error> others;
+  const Result<SceneDesc> scene = load_world(path, by, &others);
+  if (!scene) return fail(report, scene.error(), others);
   append(report, scene->warnings);
   report.lines.push_back(summary(*scene));
 }
 
 void check_configuration(const std::string& path, CheckReport& report) {
-  const Result<CfgFile> cfg = load_cfg(path);
-  if (!cfg) return fail(report, cfg.error());
+  std::vector<Error> others;
+  const Result<CfgFile> cfg = load_cfg(path, 6665, &others);
+  if (!cfg) return fail(report, cfg.error(), others);
   append(report, cfg->warnings);
   std::size_t devices = 0;
   for (const CfgSection& driver : cfg->drivers) {
     devices += driver.count("provides");
     if (!driver.has("worldfile")) continue;
-    const Result<SceneDesc> scene = load_world(driver.filename("worldfile", ""));
-    if (!scene) report.lines.push_back("error: " + driver.at("worldfile") + ": this world does not load");
-    report_world(scene, report);
+    const bool was_ok = report.ok;
+    report_world(driver.filename("worldfile", ""), NamedBy::kFile, report);
+    if (was_ok && !report.ok) fail(report, {driver.at("worldfile"), "this world does not load"});
   }
-  report.lines.push_back(path + ": " + counted(cfg->drivers.size(), "driver") + ", " +
+  report.lines.push_back(escaped(path) + ": " + counted(cfg->drivers.size(), "driver") + ", " +
                          counted(devices, "device"));
 }
 
 void check_include(const std::string& path, CheckReport& report) {
   DiskFiles files;
-  Result<std::string> text = files.read(path);
-  if (!text) return fail(report, {path, text.error().text});
+  Result<std::string> text = DiskFiles(NamedBy::kPerson).read(path);
+  if (!text) return fail(report, {escaped(path), text.error().text});
   const Result<Document> document = parse_document(Format::kWorld, path, std::move(*text), files);
   if (!document) return fail(report, document.error());
   std::size_t macros = 0;
   for (const Statement& statement : document->statements) macros += statement.base.empty() ? 0 : 1;
-  report.lines.push_back(path + ": " + counted(macros, "macro"));
+  report.lines.push_back(escaped(path) + ": " + counted(macros, "macro"));
 }
 
 }  // namespace
@@ -76,7 +82,7 @@ CheckReport check_file(const std::string& path) {
   } else if (path.ends_with(".inc")) {
     check_include(path, report);
   } else {
-    report_world(load_world(path), report);
+    report_world(path, NamedBy::kPerson, report);
   }
   return report;
 }

@@ -40,7 +40,7 @@ Result<DeviceAddress> parse_device_address(std::string_view text) {
   if (std::count(text.begin(), text.end(), ':') > 4) {
     return bad("has too many parts; write key:host:port:interface:index");
   }
-  std::string_view rest = text;
+  std::string_view rest = text.substr(0, text.find_last_not_of(" \t") + 1);  // as the original reads numbers
   const std::optional<std::uint16_t> index = parse_u16(take_last(rest));
   const std::string_view interf = take_last(rest);
   if (interf.empty()) return bad("needs an interface and an index, as in \"position2d:0\"");

@@ -214,6 +214,31 @@ Result<FirstChannel> read_pnm(std::string_view bytes, std::size_t most_pixels) {
   return whole ? Result<FirstChannel>(std::move(image)) : bad;
 }
 
+/// What stb_image reads from. It takes bytes beyond the end for zeros and says nothing, so this notes when it
+/// wanted one; what it skips, such as the padding behind the last row, need not be there.
+struct BmpReading {
+  std::string_view bytes;
+  std::size_t at = 0;
+  bool ended_early = false;
+
+  static int read(void* user, char* out, int count) {
+    auto& self = *static_cast<BmpReading*>(user);
+    const std::size_t taken = std::min(static_cast<std::size_t>(count), self.bytes.size() - self.at);
+    std::memcpy(out, self.bytes.data() + self.at, taken);
+    self.at += taken;
+    self.ended_early |= taken == 0;
+    return static_cast<int>(taken);
+  }
+  static void skip(void* user, int count) {
+    auto& self = *static_cast<BmpReading*>(user);
+    self.at = std::min(self.at + static_cast<std::size_t>(std::max(0, count)), self.bytes.size());
+  }
+  static int is_at_end(void* user) {
+    const auto& self = *static_cast<BmpReading*>(user);
+    return self.at == self.bytes.size();
+  }
+};
+
 Result<FirstChannel> read_bmp(std::string_view bytes, std::size_t most_pixels) {
   const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const int size = static_cast<int>(bytes.size());
@@ -224,8 +249,11 @@ Result<FirstChannel> read_bmp(std::string_view bytes, std::size_t most_pixels) {
   const auto pixels_of = [](int side) { return static_cast<std::uint64_t>(side); };
   if (const auto fits = check_size(pixels_of(width), pixels_of(height), most_pixels); !fits)
     return fits.error();
+  BmpReading reading{bytes};
+  constexpr stbi_io_callbacks kCallbacks{BmpReading::read, BmpReading::skip, BmpReading::is_at_end};
   const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
-      stbi_load_from_memory(data, size, &width, &height, &channels, channels), stbi_image_free);
+      stbi_load_from_callbacks(&kCallbacks, &reading, &width, &height, &channels, channels), stbi_image_free);
+  if (reading.ended_early) return Error{{}, "is no readable BMP: the file ends too early"};
   if (!pixels) return Error{{}, std::string("cannot be decoded: ") + stbi_failure_reason()};
   const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   FirstChannel image{width, height, std::vector<std::uint8_t>(count)};

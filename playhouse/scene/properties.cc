@@ -1,8 +1,10 @@
 #include "playhouse/scene/properties.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "playhouse/base/in_quotes.h"
+#include "playhouse/base/limits.h"
 #include "playhouse/base/rng.h"
 #include "playhouse/scene/colors.h"
 
@@ -11,12 +13,24 @@ namespace {
 
 constexpr double kLargest =
     1e9;  // m, rad and plain numbers; far beyond any scene, well inside all arithmetic
-constexpr std::uint64_t kColorStream = 0x636F6C6F72;  // "color"
 
 }  // namespace
 
-void LoadState::fail(SourceLine where, std::string text) {
-  if (!error) error = document.error(where, std::move(text));
+void LoadState::add(Error fault) {
+  const auto same = [&fault](const Error& known) {
+    return known.where == fault.where && known.text == fault.text;
+  };
+  if (!error) {
+    error = std::move(fault);
+  } else if (!same(*error) && std::ranges::none_of(others, same)) {  // one per macro, not per instance
+    others.push_back(std::move(fault));
+  }
+  over = over || others.size() + 1 >= limits::kWarningsOfAKind;
+}
+
+void LoadState::end(Error fault) {
+  add(std::move(fault));
+  over = true;
 }
 
 SourceLine Properties::where(std::string_view key) const {
@@ -44,6 +58,12 @@ bool Properties::tuple(std::string_view key, std::string_view scales, std::span<
                                   (scales.size() == 1 ? " value" : " values " + std::string(form)) +
                                   ", found " + std::to_string(field->values.size()));
     return false;
+  }
+  if (field->values.size() > scales.size()) {
+    state_.warnings.add(Warning::kValue, field->where,
+                        in_quotes(key) + " takes " + std::to_string(scales.size()) +
+                            (scales.size() == 1 ? " value" : " values") + ", found " +
+                            std::to_string(field->values.size()) + "; the others have no effect");
   }
   for (std::size_t i = 0; i < scales.size(); ++i) out[i] = scaled(*field, i, scales[i]);
   return true;
@@ -112,7 +132,7 @@ Color Properties::color(Color otherwise, std::size_t row) const {
   }
   const std::string name = text("color", "");
   if (name == "random") {
-    Rng rng(0, 0, row, kColorStream);
+    Rng rng(0, 0, {Purpose::kColor, static_cast<std::uint32_t>(row)});
     const auto channel = [&rng] { return static_cast<float>(rng.uniform()); };
     const float r = channel(), g = channel(), b = channel();
     return {r, g, b, 1};

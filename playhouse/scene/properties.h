@@ -1,8 +1,7 @@
 #pragma once
 
-/// The properties of one entity of a world file as numbers in SI units. Reading never throws: the first fault
-/// is kept in a place the whole load shares, defaults are returned from then on, and the load checks the
-/// place once.
+/// The properties of one entity of a world file as numbers in SI units. Reading never throws: faults are kept
+/// in a place the whole load shares, defaults are returned instead, and the load checks the place once.
 
 #include <optional>
 #include <span>
@@ -20,9 +19,17 @@ struct LoadState {
   const Document& document;
   Units units;
   std::optional<Error> error;  // the first fault
+  std::vector<Error> others;   // the next ones
   Warnings warnings;
+  bool over = false;  // nothing more can be said: the load ends
 
-  void fail(SourceLine where, std::string text);
+  /// The load goes on, to find what else is wrong, until there are as many faults as warnings of a kind.
+  void fail(SourceLine where, std::string text) { add(document.error(where, std::move(text))); }
+  /// The load ends: what follows would cost too much, or make no sense.
+  void end(Error fault);
+
+ private:
+  void add(Error fault);
 };
 
 /// How an element of a tuple is scaled: N as it is, L by the unit of length, A by the unit of angle.
@@ -47,7 +54,7 @@ class Properties {
   std::vector<std::string> texts(std::string_view key) const;
 
   /// Fills `out` with as many numbers as `scales` has letters (N, L, A); false when `key` is absent. Fewer
-  /// elements fail with `form`, as in "[x y z]"; more are ignored.
+  /// elements fail with `form`, as in "[x y z]"; more are a warning.
   bool tuple(std::string_view key, std::string_view scales, std::span<double> out,
              std::string_view form) const;
 

@@ -91,9 +91,10 @@ struct ModelDesc {
   std::int32_t parent = -1;  // row of SceneDesc::models, always below this row; -1: the world
   SourceLine where;
 
-  geom::Pose X_PM;  // pose in the parent; z includes the parent's height when the parent stacks
-  geom::Pose X_MB;  // origin
-  geom::Size size;  // m, bounding box of the body
+  geom::Pose X_PM;     // pose in the parent; z includes `stacked`
+  double stacked = 0;  // m, height of the parent on top of which it stands; 0 if that does not stack
+  geom::Pose X_MB;     // origin
+  geom::Size size;     // m, bounding box of the body
   Color color;
   std::vector<Block> blocks;
   std::vector<Contours> bitmaps;

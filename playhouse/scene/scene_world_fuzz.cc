@@ -4,13 +4,12 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "playhouse/scene/bitmap.h"
 #include "playhouse/scene/world_loader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   using namespace playhouse::scene;
   const std::string text(reinterpret_cast<const char*>(bytes), size);
-  // Bytes after a NUL are the bitmap "data", so that image decoders are reached too.
+  // Bytes after a NUL are the bitmap "data".
   const std::size_t split = std::min(text.find('\0'), text.size());
   MemoryFiles files({{"w/map.inc", "define wall model ( color \"gray30\" boundary 1 bitmap \"plan\" )\n"},
                      {"w/self.inc", "include \"self.inc\""},
@@ -28,10 +27,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
         if (block.points.size() < 3 || !(block.z_min <= block.z_max)) std::abort();
       }
     }
-  }
-  if (split < size) {
-    if (const auto bitmap = decode_bitmap(text.substr(split + 1), limits.pixels))
-      (void)trace_contours(*bitmap).ok();
   }
   return 0;
 }

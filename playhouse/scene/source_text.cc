@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <sstream>
 
 #include "playhouse/base/limits.h"
 
@@ -34,12 +36,33 @@ Result<std::string> DiskFiles::read(const std::string& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) return Error{{}, "cannot be opened: no such file"};
-  if (!std::filesystem::is_regular_file(status) && !std::filesystem::is_fifo(status)) {
-    return Error{{}, "cannot be opened: neither a regular file nor a pipe"};
+  const bool pipes = by_ == NamedBy::kPerson;
+  if (!std::filesystem::is_regular_file(status) && !(pipes && std::filesystem::is_fifo(status))) {
+    return Error{{},
+                 std::string("cannot be opened: ") +
+                     (pipes ? "neither a regular file nor a pipe" : "not a regular file")};
   }
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
   if (!file) return Error{{}, std::string("cannot be opened: ") + std::strerror(errno)};
   return read_all(*file);
+}
+
+std::vector<std::string> DiskFiles::search_path() const {
+  std::vector<std::string> folders;
+  const char* const path = std::getenv("PLAYHOUSE_PATH");
+  std::istringstream rest{path == nullptr ? "" : path};
+  for (std::string folder; std::getline(rest, folder, ':');) {
+    if (!folder.empty()) folders.push_back(folder + "/");
+  }
+  std::error_code error;
+  std::filesystem::path above = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+  for (; above.has_relative_path(); above = above.parent_path()) {
+    const std::filesystem::path worlds = above / "worlds";
+    if (!std::filesystem::is_regular_file(worlds / "pioneer.inc", error)) continue;
+    folders.push_back(worlds.string() + "/");
+    break;
+  }
+  return folders;
 }
 
 Result<std::string> MemoryFiles::read(const std::string& path) {

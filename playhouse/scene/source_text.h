@@ -24,22 +24,39 @@ class FileReader {
   virtual ~FileReader() = default;
   /// Fails with a text that starts with "cannot" and names no file (the caller knows it).
   virtual Result<std::string> read(const std::string& path) = 0;
+  /// Folders, each with its final slash, where an included file is looked for that is not beside those that
+  /// name it.
+  virtual std::vector<std::string> search_path() const { return {}; }
 };
 
-/// Regular files and pipes of this machine.
+/// Who named a file: a person, who may mean a pipe (`playhouse check <(...)`), or another file. There a pipe
+/// that nobody writes would make everybody wait for ever, so regular files alone are read.
+enum class NamedBy : std::uint8_t { kPerson, kFile };
+
+/// Files of this machine.
 class DiskFiles final : public FileReader {
  public:
+  explicit DiskFiles(NamedBy by = NamedBy::kFile) : by_(by) {}
   Result<std::string> read(const std::string& path) override;
+  /// The folders of PLAYHOUSE_PATH, then the worlds that come with the program: `worlds` in a folder above
+  /// the program's own.
+  std::vector<std::string> search_path() const override;
+
+ private:
+  NamedBy by_;
 };
 
 /// Files that exist in memory only.
 class MemoryFiles final : public FileReader {
  public:
-  explicit MemoryFiles(std::map<std::string, std::string> files) : files_(std::move(files)) {}
+  explicit MemoryFiles(std::map<std::string, std::string> files, std::vector<std::string> search_path = {})
+      : files_(std::move(files)), search_path_(std::move(search_path)) {}
   Result<std::string> read(const std::string& path) override;
+  std::vector<std::string> search_path() const override { return search_path_; }
 
  private:
   std::map<std::string, std::string> files_;
+  std::vector<std::string> search_path_;
 };
 
 /// Owns every text of one scene, so that views into them stay valid as long as it lives.

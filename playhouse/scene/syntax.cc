@@ -209,7 +209,7 @@ Result<void> Parser::parse_tuple(Field& field, SourceLine opened) {
 Result<Document> parse_document(Format format, const std::string& path, std::string text, FileReader& files) {
   Document document;
   const Result<std::uint32_t> row = document.sources.add(path, std::move(text));
-  if (!row) return Error{path, row.error().text};
+  if (!row) return Error{escaped(path), row.error().text};
   Parser parser(format, document, TokenStream(format, document.sources, files, *row));
   if (const Result<void> parsed = parser.parse_file(); !parsed) return parsed.error();
   return document;

@@ -109,8 +109,10 @@ Result<std::uint32_t> TokenStream::open(std::string_view name) {
   };
   const std::string path = path_beside(stack_.front());
   const std::string beside = path_beside(stack_.back());
+  std::vector<std::string> candidates{path, beside};
+  for (const std::string& folder : files_.search_path()) candidates.push_back(resolve(folder, name));
   std::string why;
-  for (const std::string& candidate : {path, beside}) {
+  for (const std::string& candidate : candidates) {
     if (const auto row = sources_.find(candidate)) {
       if (const Result<void> used = sources_.use_again(*row); !used) return used.error();
       return *row;

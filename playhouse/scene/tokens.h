@@ -41,7 +41,7 @@ std::string describe(const Token& token);
 class TokenStream {
  public:
   /// `row` is the top-level text in `sources`; includes are resolved against its folder, then against the
-  /// folder of the file that includes.
+  /// folder of the file that includes, then looked for in the reader's search path.
   TokenStream(Format format, SourceTexts& sources, FileReader& files, std::uint32_t row);
 
   /// The next token; after the end or an error always kEnd.

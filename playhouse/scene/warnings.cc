@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, kWarningKinds> kSubjects = {
     "names that were given already",
     "macros that are defined already",
     "bodies that are not what they seem",
-    "values out of range",
+    "values out of range or without effect",
 };
 
 }  // namespace

@@ -32,12 +32,17 @@ class WorldLoader {
         files_(files),
         limits_(limits),
         macros_(document),
-        state_{document, {}, {}, Warnings(document.sources)},
+        state_{document, {}, {}, {}, Warnings(document.sources)},
+        bitmap_bytes_{limits.bitmap_bytes, limits.bitmap_bytes, "bytes of bitmap files"},
+        pixels_{limits.pixels, limits.pixels, "pixels of bitmaps"},
+        outlines_{limits.corners, limits.corners, "corners of bitmaps"},
         corners_{limits.corners, limits.corners, "corners of bodies"},
         beams_{limits.beams, limits.beams, "beams of rangers"},
         text_bytes_{limits.text_bytes, limits.text_bytes, "bytes of names and texts"} {}
 
   Result<SceneDesc> load();
+  /// The errors after the one that load() gave.
+  std::vector<Error> take_others() { return std::move(state_.others); }
 
  private:
   using Loops = std::vector<std::vector<geom::Vec2>>;
@@ -62,6 +67,7 @@ class WorldLoader {
   /// The shape of a model from its bitmap and its `block` entities.
   void read_body(const Properties& properties, const ModelType& type, Shape shape, ModelDesc& model);
   const Loops* load_bitmap(const Properties& properties);
+  const Loops* fail_bitmap(const std::string& path, SourceLine where, const Error& why);
   /// Macros and bitmaps make much of little text: a fault when the world has no room for `amount` more.
   void spend(Budget& budget, std::size_t amount, SourceLine where);
   /// The type of a model; null, and a fault, when it has none.
@@ -78,10 +84,12 @@ class WorldLoader {
   TokenNames names_{scene_, state_};
   std::vector<bool> stacks_children_;  // by row of models
   std::map<std::string, Loops> bitmaps_;
-  std::set<std::string_view> plain_types_;  // warned of
+  std::set<std::string_view> plain_types_;                           // warned of
+  std::set<std::pair<std::uint32_t, std::uint32_t>> unknown_types_;  // files and lines told
   bool has_window_ = false;
   SourceLine follow_where_;  // of the window's follow_model
   Expansion expansion_{document_, macros_, limits_};
+  Budget bitmap_bytes_, pixels_, outlines_;  // of the bitmaps themselves, however many bodies have them
   Budget corners_, beams_, text_bytes_;
 };
 
@@ -92,11 +100,11 @@ Result<SceneDesc> WorldLoader::load() {
   // The original's invisible ground is model:0.
   std::map<std::string_view, int> siblings{{"model", 1}};
   for (const Statement& statement : document_.statements) {
-    if (state_.error) break;
+    if (state_.over) break;
     if (!statement.base.empty()) {
       define(statement);
     } else if (const Result<void> counted = expansion_.add(statement.section); !counted) {
-      state_.error = counted.error();
+      state_.end(counted.error());
     } else if (const auto entity = instance(statement.section)) {
       if (entity->type == "window") {
         load_window(*entity);
@@ -116,7 +124,7 @@ void WorldLoader::read_globals() {
   vocabulary_.check(Vocabulary::kWorld, "", properties);
   const Result<Units> units = read_units(document_, properties.fields());
   if (!units) {
-    state_.error = units.error();
+    state_.end(units.error());
     return;
   }
   state_.units = *units;
@@ -144,7 +152,7 @@ void WorldLoader::define(const Statement& statement) {
 std::optional<Instance> WorldLoader::instance(const Section& section) {
   Result<Instance> instance = macros_.instance(section);
   if (!instance) {
-    state_.error = instance.error();
+    state_.end(instance.error());
     return std::nullopt;
   }
   return std::move(*instance);
@@ -163,6 +171,8 @@ void WorldLoader::load_window(const Instance& window) {
 }
 
 void WorldLoader::fail_unknown_type(const Instance& entity) {
+  // Looking for the nearest word costs: once for a macro, however many instances it has.
+  if (!unknown_types_.emplace(entity.where.file, entity.where.line).second) return;
   const auto later =
       std::find_if(document_.statements.begin(), document_.statements.end(),
                    [&](const Statement& s) { return !s.base.empty() && s.section.name == entity.type; });
@@ -206,7 +216,8 @@ void WorldLoader::load_model(const Instance& entity, std::int32_t parent,
   model.parent = parent;
   read_model(properties, *type, row, scene_.interval, model);
   if (parent >= 0 && stacks_children_[static_cast<std::size_t>(parent)]) {
-    model.X_PM.z += scene_.models[static_cast<std::size_t>(parent)].size.z;
+    model.stacked = scene_.models[static_cast<std::size_t>(parent)].size.z;
+    model.X_PM.z += model.stacked;
   }
   names_.name(model, properties.text("name", ""), siblings[type->name]++);
   spend(text_bytes_, text_bytes_of(model), entity.where);
@@ -218,7 +229,7 @@ void WorldLoader::load_model(const Instance& entity, std::int32_t parent,
   scene_.models.push_back(std::move(model));
   std::map<std::string_view, int> grandchildren;
   for (const Instance& child : children) {
-    if (state_.error) return;
+    if (state_.over) return;
     load_model(child, static_cast<std::int32_t>(row), grandchildren);
   }
 }
@@ -229,7 +240,7 @@ std::vector<Instance> WorldLoader::load_parts(const Instance& entity, const Mode
   for (const Section* part : entity.parts) {
     for (const Section& section : part->sections) {
       std::optional<Instance> child = instance(section);
-      if (!child || state_.error) return {};
+      if (!child || state_.over) return {};
       const bool block = child->type == "block";
       if (!block && !(child->type == "sensor" && type.kind == ModelKind::kRanger)) {
         children.push_back(std::move(*child));
@@ -240,7 +251,7 @@ std::vector<Instance> WorldLoader::load_parts(const Instance& entity, const Mode
       vocabulary_.check(block ? Vocabulary::kBlock : Vocabulary::kSensor, "", properties);
       if (block) {
         spend(corners_, static_cast<std::size_t>(std::max(0, properties.integer("points", 0))), child->where);
-        if (state_.error) return {};
+        if (state_.over) return {};
         shape.prisms.push_back(read_block(properties));
       } else {
         model.sensors.push_back(read_sensor(properties, scene_.models.size()));
@@ -261,24 +272,28 @@ void WorldLoader::check_holds_nothing(const Instance& entity) {
 void WorldLoader::read_body(const Properties& properties, const ModelType& type, Shape shape,
                             ModelDesc& model) {
   const Loops* loops = load_bitmap(properties);
-  if (state_.error || !(model.size.x > 0) || !(model.size.y > 0)) return;
+  if (state_.error) return;  // the world does not load, so nobody needs bodies
+  const bool boundary = properties.flag("boundary", false);
+  const bool replaced = loops || boundary || !shape.prisms.empty() || properties.flag("noblocks", false);
+  const bool is_box = type.has_body && !replaced;
+  if (!is_box && !loops && !boundary && shape.prisms.empty()) return;
+  const std::optional<geom::Size> size = body_size(model.size, properties);
+  if (!size) return;
   if (loops) {
     for (const auto& loop : *loops) spend(corners_, loop.size(), properties.where("bitmap"));
     if (state_.error) return;
     shape.contours = *loops;
   }
-  fit_shape(shape, model.size, state_, model);
-  const bool boundary = properties.flag("boundary", false);
-  const bool replaced = loops || boundary || !shape.prisms.empty() || properties.flag("noblocks", false);
-  if (type.has_body && !replaced) model.blocks.push_back(box_block(model.size));
+  fit_shape(shape, *size, state_, model);
+  if (is_box) model.blocks.push_back(box_block(*size));
   if (boundary) {
-    for (Block& wall : boundary_walls(model.size)) model.blocks.push_back(std::move(wall));
+    for (Block& wall : boundary_walls(*size)) model.blocks.push_back(std::move(wall));
   }
 }
 
 const WorldLoader::Loops* WorldLoader::load_bitmap(const Properties& properties) {
   const std::string name = properties.text("bitmap", "");
-  if (name.empty() || state_.error) return nullptr;
+  if (name.empty() || state_.over) return nullptr;
   const SourceLine where = properties.where("bitmap");
   std::string path = resolve(folder_of(scene_.path), name);
   if (const auto known = bitmaps_.find(path); known != bitmaps_.end()) return &known->second;
@@ -289,30 +304,33 @@ const WorldLoader::Loops* WorldLoader::load_bitmap(const Properties& properties)
     Result<std::string> beside = files_.read(resolve(folder_of(scene_.files[where.file]), name));
     if (beside) bytes = std::move(beside);
   }
-  if (!bytes) {
-    state_.fail(where, "bitmap " + in_quotes(path) + " " + bytes.error().text);
-    return nullptr;
-  }
+  if (!bytes) return fail_bitmap(path, where, bytes.error());
+  spend(bitmap_bytes_, bytes->size(), where);
+  if (state_.over) return nullptr;
   const Result<Bitmap> bitmap = decode_bitmap(*bytes, limits_.pixels);
-  if (!bitmap) {
-    state_.fail(where, "bitmap " + in_quotes(path) + " " + bitmap.error().text);
-    return nullptr;
-  }
+  if (!bitmap) return fail_bitmap(path, where, bitmap.error());
+  spend(pixels_, bitmap->solid.size(), where);
+  if (state_.over) return nullptr;
   Result<Loops> loops = trace_contours(*bitmap, limits_.corners);
-  if (!loops) {
-    state_.fail(where, "bitmap " + in_quotes(path) + " " + loops.error().text);
-    return nullptr;
-  }
+  if (!loops) return fail_bitmap(path, where, loops.error());
+  for (const auto& loop : *loops) spend(outlines_, loop.size(), where);
+  if (state_.over) return nullptr;
   if (loops->empty())
     state_.warnings.add(Warning::kShape, where,
                         "bitmap " + in_quotes(path) + " has no dark pixel, so it is no body");
   return &bitmaps_.emplace(std::move(path), std::move(*loops)).first->second;
 }
 
+const WorldLoader::Loops* WorldLoader::fail_bitmap(const std::string& path, SourceLine where,
+                                                   const Error& why) {
+  state_.fail(where, "bitmap " + in_quotes(path) + " " + why.text);
+  return &bitmaps_.emplace(path, Loops{}).first->second;  // it is not read again for the next model
+}
+
 void WorldLoader::spend(Budget& budget, std::size_t amount, SourceLine where) {
   if (amount > budget.left) {
-    state_.fail(where,
-                "the world holds more than " + std::to_string(budget.limit) + " " + std::string(budget.what));
+    state_.end(document_.error(
+        where, "the world holds more than " + std::to_string(budget.limit) + " " + std::string(budget.what)));
     return;
   }
   budget.left -= amount;
@@ -321,16 +339,19 @@ void WorldLoader::spend(Budget& budget, std::size_t amount, SourceLine where) {
 }  // namespace
 
 Result<SceneDesc> load_world_text(std::string text, const std::string& path, FileReader& files,
-                                  const WorldLimits& limits) {
+                                  const WorldLimits& limits, std::vector<Error>* others) {
   const Result<Document> document = parse_document(Format::kWorld, path, std::move(text), files);
   if (!document) return document.error();
-  return WorldLoader(*document, files, limits).load();
+  WorldLoader loader(*document, files, limits);
+  Result<SceneDesc> scene = loader.load();
+  if (others) *others = loader.take_others();
+  return scene;
 }
 
-Result<SceneDesc> load_world(const std::string& path) {
+Result<SceneDesc> load_world(const std::string& path, NamedBy by, std::vector<Error>* others) {
   DiskFiles files;
-  Result<std::string> text = files.read(path);
-  if (text) return load_world_text(std::move(*text), path, files);
+  Result<std::string> text = DiskFiles(by).read(path);
+  if (text) return load_world_text(std::move(*text), path, files, {}, others);
   const char* folders = std::getenv("STAGEPATH");
   std::string_view rest = folders ? folders : "";
   while (!rest.empty()) {
@@ -338,9 +359,9 @@ Result<SceneDesc> load_world(const std::string& path) {
     const std::string found = std::string(rest.substr(0, end)) + "/" + path.substr(folder_of(path).size());
     rest.remove_prefix(std::min(end + 1, rest.size()));
     if (Result<std::string> elsewhere = files.read(found))
-      return load_world_text(std::move(*elsewhere), found, files);
+      return load_world_text(std::move(*elsewhere), found, files, {}, others);
   }
-  return Error{path, text.error().text + (folders ? ", also not in STAGEPATH" : "")};
+  return Error{escaped(path), text.error().text + (folders ? ", also not in STAGEPATH" : "")};
 }
 
 }  // namespace playhouse::scene

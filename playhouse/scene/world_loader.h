@@ -3,6 +3,7 @@
 /// Stage world files (.world, .inc) -> SceneDesc. The format is described in docs/worldfile.md.
 
 #include <string>
+#include <vector>
 
 #include "playhouse/base/limits.h"
 #include "playhouse/base/result.h"
@@ -13,14 +14,16 @@ namespace playhouse::scene {
 
 /// Loads a world file. When `path` cannot be opened, its base name is looked for in the folders of the
 /// environment variable STAGEPATH. Fails with one error, "file:line: what (did you mean "x"?)"; lesser faults
-/// are warnings.
-Result<SceneDesc> load_world(const std::string& path);
+/// are warnings. `others`, if given, gets the errors after the first, up to limits::kWarningsOfAKind in all.
+Result<SceneDesc> load_world(const std::string& path, NamedBy by = NamedBy::kPerson,
+                             std::vector<Error>* others = nullptr);
 
 /// How much a world may hold; smaller in fuzzers than limits.h allows.
 struct WorldLimits {
   std::size_t models = limits::kEntities;
   std::size_t fields = limits::kExpandedFields;
   std::size_t pixels = limits::kBitmapPixels;
+  std::size_t bitmap_bytes = limits::kBitmapBytes;
   std::size_t corners = limits::kCorners;
   std::size_t beams = limits::kBeams;
   std::size_t sensors = limits::kSensors;
@@ -29,6 +32,6 @@ struct WorldLimits {
 
 /// The same for a text that was read from `path`; included files and bitmaps come from `files`.
 Result<SceneDesc> load_world_text(std::string text, const std::string& path, FileReader& files,
-                                  const WorldLimits& limits = {});
+                                  const WorldLimits& limits = {}, std::vector<Error>* others = nullptr);
 
 }  // namespace playhouse::scene

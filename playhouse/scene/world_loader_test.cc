@@ -400,7 +400,7 @@ TEST(WorldBodies, a_default_body_is_a_box_of_the_size) {
   EXPECT_TRUE(model_of("fiducial( )").blocks.empty());
 }
 
-TEST(WorldBodies, all_blocks_together_are_stretched_to_the_size_and_stand_on_the_floor) {
+TEST(WorldBodies, all_blocks_together_are_stretched_to_the_size) {
   const ModelDesc model = model_of(
       "model( size [2 4 6]\n block( points 4 point[0] [10 10] point[1] [10 20] point[2] [20 20] point[3] [20 "
       "10] z [1 2] )\n"
@@ -408,9 +408,29 @@ TEST(WorldBodies, all_blocks_together_are_stretched_to_the_size_and_stand_on_the
   ASSERT_EQ(model.blocks.size(), 2u);
   EXPECT_EQ(extent(model.blocks[0].points), (std::array<double, 4>{-1, 0, -2, -1}));
   EXPECT_EQ(extent(model.blocks[1].points), (std::array<double, 4>{0, 1, -1, 2}));
-  EXPECT_EQ(model.blocks[0].z_min, 0);
-  EXPECT_EQ(model.blocks[0].z_max, 2);
+  EXPECT_EQ(model.blocks[0].z_min, 1.5);
+  EXPECT_EQ(model.blocks[0].z_max, 3);
+  EXPECT_EQ(model.blocks[1].z_min, 3);
   EXPECT_EQ(model.blocks[1].z_max, 6);
+}
+
+TEST(WorldBodies, a_block_that_floats_stays_above_the_floor) {
+  const auto heights = [](const std::string& size, const std::string& blocks) {
+    std::vector<double> heights;
+    for (const Block& block : model_of("model( size " + size + blocks + " )").blocks) {
+      heights.push_back(block.z_min);
+      heights.push_back(block.z_max);
+    }
+    return heights;
+  };
+  const auto block = [](const std::string& z) {
+    return std::string(" block( ") + kTriangle + "z " + z + " )";
+  };
+  EXPECT_THAT(heights("[1 2 1]", block("[0.5 1]")), ElementsAre(0.5, 1));
+  EXPECT_THAT(heights("[1 2 3]", block("[0.5 1]")), ElementsAre(1.5, 3));
+  EXPECT_THAT(heights("[1 2 2]", block("[2 3]") + block("[3 4]")), ElementsAre(1, 1.5, 1.5, 2));
+  EXPECT_THAT(heights("[1 2 1]", block("[0 0.5]") + block("[1 2]")), ElementsAre(0, 0.25, 0.5, 1));
+  EXPECT_THAT(heights("[1 2 1]", block("[-0.5 0.5]")), ElementsAre(-0.5, 0.5)) << "0 is the floor";
 }
 
 TEST(WorldBodies, polygons_are_turned_counter_clockwise) {
@@ -418,12 +438,37 @@ TEST(WorldBodies, polygons_are_turned_counter_clockwise) {
   EXPECT_GT(signed_area(model.blocks.at(0).points), 0);
 }
 
-TEST(WorldBodies, a_block_without_z_is_as_high_as_the_model) {
-  const ModelDesc model = model_of(std::string("model( size [1 1 3] block( ") + kTriangle + ") block( " +
-                                   kTriangle + " z [0.5 1] ) )");
-  EXPECT_EQ(model.blocks.at(0).z_min, 0);
-  EXPECT_EQ(model.blocks.at(0).z_max, 3);
-  EXPECT_EQ(model.blocks.at(1).z_min, 0);
+TEST(WorldBodies, a_block_without_height_is_as_high_as_the_model_with_a_warning) {
+  const SceneDesc scene = loaded(std::string("model( size [1 1 3]\nblock( ") + kTriangle + ")\nblock( " +
+                                 kTriangle + "z [1 1] )\nblock( " + kTriangle + "z [0.5 1] ) )");
+  const ModelDesc& model = scene.models[0];
+  for (const int k : {0, 1}) {
+    EXPECT_EQ(model.blocks.at(k).z_min, 0);
+    EXPECT_EQ(model.blocks.at(k).z_max, 3);
+  }
+  EXPECT_EQ(model.blocks.at(2).z_min, 1.5);
+  EXPECT_EQ(model.blocks.at(2).z_max, 3);
+  EXPECT_THAT(scene.warnings,
+              ElementsAre("w/t.world:2: the block has no \"z\"; it is as high as the model",
+                          "w/t.world:3: the block has no height; it is as high as the model"));
+}
+
+TEST(WorldBodies, a_size_without_extent_is_a_thin_wall_or_no_body_with_a_warning) {
+  const SceneDesc wall = loaded("model( size [0 2 1] )");
+  EXPECT_EQ(extent(wall.models[0].blocks.at(0).points), (std::array<double, 4>{-0.005, 0.005, -1, 1}));
+  EXPECT_EQ(wall.models[0].blocks[0].z_max, 1);
+  EXPECT_THAT(wall.warnings,
+              ElementsAre("w/t.world:1: \"size\" has no extent in x; the body is 0.01 m thick there"));
+  const SceneDesc shaped = loaded(std::string("model( size [2 0 1] block( ") + kTriangle + "z [0 1] ) )");
+  EXPECT_EQ(extent(shaped.models[0].blocks.at(0).points), (std::array<double, 4>{-1, 1, -0.005, 0.005}));
+  EXPECT_THAT(shaped.warnings, ElementsAre(HasSubstr("no extent in y; the body is 0.01 m thick")));
+  const SceneDesc dot = loaded("model( size [0 0 1] boundary 1 )");
+  EXPECT_TRUE(dot.models[0].blocks.empty());
+  EXPECT_THAT(dot.warnings, ElementsAre(HasSubstr("no extent in x and y, so the model has no body")));
+  const SceneDesc flat = loaded("model( size [2 2 0] )");
+  EXPECT_EQ(flat.models[0].blocks.at(0).z_max, 0);
+  EXPECT_THAT(flat.warnings, ElementsAre(HasSubstr("no extent in z, so the body collides with nothing")));
+  EXPECT_TRUE(loaded("model( size [0 0 0] noblocks 1 ) ranger( size [0 0 0] )").warnings.empty());
 }
 
 TEST(WorldBodies, a_boundary_is_four_walls_inside_the_size_that_blocks_do_not_remove) {
@@ -469,7 +514,7 @@ TEST(WorldBodies, wrong_shapes_are_errors_with_the_place) {
 
 TEST(WorldBodies, a_missing_point_is_the_origin_with_one_warning) {
   const std::string block =
-      "define m model( size [1 1 1]\nblock( points 4 point[1] [1 0] point[2] [1 1] ) )\n";
+      "define m model( size [1 1 1]\nblock( points 4 point[1] [1 0] point[2] [1 1] z [0 1] ) )\n";
   const SceneDesc scene = loaded(block + "m( ) m( )");
   EXPECT_THAT(scene.models[1].blocks.at(0).points, ElementsAre(geom::Vec2{-0.5, -0.5}, geom::Vec2{0.5, -0.5},
                                                                geom::Vec2{0.5, 0.5}, geom::Vec2{-0.5, -0.5}));
@@ -478,23 +523,48 @@ TEST(WorldBodies, a_missing_point_is_the_origin_with_one_warning) {
                           "is missing is [0 0]"));
 }
 
-TEST(WorldBodies, a_block_that_is_a_line_is_a_thin_wall_with_a_warning) {
+TEST(WorldBodies, a_block_that_is_a_line_is_a_thin_wall_at_the_edge_with_a_warning) {
+  const auto near = [](double x_min, double x_max, double y_min, double y_max) {
+    using testing::DoubleNear;
+    return ElementsAre(DoubleNear(x_min, 1e-12), DoubleNear(x_max, 1e-12), DoubleNear(y_min, 1e-12),
+                       DoubleNear(y_max, 1e-12));
+  };
   const SceneDesc two =
       loaded("model( size [4 2 1] block( points 2 point[0] [3 5] point[1] [1 5] z [0 1] ) )");
-  EXPECT_EQ(extent(two.models[0].blocks.at(0).points), (std::array<double, 4>{-2, 2, -0.005, 0.005}));
+  EXPECT_THAT(extent(two.models[0].blocks.at(0).points), near(-2, 2, -1.005, -0.995));
   EXPECT_GT(signed_area(two.models[0].blocks[0].points), 0);
   EXPECT_THAT(two.warnings, ElementsAre("w/t.world:1: the block is a line; it is a wall 0.01 m thick"));
   const SceneDesc three =
       loaded("model( size [4 2 1] block( points 3 point[0] [7 0] point[1] [7 1] point[2] [7 2] ) )");
-  EXPECT_EQ(extent(three.models[0].blocks.at(0).points), (std::array<double, 4>{-0.005, 0.005, -1, 1}));
+  EXPECT_THAT(extent(three.models[0].blocks.at(0).points), near(-2.005, -1.995, -1, 1));
   const SceneDesc slanted =
       loaded(std::string("model( size [1 1 1] block( points 2 point[0] [0 0] point[1] [1 1] ) block( ") +
              kTriangle + ") )");
   EXPECT_EQ(slanted.models[0].blocks.at(0).points.size(), 4u);
   EXPECT_EQ(slanted.models[0].blocks.at(1).points.size(), 3u);
-  const SceneDesc dot = loaded("model( block( points 2 ) )");
+  const SceneDesc dot = loaded("model( block( points 2 z [0 1] ) )");
   EXPECT_TRUE(dot.models[0].blocks.empty());
   EXPECT_THAT(dot.warnings, ElementsAre(HasSubstr("\"point[0]\" is missing"), HasSubstr("no body")));
+}
+
+TEST(WorldBodies, all_bitmaps_together_have_a_limit_of_pixels_bytes_and_corners) {
+  const Files files{{"w/a", "P1 3 3 101010101"}, {"w/b", "P1 3 3 101010101"}};
+  const auto fault = [&files](const std::string& world, const WorldLimits& limits) {
+    const Result<SceneDesc> scene = load(world, files, limits);
+    return scene ? "no error" : scene.error().line();
+  };
+  const std::string two = "model( bitmap \"a\" )\nmodel( bitmap \"b\" )";
+  EXPECT_EQ(fault(two, {.pixels = 18}), "no error");
+  EXPECT_EQ(fault(two, {.pixels = 17}), "w/t.world:2: the world holds more than 17 pixels of bitmaps");
+  EXPECT_EQ(fault(two, {.bitmap_bytes = 32}), "no error");
+  EXPECT_EQ(fault(two, {.bitmap_bytes = 31}),
+            "w/t.world:2: the world holds more than 31 bytes of bitmap files");
+  const std::string same = "model( bitmap \"a\" )\nmodel( bitmap \"a\" )";
+  EXPECT_EQ(fault(same, {.pixels = 9, .bitmap_bytes = 16}), "no error") << "one file is read once";
+  // Without a body nobody spends corners, yet the outlines are kept.
+  const std::string flat = "model( bitmap \"a\" size [0 0 0] )\nmodel( bitmap \"b\" size [0 0 0] )";
+  EXPECT_EQ(fault(flat, {.corners = 40}), "no error");
+  EXPECT_EQ(fault(flat, {.corners = 39}), "w/t.world:2: the world holds more than 39 corners of bitmaps");
 }
 
 TEST(WorldBodies, a_bitmap_without_dark_pixels_is_no_body_and_a_warning) {
@@ -723,6 +793,84 @@ TEST(WorldFiles, a_world_is_found_in_stagepath_by_its_base_name) {
             "nowhere/missing.world: cannot be opened: no such file, also not in STAGEPATH");
   EXPECT_EQ(load_world(folder.string()).error().line(),
             folder.string() + ": cannot be opened: neither a regular file nor a pipe");
+}
+
+TEST(WorldFiles, an_include_is_looked_for_beside_the_files_and_then_in_the_search_path) {
+  MemoryFiles files({{"w/in.inc", "include \"near.inc\"\ninclude \"far.inc\""},
+                     {"w/near.inc", "model( name \"beside\" )"},
+                     {"lib/near.inc", "model( name \"hidden\" )"},
+                     {"lib/far.inc", "include \"further.inc\"\nmodel( name \"far\" bitmap \"b\" )"},
+                     {"lib/further.inc", "model( name \"further\" )"},
+                     {"lib/b", "P1 1 1 1"}},
+                    {"none/", "lib/"});
+  const auto scene = load_world_text("include \"in.inc\"", "w/t.world", files);
+  ASSERT_TRUE(scene.ok()) << scene.error().line();
+  EXPECT_THAT(names_of(*scene), ElementsAre("beside", "further", "far"));
+  EXPECT_EQ(load_world_text("include \"gone.inc\"", "w/t.world", files).error().line(),
+            "w/t.world:1: included file \"w/gone.inc\" cannot be opened: no such file");
+}
+
+TEST(WorldFiles, what_comes_with_the_program_is_included_from_any_folder) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "scene_search";
+  std::filesystem::create_directories(folder / "own");
+  std::ofstream(folder / "own" / "thing.inc") << "define thing model( )";
+  const std::string world = (folder / "t.world").string();
+  std::ofstream(world) << "include \"thing.inc\"\nthing( )";
+  EXPECT_FALSE(load_world(world));
+  setenv("PLAYHOUSE_PATH", (folder / "own").c_str(), 1);
+  EXPECT_TRUE(load_world(world));
+  unsetenv("PLAYHOUSE_PATH");
+  std::ofstream(world) << "include \"pioneer.inc\"\npioneer2dx( )";
+  const auto scene = load_world(world);
+  EXPECT_TRUE(scene.ok()) << scene.error().line();
+}
+
+TEST(WorldErrors, of_a_file_are_told_all_once_and_within_a_limit) {
+  const auto errors = [](const std::string& text, Files others = {}) {
+    MemoryFiles files(std::move(others));
+    std::vector<Error> next;
+    const Result<SceneDesc> scene = load_world_text(text, "w/t.world", files, {}, &next);
+    std::vector<std::string> lines;
+    if (scene) return lines;
+    lines.push_back(scene.error().line());
+    for (const Error& error : next) lines.push_back(error.line());
+    return lines;
+  };
+  EXPECT_THAT(errors("define m model( size [1 \"x\" 1] )\n"
+                     "m( )\nm( )\n"
+                     "modle( )\n"
+                     "position( drive \"dif\"\n pose [0 0] )\n"
+                     "model( bitmap \"gone\" )\nmodel( bitmap \"gone\" )"),
+              ElementsAre(HasSubstr("w/t.world:1: \"size\""), HasSubstr("w/t.world:4: unknown"),
+                          HasSubstr("w/t.world:6: \"pose\""), HasSubstr("w/t.world:5: \"drive\""),
+                          HasSubstr("w/t.world:7: bitmap \"w/gone\" cannot")));
+  EXPECT_EQ(errors(repeated("modle( )\n", 100)).size(), limits::kWarningsOfAKind);
+}
+
+TEST(WorldWarnings, more_values_than_a_property_takes_are_told) {
+  EXPECT_THAT(loaded("model( pose [0 0 0 90 6]\n size [1 1 1] )").warnings,
+              ElementsAre("w/t.world:1: \"pose\" takes 4 values, found 5; the others have no effect"));
+}
+
+TEST(WorldFiles, what_a_file_names_is_a_regular_file) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "scene_special";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder / "folder");
+  const std::string pipe = (folder / "pipe").string();  // nobody writes: who opens it waits for ever
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const std::string world = (folder / "t.world").string();
+  const auto fault = [&](const std::string& text) {
+    std::ofstream(world) << text;
+    const auto scene = load_world(world);
+    return scene ? "no error" : scene.error().line();
+  };
+  const std::string why = " cannot be opened: not a regular file";
+  EXPECT_EQ(fault("model( bitmap \"pipe\" )"), world + ":1: bitmap \"" + pipe + "\"" + why);
+  EXPECT_EQ(fault("model( bitmap \"folder\" )"),
+            world + ":1: bitmap \"" + (folder / "folder").string() + "\"" + why);
+  EXPECT_EQ(fault("model( bitmap \"/dev/zero\" )"), world + ":1: bitmap \"/dev/zero\"" + why);
+  EXPECT_EQ(fault("include \"pipe\""), world + ":1: included file \"" + pipe + "\"" + why);
+  EXPECT_EQ(load_world(pipe, NamedBy::kFile).error().line(), pipe + ":" + why);
 }
 
 TEST(WorldFiles, a_pipe_is_read_to_its_end_and_a_file_that_fails_midway_is_an_error) {

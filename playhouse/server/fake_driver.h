@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "playhouse/device/driver.h"
-#include "playhouse/device/properties.h"
 
 namespace playhouse::server {
 
@@ -24,48 +23,41 @@ class FakeDriver final : public device::Driver {
   /// A NACK carries the body of the request, as the original's "dummy" driver does.
   std::optional<std::uint8_t> ignored_command;
   bool bounces = false, fails_to_start = false, holds_requests = false, capable_of_all = false,
-       keeps_receipts = false;
-  device::PropertyBag properties;
+       holds_barriers = false;
 
   int starts = 0, stops = 0;
   std::vector<std::pair<std::uint8_t, std::vector<std::byte>>> commands;  // subtype, body
   int requests = 0;
   std::vector<device::Replier> held;
-  std::vector<device::Receipt> receipts;
+  std::vector<device::Replier> barriers;  // held
   std::function<void()> on_request = [] {};
 
   std::string_view name() const override { return name_; }
-  Result<void> start(device::DeviceId, device::Receipt receipt) override {
+  Result<void> start(device::DeviceId) override {
     if (fails_to_start) return Error{"/dev/none", "no such device"};
     ++starts;
-    keep(std::move(receipt));
     return {};
   }
-  void stop(device::DeviceId, device::Receipt receipt) override {
-    ++stops;
-    keep(std::move(receipt));
-  }
-  bool command(const device::Message& message) override {
-    if (ignored_command == message.subtype) return false;
+  void stop(device::DeviceId) override { ++stops; }
+  device::Taken command(const device::Message& message) override {
+    if (ignored_command == message.subtype) return device::Taken::kNo;
     commands.emplace_back(message.subtype, std::vector(message.body.begin(), message.body.end()));
-    return true;
+    return device::Taken::kLatest;
   }
   void request(const device::Message& message, device::Replier replier) override {
     ++requests;
     on_request();
     if (holds_requests) return held.push_back(std::move(replier));
     if (bounces) return replier.nack({message.body.begin(), message.body.end()});
-    if (device::PropertyBag::is_property_request(message))
-      return properties.request(message, std::move(replier));
     if (const auto found = answers.find(message.subtype); found != answers.end()) replier.ack(found->second);
   }
   bool capable(device::DeviceId, std::uint8_t, std::uint8_t) const override { return capable_of_all; }
-
- private:
-  void keep(device::Receipt receipt) {
-    if (keeps_receipts) receipts.push_back(std::move(receipt));
+  void barrier(device::Replier replier) override {
+    if (holds_barriers) return barriers.push_back(std::move(replier));
+    replier.ack();
   }
 
+ private:
   std::string name_;
 };
 

@@ -48,7 +48,7 @@ void Fanout::publish(const device::Publication& publication, device::Address add
   header.type = wire::MessageType::kData;
   header.subtype = publication.subtype;
   header.timestamp = timestamp;
-  const Frame frame = make_frame(header, publication.body);
+  const Frame frame = counted(make_frame(header, publication.body), frame_bytes_);
   ++encoded_;
   for (Reader* reader : to.readers) reader->deliver(frame);
 }

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "playhouse/device/address.h"
@@ -22,6 +23,9 @@ class Reader {
 
 class Fanout {
  public:
+  /// What it encodes counts in `frame_bytes`.
+  explicit Fanout(FrameBytes frame_bytes) : frame_bytes_(std::move(frame_bytes)) {}
+
   /// A reader joins a device once; joining again and leaving what was not joined do nothing.
   void join(device::DeviceId device, Reader& reader);
   void leave(device::DeviceId device, Reader& reader);
@@ -42,6 +46,7 @@ class Fanout {
   Channel& channel(device::DeviceId device);
   double next_timestamp(Channel& channel, const device::Publication& publication, double now);
 
+  const FrameBytes frame_bytes_;
   std::vector<Channel> channels_;  // by device row
   std::uint64_t encoded_ = 0;
   bool logged_too_long_ = false;

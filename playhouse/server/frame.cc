@@ -2,12 +2,22 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "playhouse/base/assert.h"
 #include "playhouse/base/limits.h"
 
 namespace playhouse::server {
+
+Frame counted(Frame frame, const FrameBytes& total) {
+  constexpr std::size_t kEach = 128;  // of the frame itself and its place in a queue
+  const std::size_t bytes = frame.bytes->size() + kEach;
+  *total += bytes;
+  const auto* raw = frame.bytes.get();
+  frame.bytes = {raw, [original = std::move(frame.bytes), total, bytes](const auto*) { *total -= bytes; }};
+  return frame;
+}
 
 Frame make_frame(wire::Header header, std::span<const std::byte> body) {
   PLAYHOUSE_ASSERT(body.size() <= limits::kBodyBytes);

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 
 #include "playhouse/net/network.h"
@@ -26,6 +27,14 @@ struct Frame {
            std::uint64_t{static_cast<std::uint8_t>(type)} << 8 | subtype;
   }
 };
+
+/// Bytes of all frames of a server that somebody still keeps: a queue, or a connection that has not handed
+/// them to the system. A frame that many keep counts once. Owners: the server and each of its frames, which
+/// may outlive it.
+using FrameBytes = std::shared_ptr<std::size_t>;
+
+/// The frame, counted in `total` for as long as it lives.
+Frame counted(Frame frame, const FrameBytes& total);
 
 /// `header.size` is set from the body, which is at most limits::kBodyBytes (asserted).
 Frame make_frame(wire::Header header, std::span<const std::byte> body);

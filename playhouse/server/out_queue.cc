@@ -21,22 +21,46 @@ void OutQueue::add(Frame frame) {
 }
 
 void OutQueue::add_data(Frame frame, QueueAction action) {
-  const std::size_t size = frame.bytes->size();
-  const std::uint64_t kind = frame.kind();
-  bool counted = true;  // against the limit of messages
-  if (action == QueueAction::kReplace) {
-    counted = false;
-    if (const auto old = newest_.find(kind); old != newest_.end()) remove_data(old->second);
+  const std::uint64_t code = frame.kind();
+  Kind& kind = kinds_[code];
+  if (action == QueueAction::kReplace && kind.waiting > 0) remove_data(kind.newest);
+  data_bytes_ += frame.bytes->size();
+  data_.push_back({{next_number_++, std::move(frame)}, data_.end(), data_.end()});
+  const Place place = std::prev(data_.end());
+  if (kind.waiting > 0) {
+    place->older = kind.newest;
+    kind.newest->newer = place;
+  } else {
+    kind.oldest = place;
   }
-  while (!data_.empty() && ((counted && data_.size() >= limits::kSessionQueueMessages) ||
-                            data_bytes_ + size > limits::kSessionQueueBytes)) {
-    remove_data(data_.begin());
-    ++dropped_;
-    ++unreported_drops_;
-  }
-  data_bytes_ += size;
-  data_.push_back({next_number_++, std::move(frame)});
-  newest_[kind] = std::prev(data_.end());
+  kind.newest = place;
+  count(code, kind.waiting + 1, kind.lost);
+  while (over_limits()) drop_one();
+}
+
+void OutQueue::count(std::uint64_t code, std::size_t waiting, std::uint64_t lost) {
+  Kind& kind = kinds_.at(code);
+  if (kind.waiting > 0) shares_.erase({kind.waiting, kind.lost, code});
+  kind.waiting = waiting;
+  kind.lost = lost;
+  if (kind.waiting > 0) shares_.insert({kind.waiting, kind.lost, code});
+}
+
+// The newest of each kind always has room among the messages, though not among the bytes.
+bool OutQueue::over_limits() const {
+  if (data_.empty()) return false;
+  return data_bytes_ > limits::kSessionQueueBytes ||
+         (data_.size() > limits::kSessionQueueMessages && shares_.begin()->waiting > 1);
+}
+
+// The kind with the most messages loses one; of several, that which has lost the fewest so far.
+void OutQueue::drop_one() {
+  const std::uint64_t code = shares_.begin()->kind;
+  const Kind& kind = kinds_.at(code);
+  remove_data(kind.oldest);
+  count(code, kind.waiting, kind.lost + 1);
+  ++dropped_;
+  ++unreported_drops_;
 }
 
 void OutQueue::add_answer(Frame frame, QueueAction action) {
@@ -60,19 +84,34 @@ void OutQueue::request_data(Frame answer) {
 }
 
 void OutQueue::forget(std::uint16_t interf, std::uint16_t index) {
-  for (Place place = data_.begin(); place != data_.end();) {
-    const Place next = std::next(place);
-    if (place->frame.interf == interf && place->frame.index == index) remove_data(place);
-    place = next;
+  const std::uint64_t first = Frame{.interf = interf, .index = index, .type = wire::MessageType{0}}.kind();
+  const std::uint64_t last = first | 0xFFFF;  // of every type and subtype
+  for (auto next = kinds_.lower_bound(first); next != kinds_.end() && next->first <= last;) {
+    while (next->second.waiting > 0) remove_data(next->second.oldest);
+    next = kinds_.erase(next);
   }
 }
 
+void OutQueue::drop_data() {
+  while (!data_.empty()) drop_one();
+}
+
+void OutQueue::clear() {
+  data_.clear();
+  kinds_.clear();
+  shares_.clear();
+  answers_.clear();
+  data_bytes_ = answer_bytes_ = 0;
+  data_requested_ = data_delivered_ = false;
+}
+
 void OutQueue::remove_data(Place place) {
+  const std::uint64_t code = place->frame.kind();
+  Kind& kind = kinds_.at(code);
+  (place->older == data_.end() ? kind.oldest : place->older->newer) = place->newer;
+  (place->newer == data_.end() ? kind.newest : place->newer->older) = place->older;
+  count(code, kind.waiting - 1, kind.lost);
   data_bytes_ -= place->frame.bytes->size();
-  if (const auto newest = newest_.find(place->frame.kind());
-      newest != newest_.end() && newest->second == place) {
-    newest_.erase(newest);
-  }
   data_.erase(place);
 }
 
@@ -80,6 +119,7 @@ void OutQueue::take(std::vector<net::SharedBytes>& out, std::size_t max_bytes, d
   std::size_t size = 0;
   while (size < max_bytes) {
     Frame frame;
+    if (unasked_ && !data_.empty()) data_requested_ = true;
     if (round_is_over()) {
       frame = finish_round(now);
     } else if (may_send()) {

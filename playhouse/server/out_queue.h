@@ -2,13 +2,15 @@
 
 /// OutQueue: what one session still has to send, and the rules of the protocol for what may go out when: PUSH
 /// and PULL, replace rules, answers first, the SYNCH that ends a round (docs/server.md). Bounded: data over
-/// the limits pushes out the oldest data, and the loss is counted. No sockets, no clock; one thread.
+/// the limits pushes out old data, evenly over the kinds of it, and the loss is counted. No sockets, no
+/// clock; one thread.
 
 #include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <list>
 #include <map>
+#include <set>
 #include <vector>
 
 #include "playhouse/net/network.h"
@@ -28,28 +30,62 @@ class OutQueue {
   void add(Frame frame);
   /// The client asks for a round of data: its answer overtakes everything and ignores the rules.
   void request_data(Frame answer);
+  /// From now on rounds begin by themselves, so that everything goes out: for the end of the server.
+  void send_unasked() { unasked_ = true; }
   /// Takes out the data of one device.
   void forget(std::uint16_t interf, std::uint16_t index);
 
   /// Moves what may go out now to the end of `out`, until it holds about `max_bytes`. `now` stamps the SYNCH.
   void take(std::vector<net::SharedBytes>& out, std::size_t max_bytes, double now);
 
+  /// take() would give something.
+  bool has_output() const { return may_send() || round_is_over(); }
+  /// Drops all data, as over a limit.
+  void drop_data();
+  /// Takes out everything: nobody will read it.
+  void clear();
+
   std::size_t waiting() const { return data_.size() + answers_.size(); }
+  std::size_t data_waiting() const { return data_.size(); }
+  std::size_t bytes_waiting() const { return data_bytes_ + answer_bytes_; }
   std::size_t answers_waiting() const { return answers_.size(); }
   std::size_t answer_bytes_waiting() const { return answer_bytes_; }
-  /// Data pushed out since the start.
+  /// Data messages pushed out since the start.
   std::uint64_t dropped() const { return dropped_; }
 
  private:
   struct Entry {
-    std::uint64_t number;  // order of arrival over both lists
+    std::uint64_t number = 0;  // order of arrival over both lists
     Frame frame;
   };
-  using Place = std::list<Entry>::iterator;
+  struct Message;
+  using Place = std::list<Message>::iterator;
+  struct Message : Entry {
+    Place older, newer;  // of the same kind; data_.end(): none
+  };
+  /// What waits of one Frame::kind().
+  struct Kind {
+    Place oldest, newest;
+    std::size_t waiting = 0;
+    std::uint64_t lost = 0;
+  };
+  /// A kind's place among those that have data waiting: the first loses the next message.
+  struct Share {
+    std::size_t waiting;
+    std::uint64_t lost;
+    std::uint64_t kind;
+    bool operator<(const Share& other) const {
+      if (waiting != other.waiting) return waiting > other.waiting;
+      return lost != other.lost ? lost < other.lost : kind < other.kind;
+    }
+  };
 
   void add_data(Frame frame, QueueAction action);
   void add_answer(Frame frame, QueueAction action);
   void remove_data(Place place);
+  void count(std::uint64_t code, std::size_t waiting, std::uint64_t lost);
+  bool over_limits() const;
+  void drop_one();
   bool may_send() const;
   bool round_is_over() const;
   Frame pop();
@@ -57,9 +93,10 @@ class OutQueue {
 
   DeliveryMode mode_ = DeliveryMode::kPush;
   ReplaceRules rules_;
-  std::list<Entry> data_;
+  std::list<Message> data_;
   std::deque<Entry> answers_;
-  std::map<std::uint64_t, Place> newest_;  // of each kind in data_
+  std::map<std::uint64_t, Kind> kinds_;  // that came since their device was opened
+  std::set<Share> shares_;               // of the kinds in data_
   std::size_t data_bytes_ = 0, answer_bytes_ = 0;
   std::uint64_t next_number_ = 1;
   std::uint64_t dropped_ = 0;
@@ -67,6 +104,7 @@ class OutQueue {
 
   // A round: from the client's request to the SYNCH.
   bool data_requested_ = false, data_delivered_ = false;
+  bool unasked_ = false;
   std::uint64_t round_end_ = 0;  // data up to this number belongs to it, once data_delivered_
 };
 

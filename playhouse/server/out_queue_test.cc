@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 #include <string>
 
 #include "playhouse/base/limits.h"
@@ -139,7 +140,7 @@ TEST(OutQueue, replaces_by_rule_at_the_end_and_leaves_out_by_rule) {
   EXPECT_EQ(taken(queue), "D5.2 D4.3");
 }
 
-TEST(OutQueue, obeys_the_first_rule_that_matches) {
+TEST(OutQueue, goes_by_the_first_rule_that_matches) {
   OutQueue queue;
   ASSERT_TRUE(queue.add_rule({-1, -1, 1, -1, QueueAction::kReplace}));
   ASSERT_TRUE(queue.add_rule({6, -1, 1, -1, QueueAction::kIgnore}));
@@ -182,6 +183,100 @@ TEST(OutQueue, drops_the_oldest_data_over_the_limit_and_tells_the_true_count) {
   queue.add(data(4, 1));
   queue.request_data(ack(0));
   EXPECT_EQ(taken(queue), "A0 D4.1 S1");
+}
+
+Frame data_of(std::uint16_t index, std::uint32_t tag, std::size_t body_bytes = 0) {
+  wire::Header header;
+  header.interf = 62;
+  header.index = index;
+  header.type = wire::MessageType::kData;
+  header.subtype = 1;
+  header.seq = tag;
+  return make_frame(header, std::vector<std::byte>(body_bytes));
+}
+
+/// Takes a whole round and counts what it has of each device.
+std::uint32_t take_round(OutQueue& queue, std::vector<std::size_t>& got) {
+  queue.request_data(ack(0));
+  std::vector<net::SharedBytes> out;
+  queue.take(out, std::size_t{1} << 40, 5.0);
+  std::uint32_t lost = 0;
+  for (const net::SharedBytes& bytes : out) {
+    const wire::Header header = wire::decode_header(std::span(*bytes).first<limits::kHeaderBytes>());
+    if (header.type == wire::MessageType::kData) ++got.at(header.index);
+    if (header.type == wire::MessageType::kSynch && header.size > 0)
+      lost = wire::decode<wire::Uint32>(std::span(*bytes).subspan(limits::kHeaderBytes))->value;
+  }
+  return lost;
+}
+
+TEST(OutQueue, a_full_queue_is_shared_evenly_by_a_thousand_devices_and_every_loss_is_told) {
+  OutQueue queue;
+  queue.set_mode(DeliveryMode::kPull);
+  constexpr std::uint16_t kDevices = 1000;
+  constexpr std::size_t kRounds = 50, kTicks = 3;
+  std::vector<std::size_t> got(kDevices);
+  std::size_t lost = 0;
+  for (std::size_t round = 0; round < kRounds; ++round) {
+    for (std::uint32_t tick = 0; tick < kTicks; ++tick)
+      for (std::uint16_t device = 0; device < kDevices; ++device) queue.add(data_of(device, tick));
+    EXPECT_EQ(queue.waiting(), limits::kSessionQueueMessages);
+    lost += take_round(queue, got);
+  }
+  const auto [least, most] = std::ranges::minmax(got);
+  EXPECT_GE(least, kRounds) << "the newest of each, always";
+  EXPECT_LE(most - least, 2u);
+  EXPECT_EQ(std::accumulate(got.begin(), got.end(), lost), kRounds * kTicks * kDevices);
+}
+
+TEST(OutQueue, has_room_for_the_newest_of_each_kind_however_many_there_are) {
+  OutQueue queue;
+  constexpr auto kDevices = static_cast<std::uint16_t>(2 * limits::kSessionQueueMessages);
+  for (std::uint32_t tick = 0; tick < 3; ++tick)
+    for (std::uint16_t device = 0; device < kDevices; ++device) queue.add(data_of(device, tick));
+  EXPECT_EQ(queue.waiting(), kDevices);
+  EXPECT_EQ(queue.dropped(), 2u * kDevices);
+  EXPECT_EQ(taken(queue, 40), "D62.2");
+}
+
+TEST(OutQueue, a_device_that_sends_much_takes_nothing_from_one_that_sends_little) {
+  OutQueue queue;
+  queue.add(data_of(7, 1));
+  for (std::uint32_t i = 0; i < 2 * limits::kSessionQueueMessages; ++i) queue.add(data_of(8, i));
+  queue.add(data_of(7, 2));
+  EXPECT_EQ(taken(queue, 40), "D62.1");
+}
+
+TEST(OutQueue, the_limit_in_bytes_is_shared_evenly_too) {
+  OutQueue queue;
+  queue.set_mode(DeliveryMode::kPull);
+  constexpr std::uint16_t kDevices = 10;
+  constexpr std::size_t kRounds = 20;
+  std::vector<std::size_t> got(kDevices);
+  std::vector<Frame> frames;
+  for (std::uint16_t device = 0; device < kDevices; ++device)
+    frames.push_back(data_of(device, 0, limits::kSessionQueueBytes / 5));
+  for (std::size_t round = 0; round < kRounds; ++round) {
+    for (const Frame& frame : frames) queue.add(frame);
+    take_round(queue, got);
+  }
+  const auto [least, most] = std::ranges::minmax(got);
+  EXPECT_EQ(std::accumulate(got.begin(), got.end(), std::size_t{0}), 4 * kRounds);
+  EXPECT_LE(most - least, 1u);
+}
+
+TEST(OutQueue, sends_everything_unasked_at_the_end_round_by_round) {
+  OutQueue queue;
+  queue.set_mode(DeliveryMode::kPull);
+  for (std::uint32_t i = 0; i < limits::kSessionQueueMessages + 2; ++i) queue.add(data(4, i));
+  queue.request_data(ack(0));
+  EXPECT_EQ(taken(queue, 80), "A0 D4.2");
+  queue.add(data(4, 9999));
+  queue.send_unasked();
+  const std::string rest = taken(queue);
+  EXPECT_TRUE(rest.starts_with("D4.3 D4.4 ")) << rest.substr(0, 40);
+  EXPECT_TRUE(rest.ends_with(" D4.1025 S2 D4.9999 S1")) << rest.substr(rest.size() - 40);
+  EXPECT_EQ(taken(queue), "");
 }
 
 TEST(OutQueue, is_bounded_in_bytes_too) {

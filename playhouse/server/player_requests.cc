@@ -1,5 +1,7 @@
 // Requests to the server itself: the meta device player:0.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <span>
 
@@ -43,7 +45,8 @@ void Session::player_message(const wire::Header& header, Body body) {
     case player::kReqDev:
       return open_or_close(header, body);
     case player::kReqData:
-      return queue_.request_data(make_reply(header, true, {}));
+      queue_.request_data(make_reply(header, true, {}));
+      return mark_due();
     case player::kReqDatamode:
       return set_data_mode(header, body);
     case player::kReqAddReplaceRule:
@@ -54,20 +57,28 @@ void Session::player_message(const wire::Header& header, Body body) {
 }
 
 void Session::list_devices(const wire::Header& header) {
-  player::DeviceDevlist list;
-  const std::span<const device::DeviceId> devices = board_.devices.devices_of(robot_);
-  for (const device::DeviceId id : devices.first(std::min(devices.size(), limits::kDevices))) {
-    const device::Address address = board_.devices[id].address;
-    list.devices.push_back({wire::kLocalhost, robot_, address.interf, address.index});
+  const auto [known, first] = board_.device_lists.try_emplace(robot_);
+  if (first) {
+    player::DeviceDevlist list;
+    const std::span<const device::DeviceId> devices = board_.devices.devices_of(robot_);
+    for (const device::DeviceId id : devices.first(std::min(devices.size(), limits::kDevices))) {
+      const device::Address address = board_.devices[id].address;
+      list.devices.push_back({wire::kLocalhost, robot_, address.interf, address.index});
+    }
+    known->second = wire::encode(list);
   }
-  reply(header, true, wire::encode(list));
+  reply(header, true, known->second);
 }
 
 void Session::tell_driver(const wire::Header& header, Body body) {
   const auto asked = wire::decode<player::DeviceDriverinfo>(body);
   if (!asked) return refuse(header, Fault::kUndecodable, asked.error().text);
-  const device::DeviceId device = board_.devices.find({robot_, asked->addr.interf, asked->addr.index});
-  if (!device.valid()) return refuse(header, Fault::kUnknownDevice, "no such device");
+  const device::Address address{robot_, asked->addr.interf, asked->addr.index};
+  const device::DeviceId device = board_.devices.find(address);
+  if (!device.valid()) {
+    return refuse(header, Fault::kUnknownDevice,
+                  device::describe(address) + ": " + board_.devices.why_missing(address));
+  }
   player::DeviceDriverinfo answer;
   answer.addr = {wire::kLocalhost, robot_, asked->addr.interf, asked->addr.index};
   answer.driver_name = wire::c_string(board_.devices[device].driver->name());
@@ -81,23 +92,25 @@ void Session::open_or_close(const wire::Header& header, Body body) {
   player::DeviceReq answer;
   answer.addr = {wire::kLocalhost, robot_, asked->addr.interf, asked->addr.index};
   answer.access = player::kErrorMode;
-  const device::DeviceId device = board_.devices.find({robot_, asked->addr.interf, asked->addr.index});
+  const device::Address address{robot_, asked->addr.interf, asked->addr.index};
+  const device::DeviceId device = board_.devices.find(address);
   if (!device.valid()) {
     ++board_.counters.requests_refused;
-    log_once(Fault::kUnknownDevice, header, "no such device; answered NACK");
+    log_once(Fault::kUnknownDevice, "open of " + device::describe(address),
+             board_.devices.why_missing(address) + "; answered NACK");
     return reply(header, false, wire::encode(answer));
   }
   answer.driver_name = wire::c_string(board_.devices[device].driver->name());
   switch (asked->access) {
     case player::kOpenMode:
     case kAllLetter:
-      answer.access = open(device, Access::kAll, asked->access, header);
+      answer.access = open(device, Access::kAll, asked->access);
       break;
     case kReadLetter:
-      answer.access = open(device, Access::kRead, asked->access, header);
+      answer.access = open(device, Access::kRead, asked->access);
       break;
     case kWriteLetter:
-      answer.access = open(device, Access::kWrite, asked->access, header);
+      answer.access = open(device, Access::kWrite, asked->access);
       break;
     case player::kCloseMode:
     case kCloseLetter:
@@ -110,24 +123,26 @@ void Session::open_or_close(const wire::Header& header, Body body) {
 }
 
 // Returns the access code of the answer: the one asked for, or that of an error.
-std::uint8_t Session::open(device::DeviceId device, Access access, std::uint8_t code,
-                           const wire::Header& header) {
+std::uint8_t Session::open(device::DeviceId device, Access access, std::uint8_t code) {
+  const device::Address address = board_.devices[device].address;
   auto found = open_.find(device);
   if (found == open_.end()) {
     if (open_.size() >= limits::kSubscriptions) {
-      log_once(Fault::kLimit, header, "too many devices open");
+      log_once(Fault::kLimit, "open of " + device::describe(address),
+               fmt::format("{} devices are open, the limit", open_.size()));
       return player::kErrorMode;
     }
-    if (const Result<void> started = board_.devices.open(device, make_receipt()); !started) {
-      log_once(Fault::kStart, header, "the device cannot start: " + started.error().line());
+    if (const Result<void> started = board_.devices.open(device); !started) {
+      log_once(Fault::kStart, "open of " + device::describe(address),
+               "the device cannot start: " + started.error().line());
       return player::kErrorMode;
     }
+    if (board_.devices[device].users == 1) take_credit(device);
     found = open_.try_emplace(device).first;
   }
   found->second.access = access;
   ++found->second.opens;
   if (access == Access::kWrite) {
-    const device::Address address = board_.devices[device].address;
     board_.fanout.leave(device, *this);
     queue_.forget(address.interf, address.index);
   } else {
@@ -145,7 +160,8 @@ bool Session::close(device::DeviceId device) {
   open_.erase(found);
   board_.fanout.leave(device, *this);
   queue_.forget(address.interf, address.index);
-  board_.devices.close(device, make_receipt());
+  board_.devices.close(device);
+  if (board_.devices[device].users == 0) take_credit(device);
   return true;
 }
 

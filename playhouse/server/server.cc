@@ -10,6 +10,7 @@
 #include "playhouse/base/assert.h"
 #include "playhouse/base/limits.h"
 #include "playhouse/base/log.h"
+#include "playhouse/net/fair_share.h"
 #include "playhouse/server/outbox.h"
 #include "playhouse/server/session.h"
 
@@ -18,10 +19,16 @@ namespace {
 
 constexpr std::size_t kWriteBytes = 256u
                                     << 10;  // of one gathered write; the rest stays where it can be replaced
-constexpr double kLastAnswers = 5;          // s; a client that said goodbye waits so long for them
+constexpr double kLastRounds = 1;   // s; after the run, clients may ask so long for the rest of its data
+constexpr double kLastWrites = 1;   // s; and then, what nobody asked for may take so long to go out
+constexpr double kLastAnswers = 5;  // s; a client that will send no more waits so long for the next
 
 double wall_clock() {
   return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
+std::string host_of(const net::Connection& connection) {
+  return net::is_local(connection.peer()) ? "" : net::network_of(connection.peer());
 }
 
 net::SharedBytes make_banner(const std::string& version) {
@@ -50,8 +57,8 @@ class Server::Impl {
     if (outbox_.put(std::move(answer))) wake();
   }
   ServerStatus status() const;
-  std::vector<SessionStatus> sessions() const;
   Switchboard& board() { return board_; }
+  void finish(std::function<void()> done);
 
  private:
   /// A session and its connection.
@@ -62,47 +69,75 @@ class Server::Impl {
         : server_(server),
           serial_(serial),
           connection_(std::move(connection)),
+          host_(host_of(*connection_)),
           session_(server.board_, serial, robot, connection_->peer()) {}
 
     void start() {
       connection_->start(*this);
       const net::SharedBytes banner = server_.banner_;
       connection_->send(std::span(&banner, 1));
+      silence_ = server_.network_.after(limits::kSilentSeconds, [this] { server_.remove_silent(*this); });
     }
     void received(std::span<const std::byte> bytes) override;
     void drained() override;
+    void lost() override;
     void closed(const std::string& why) override;
 
-    /// Sends what may go and takes up input that had to wait. May remove this client.
-    void advance();
+    /// Does a portion of what there is to do, sends what may go, and returns the number of messages that were
+    /// carried out. May remove this client.
+    std::size_t advance();
+    /// Has said nothing yet.
+    bool silent() const { return silence_ != nullptr; }
+    /// Its network; nothing for this machine.
+    const std::string& host() const { return host_; }
+    /// What it makes us keep until it reads.
+    std::size_t held_bytes() const { return session_.output_bytes() + connection_->in_flight_bytes(); }
     bool stalled() const { return connection_->in_flight_bytes() > 0 && session_.messages_waiting() > 0; }
+    /// Logs what this client has not read.
+    void tell_unread() const;
+    std::uint32_t serial() const { return serial_; }
     Session& session() { return session_; }
     const Session& session() const { return session_; }
 
    private:
     void pump();
-    bool drop_if_broken();
-    void say_goodbye();
+    void begin_end();
+    bool at_end() const;
+    bool has_everything() const;
     void remove();
 
     Impl& server_;
     const std::uint32_t serial_;
     std::unique_ptr<net::Connection> connection_;
+    const std::string host_;
     Session session_;
     std::vector<net::SharedBytes> parts_;
-    bool paused_ = false;
-    std::unique_ptr<net::Timer> goodbye_;  // set once the peer will send no more
+    bool input_over_ = false, lost_ = false;
+    std::unique_ptr<net::Timer> silence_;  // until its first message
+    std::unique_ptr<net::Timer> end_;      // of a client that is lost, broken, or will send no more
+  };
+  /// Connections from one address.
+  struct Host {
+    std::size_t clients = 0;
+    bool full = false;
   };
 
   void accept(std::uint32_t robot, std::unique_ptr<net::Connection> connection);
-  void remove(std::uint32_t serial) { clients_.erase(serial); }
+  bool has_room_for(const net::Connection& connection);
+  void remove(std::uint32_t serial);
   void wake();
+  void schedule();
+  void turn();
   void deliver_outbox();
   void deliver(const Answer& answer);
   void tell_of_lost_data();
-  void advance_all();
   void make_room();
+  void advance_everybody();
+  void end();
   Client* longest_unfinished();
+  void make_output_room();
+  Client* largest_holder();
+  void remove_silent(Client& client);
 
   net::Network& network_;
   const ServerOptions options_;
@@ -113,9 +148,12 @@ class Server::Impl {
   Switchboard board_;            // after the outbox: drivers that are stopped may still answer
   std::vector<std::unique_ptr<net::Listener>> listeners_;
   std::map<std::uint32_t, std::unique_ptr<Client>> clients_;
+  std::function<void()> done_;                // set once the run is over
+  std::unique_ptr<net::Timer> last_moments_;  // of those that do not ask, and then of those that do not read
+  std::map<std::string, Host> hosts_;         // but this machine
   std::uint32_t next_serial_ = 1;
-  std::uint64_t accepted_ = 0, refused_ = 0, broken_ = 0;
-  bool full_ = false, told_of_lost_data_ = false;
+  std::uint64_t accepted_ = 0, refused_ = 0, silent_ = 0, broken_ = 0, turns_ = 0;
+  bool full_ = false, told_of_lost_data_ = false, scheduled_ = false;
 };
 
 // --- one client
@@ -123,49 +161,77 @@ class Server::Impl {
 
 void Server::Impl::Client::received(std::span<const std::byte> bytes) {
   session_.receive(bytes);
-  server_.deliver_outbox();  // drivers that answered at once
+  if (session_.has_message()) connection_->pause();  // until the session has done what it has
   server_.make_room();
-  advance();
+  server_.schedule();
 }
 
 void Server::Impl::Client::drained() {
-  advance();
+  if (end_ && !lost_) begin_end();  // it reads, so it may read on
+  session_.mark_due();
+  server_.schedule();
 }
 
-void Server::Impl::Client::advance() {
-  pump();
-  while (session_.can_work_on()) {
-    session_.work_on();
-    server_.deliver_outbox();
-    pump();
-  }
-  if (goodbye_) return say_goodbye();
-  if (drop_if_broken()) return;
-  const bool pause = !session_.wants_bytes();
-  if (pause == std::exchange(paused_, pause)) return;
-  pause ? connection_->pause() : connection_->resume();
+void Server::Impl::Client::lost() {
+  lost_ = true;
+  session_.lose_peer();
+  begin_end();
+  session_.mark_due();
+  server_.schedule();
 }
 
 // The peer may have shut down its half alone, to read the answers to what it asked.
 void Server::Impl::Client::closed(const std::string& why) {
   log::debug("{}: {}", session_.peer(), why);
-  goodbye_ = server_.network_.after(kLastAnswers, [this] { remove(); });
-  advance();
+  input_over_ = true;
+  if (!end_) begin_end();
+  session_.mark_due();
+  server_.schedule();
 }
 
-// What it said in haste may still wait for the answers of drivers.
-void Server::Impl::Client::say_goodbye() {
-  if (session_.held_up()) return;
-  session_.leave();
-  if (!session_.waits_for_answers()) remove();
+void Server::Impl::Client::begin_end() {
+  end_ = server_.network_.after(kLastAnswers, [this] { server_.remove(serial_); });
 }
 
-bool Server::Impl::Client::drop_if_broken() {
-  if (session_.broken().empty()) return false;
-  log::warn("{}: closed: {}", session_.peer(), session_.broken());
-  ++server_.broken_;
-  remove();
-  return true;
+std::size_t Server::Impl::Client::advance() {
+  const std::size_t worked = session_.work();
+  if (worked > 0) silence_.reset();
+  server_.deliver_outbox();  // drivers that answered at once
+  if (!session_.broken().empty() && !std::exchange(input_over_, true)) {
+    log::warn("{}: closed: {}", session_.peer(), session_.broken());
+    ++server_.broken_;
+    connection_->pause();
+    begin_end();
+  }
+  pump();
+  session_.unmark_due();
+  if (session_.can_work()) {
+    session_.mark_due();
+  } else if (input_over_ && !session_.has_message()) {
+    session_.leave();
+    if (at_end()) remove();
+  } else if (server_.done_ && has_everything()) {
+    remove();
+  } else if (!session_.has_message()) {
+    connection_->resume();
+  }
+  return worked;
+}
+
+// Whoever still reads gets the answers it waits for.
+bool Server::Impl::Client::at_end() const {
+  if (lost_) return true;
+  return !session_.waits_for_answers() && !session_.has_output() && connection_->in_flight_bytes() == 0;
+}
+
+// After the run: what waits in PULL mode is still to be asked for.
+bool Server::Impl::Client::has_everything() const {
+  return !session_.has_message() && session_.messages_waiting() == 0 && at_end();
+}
+
+void Server::Impl::Client::tell_unread() const {
+  if (session_.data_waiting() > 0)
+    log::warn("{}: {} data messages were not read before the end", session_.peer(), session_.data_waiting());
 }
 
 void Server::Impl::Client::remove() {
@@ -173,11 +239,11 @@ void Server::Impl::Client::remove() {
   server_.remove(serial_);
 }
 
-// With a write under way, `drained` comes back here; not to one who said goodbye, who gets all at once.
+// With a write under way, `drained` comes back here.
 void Server::Impl::Client::pump() {
-  if (!goodbye_ && connection_->in_flight_bytes() > 0) return;
+  if (connection_->in_flight_bytes() > 0) return;
   parts_.clear();
-  session_.take(parts_, goodbye_ ? limits::kSessionQueueBytes : kWriteBytes);
+  session_.take(parts_, kWriteBytes);
   if (!parts_.empty()) connection_->send(parts_);
   parts_.clear();
 }
@@ -198,27 +264,94 @@ Result<std::uint16_t> Server::Impl::listen(std::uint16_t port) {
 }
 
 void Server::Impl::accept(std::uint32_t robot, std::unique_ptr<net::Connection> connection) {
-  if (clients_.size() >= limits::kSessions) {
+  if (!has_room_for(*connection)) {
     ++refused_;
-    if (!std::exchange(full_, true))
-      log::warn("{}: refused: {} clients, the limit", connection->peer(), clients_.size());
     return;
   }
-  full_ = false;
   ++accepted_;
   const std::uint32_t serial = next_serial_++;
   log::debug("{}: connected to port {}", connection->peer(), robot);
   auto client = std::make_unique<Client>(*this, serial, robot, std::move(connection));
   client->start();
+  if (!client->host().empty()) ++hosts_[client->host()].clients;
   clients_.emplace(serial, std::move(client));
+}
+
+// Told when it begins: a flood of connections must not become one of log lines.
+bool Server::Impl::has_room_for(const net::Connection& connection) {
+  const std::string network = host_of(connection);
+  if (const auto found = hosts_.find(network); found != hosts_.end()) {
+    Host& host = found->second;
+    const bool full = host.clients >= limits::kSessionsOfHost;
+    if (!std::exchange(host.full, full) && full) {
+      log::warn("{}: refused: {} clients from {}, the limit for one address", connection.peer(), host.clients,
+                network);
+    }
+    if (full) return false;
+  }
+  if (clients_.size() < limits::kSessions) {
+    full_ = false;
+    return true;
+  }
+  const auto silent = std::find_if(clients_.begin(), clients_.end(),
+                                   [](const auto& entry) { return entry.second->silent(); });
+  if (!std::exchange(full_, true)) {
+    log::warn("{}: {} clients, the limit: {}", connection.peer(), clients_.size(),
+              silent == clients_.end() ? "refused" : "those that have said nothing give way");
+  }
+  if (silent == clients_.end()) return false;
+  remove_silent(*silent->second);
+  return true;
+}
+
+void Server::Impl::remove_silent(Client& client) {
+  log::debug("{}: closed: it has said nothing", client.session().peer());
+  ++silent_;
+  remove(client.serial());
+}
+
+void Server::Impl::remove(std::uint32_t serial) {
+  const auto found = clients_.find(serial);
+  if (const auto host = hosts_.find(found->second->host());
+      host != hosts_.end() && --host->second.clients == 0)
+    hosts_.erase(host);
+  clients_.erase(found);
+  if (!done_ || !clients_.empty()) return;
+  network_.post([this, alive = std::weak_ptr<int>(alive_)] {
+    if (!alive.expired()) end();
+  });
 }
 
 void Server::Impl::wake() {
   network_.post([this, alive = std::weak_ptr<int>(alive_)] {
     if (alive.expired()) return;
     deliver_outbox();
-    advance_all();
+    schedule();
   });
+}
+
+void Server::Impl::schedule() {
+  if (board_.due.empty() || std::exchange(scheduled_, true)) return;
+  network_.post([this, alive = std::weak_ptr<int>(alive_)] {
+    if (!alive.expired()) turn();
+  });
+}
+
+// Who has much to do does a portion and goes to the end of the list. After a while the loop sees to the
+// sockets, and the next turn goes on.
+void Server::Impl::turn() {
+  scheduled_ = false;
+  deliver_outbox();
+  std::size_t work = 0;
+  for (std::size_t left = board_.due.size(); left > 0 && work < limits::kTurnWork; --left) {
+    const auto found = clients_.find(board_.due.front());
+    board_.due.pop_front();
+    if (found == clients_.end()) continue;
+    ++turns_;
+    work += 1 + found->second->advance();
+    make_output_room();
+  }
+  schedule();
 }
 
 void Server::Impl::deliver_outbox() {
@@ -246,17 +379,12 @@ void Server::Impl::deliver(const Answer& answer) {
   found->second->session().answer(static_cast<std::uint32_t>(answer.ticket), answer.ack, answer.body);
 }
 
-void Server::Impl::advance_all() {
-  for (auto next = clients_.begin(); next != clients_.end();) (next++)->second->advance();
-}
-
 // A message of an honest client takes moments, however long it is, so the one begun first has to go.
 void Server::Impl::make_room() {
   while (board_.input_bytes > options_.input_bytes) {
     longest_unfinished()->session().give_up(fmt::format(
         "long messages of all clients take {} bytes, over the limit of {}, and its own began first",
         board_.input_bytes, options_.input_bytes));
-    wake();
   }
 }
 
@@ -270,6 +398,55 @@ Server::Impl::Client* Server::Impl::longest_unfinished() {
   return first;
 }
 
+void Server::Impl::finish(std::function<void()> done) {
+  done_ = std::move(done);
+  listeners_.clear();
+  deliver_outbox();
+  if (clients_.empty()) return end();
+  last_moments_ = network_.after(kLastRounds, [this] {
+    last_moments_ = network_.after(kLastWrites, [this] { end(); });
+    for (const auto& [serial, client] : clients_) client->session().send_unasked();
+    advance_everybody();
+  });
+  advance_everybody();
+}
+
+void Server::Impl::advance_everybody() {
+  for (const auto& [serial, client] : clients_) client->session().mark_due();
+  schedule();
+}
+
+void Server::Impl::end() {
+  if (!done_) return;
+  for (const auto& [serial, client] : clients_) client->tell_unread();
+  clients_.clear();
+  hosts_.clear();
+  last_moments_.reset();
+  std::exchange(done_, {})();
+}
+
+// Data gives way before a client does.
+void Server::Impl::make_output_room() {
+  while (*board_.frame_bytes > options_.output_bytes) {
+    Client* largest = largest_holder();
+    if (!largest || largest->held_bytes() == 0) return;  // the system is about to let go of the rest
+    if (largest->session().drop_data()) continue;
+    log::warn(
+        "{}: closed: what all clients have not read takes {} bytes, over the limit of {}, and most of it is "
+        "its own",
+        largest->session().peer(), *board_.frame_bytes, options_.output_bytes);
+    ++broken_;
+    remove(largest->serial());
+  }
+}
+
+Server::Impl::Client* Server::Impl::largest_holder() {
+  const auto found = std::max_element(clients_.begin(), clients_.end(), [](const auto& a, const auto& b) {
+    return a.second->held_bytes() < b.second->held_bytes();
+  });
+  return found == clients_.end() ? nullptr : found->second.get();
+}
+
 ServerStatus Server::Impl::status() const {
   ServerStatus status;
   status.sessions = clients_.size();
@@ -277,25 +454,18 @@ ServerStatus Server::Impl::status() const {
       clients_.begin(), clients_.end(), [](const auto& entry) { return entry.second->stalled(); }));
   status.sessions_accepted = accepted_;
   status.sessions_refused = refused_;
+  status.sessions_silent = silent_;
   status.sessions_broken = broken_;
+  status.turns = turns_;
   status.messages_received = board_.counters.messages_received;
   status.messages_sent = board_.counters.messages_sent;
   status.bytes_sent = board_.counters.bytes_sent;
   status.messages_encoded = board_.fanout.messages_encoded();
+  status.output_bytes = *board_.frame_bytes;
   status.data_dropped = board_.counters.data_dropped + outbox_.data_dropped();
   status.commands_dropped = board_.counters.commands_dropped;
   status.requests_refused = board_.counters.requests_refused;
   return status;
-}
-
-std::vector<SessionStatus> Server::Impl::sessions() const {
-  std::vector<SessionStatus> result;
-  for (const auto& [serial, client] : clients_) {
-    const Session& session = client->session();
-    result.push_back({session.peer(), session.robot(), session.devices_open(), session.messages_waiting(),
-                      session.messages_sent(), session.data_dropped()});
-  }
-  return result;
 }
 
 Server::Server(net::Network& network, ServerOptions options)
@@ -306,13 +476,17 @@ Result<std::uint16_t> Server::listen(std::uint16_t port) {
   return impl_->listen(port);
 }
 Result<device::DeviceId> Server::add_device(device::Address address, device::Driver& driver) {
+  impl_->board().device_lists.clear();
   return impl_->board().devices.add(address, driver);
 }
-Result<void> Server::hold(device::DeviceId device, device::Receipt receipt) {
-  return impl_->board().devices.open(device, std::move(receipt));
+Result<void> Server::hold(device::DeviceId device) {
+  return impl_->board().devices.open(device);
 }
-void Server::release(device::DeviceId device, device::Receipt receipt) {
-  impl_->board().devices.close(device, std::move(receipt));
+void Server::release(device::DeviceId device) {
+  impl_->board().devices.close(device);
+}
+void Server::finish(std::function<void()> done) {
+  impl_->finish(std::move(done));
 }
 void Server::set_clock(std::function<double()> clock) {
   impl_->board().clock = std::move(clock);
@@ -322,9 +496,6 @@ bool Server::has_readers(device::DeviceId device) const {
 }
 ServerStatus Server::status() const {
   return impl_->status();
-}
-std::vector<SessionStatus> Server::sessions() const {
-  return impl_->sessions();
 }
 void Server::publish(std::vector<device::Publication> batch) {
   impl_->publish(std::move(batch));

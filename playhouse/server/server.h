@@ -26,6 +26,7 @@ struct ServerOptions {
   std::string version =
       "3.1.1 Playhouse " PLAYHOUSE_VERSION;       // clients see "Player v." and this, 31 bytes at most
   std::size_t input_bytes = limits::kInputBytes;  // less in tests
+  std::size_t output_bytes = limits::kOutputBytes;
 };
 
 /// What a person may want to see of a running server. Sums since the start unless said otherwise.
@@ -33,25 +34,18 @@ struct ServerStatus {
   std::size_t sessions = 0;          // connected now
   std::size_t stalled_sessions = 0;  // of these, with data waiting that their peers do not read
   std::uint64_t sessions_accepted = 0;
-  std::uint64_t sessions_refused = 0;  // over limits::kSessions
+  std::uint64_t sessions_refused = 0;  // over limits::kSessions or limits::kSessionsOfHost
+  std::uint64_t sessions_silent = 0;   // closed because they said nothing
   std::uint64_t sessions_broken = 0;   // closed for frames that cannot be, or to make room for others' frames
+  std::uint64_t turns = 0;             // of sessions: how often the server looked at one
   std::uint64_t messages_received = 0;
   std::uint64_t messages_sent = 0;
   std::uint64_t bytes_sent = 0;
   std::uint64_t messages_encoded = 0;  // data messages, each once however many sessions got it
+  std::size_t output_bytes = 0;        // now: of answers and data that have not gone out
   std::uint64_t data_dropped = 0;      // data that a full queue had no room for
   std::uint64_t commands_dropped = 0;  // commands that no driver could be given
   std::uint64_t requests_refused = 0;  // requests answered NACK by the server itself
-};
-
-/// One connected client, for display.
-struct SessionStatus {
-  std::string peer;         // "address:port"
-  std::uint32_t robot = 0;  // the port it connected to
-  std::size_t devices_open = 0;
-  std::size_t messages_waiting = 0;
-  std::uint64_t messages_sent = 0;
-  std::uint64_t data_dropped = 0;
 };
 
 class Server final : public device::Publisher, public device::Outlet {
@@ -73,17 +67,21 @@ class Server final : public device::Publisher, public device::Outlet {
 
   /// Opens a device on behalf of the program or a driver, so that it runs whoever closes it; release() undoes
   /// one hold().
-  Result<void> hold(device::DeviceId device, device::Receipt receipt = {});
-  void release(device::DeviceId device, device::Receipt receipt = {});
+  Result<void> hold(device::DeviceId device);
+  void release(device::DeviceId device);
 
   /// The time in s that goes into answers; called on the io thread. Default: seconds since 1970.
   void set_clock(std::function<double()> clock);
+
+  /// The run is over: takes no more clients, sends those it has what waits for them, and calls `done` when
+  /// they have it. For a second a client in PULL mode may ask for it, then it goes out unasked; who has not
+  /// read it another second later loses it, which is logged.
+  void finish(std::function<void()> done);
 
   /// True while some session gets what the device publishes.
   bool has_readers(device::DeviceId device) const;
 
   ServerStatus status() const;
-  std::vector<SessionStatus> sessions() const;
 
   /// Sends each message to every session that has its device open for reading. Any thread; a batch wakes the
   /// io thread once. Timestamps that do not increase are raised by the least step.

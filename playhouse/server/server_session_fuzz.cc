@@ -2,56 +2,39 @@
 // crash nor grow nor wait. The first byte of the input seeds the network's pieces; each later step is one
 // byte of what to do and, for bytes to send, two bytes of length.
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "playhouse/base/fuzz_script.h"
 #include "playhouse/base/log.h"
 #include "playhouse/net/simulated.h"
 #include "playhouse/server/fake_driver.h"
 #include "playhouse/server/server.h"
+#include "playhouse/wire/codec.h"
+#include "playhouse/wire/generated/common.h"
 
 namespace playhouse::server {
 namespace {
 
 constexpr std::uint16_t kPort = 6665;
+constexpr int kSteps = 512;  // more of the same finds little, and long runs are few
 
-class Script {
- public:
-  explicit Script(std::span<const std::byte> bytes) : bytes_(bytes) {}
-  bool done() const { return bytes_.empty(); }
-  std::uint8_t byte() {
-    if (bytes_.empty()) return 0;
-    const auto value = static_cast<std::uint8_t>(bytes_.front());
-    bytes_ = bytes_.subspan(1);
-    return value;
-  }
-  std::span<const std::byte> take(std::size_t count) {
-    const auto result = bytes_.first(std::min(count, bytes_.size()));
-    bytes_ = bytes_.subspan(result.size());
-    return result;
-  }
-
- private:
-  std::span<const std::byte> bytes_;
-};
-
-void play(Script script) {
+void play(FuzzScript script) {
   net::SimulatedNetwork network(script.byte());
   network.window_bytes = 512;
   FakeDriver wheels, laser;
   wheels.answers[1] = std::vector<std::byte>(72);
-  wheels.properties.declare("rate", 0.5);
-  laser.holds_requests = laser.keeps_receipts = true;
+  wheels.answers[wire::kReqGetDblprop] = wire::encode(wire::DblpropReq{wire::c_string("rate"), 0.5});
+  laser.holds_requests = laser.holds_barriers = true;
   Server server(network);
   if (!server.listen(kPort)) return;
   const device::DeviceId ids[] = {*server.add_device({kPort, 4, 0}, wheels),
                                   *server.add_device({kPort, 6, 0}, laser)};
   std::vector<net::SimulatedPeer> peers{network.connect(kPort)};
   double time = 0;
-  while (!script.done()) {
+  for (int steps = 0; steps < kSteps && !script.done(); ++steps) {
     const std::uint8_t step = script.byte();
     net::SimulatedPeer& peer = peers[step / 16 % peers.size()];
     switch (step % 16) {
@@ -78,7 +61,7 @@ void play(Script script) {
         break;
       case 6:
         laser.held.clear();
-        laser.receipts.clear();
+        laser.barriers.clear();
         break;
       case 7:
         network.run();
@@ -90,7 +73,7 @@ void play(Script script) {
   }
   network.run();
   laser.held.clear();
-  laser.receipts.clear();
+  laser.barriers.clear();
 }
 
 }  // namespace
@@ -98,6 +81,6 @@ void play(Script script) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   spdlog::set_level(spdlog::level::off);
-  playhouse::server::play(playhouse::server::Script(std::as_bytes(std::span(data, size))));
+  playhouse::server::play(playhouse::FuzzScript(std::as_bytes(std::span(data, size))));
   return 0;
 }

@@ -45,7 +45,7 @@ class ServerTest : public ::testing::Test {
   // Drivers let go of requests before the server ends.
   ~ServerTest() override {
     wheels.held.clear();
-    wheels.receipts.clear();
+    wheels.barriers.clear();
   }
 
   void publish(device::DeviceId id, double time, std::size_t bytes = 52) {
@@ -92,6 +92,17 @@ TEST_F(ServerTest, lists_the_devices_of_its_port_and_names_their_drivers) {
                                       wire::encode(wire::player::DeviceDriverinfo{{0, 0, kWheels, 7}, ""})));
   ASSERT_EQ(outline(replies), "NACK 2");
   EXPECT_TRUE(replies[0].body.empty());
+}
+
+TEST_F(ServerTest, lists_devices_that_came_after_the_first_list) {
+  TestClient client(network, kPort);
+  const auto count = [&] {
+    const auto replies = client.ask(player_request(wire::player::kReqDevlist));
+    return wire::decode<wire::player::DeviceDevlist>(replies.at(0).body)->devices.size();
+  };
+  EXPECT_EQ(count(), 2u);
+  ASSERT_TRUE(server.add_device({kPort, kWheels, 1}, wheels));
+  EXPECT_EQ(count(), 3u);
 }
 
 TEST_F(ServerTest, opens_sends_data_and_closes) {
@@ -284,79 +295,29 @@ TEST_F(ServerTest, drops_commands_that_cannot_be_carried_out_and_counts_them) {
   EXPECT_EQ(outline(client.ask(request(kWheels, position2d::kReqGetGeom))), "ACK 1");
 }
 
-TEST_F(ServerTest, answers_for_capabilities_and_properties) {
-  wheels.properties.declare("skip", 7);
+TEST_F(ServerTest, asks_the_driver_what_it_is_capable_of) {
   TestClient client(network, kPort);
-  const Bytes ask_skip = wire::encode(wire::IntpropReq{wire::c_string("skip"), 0});
-  const auto replies = client.ask(request(kWheels, wire::kReqGetIntprop, ask_skip));
-  ASSERT_EQ(outline(replies), "ACK 254");
-  EXPECT_EQ(wire::decode<wire::IntpropReq>(replies[0].body)->value, 7);
   const Bytes ask_capability = wire::encode(wire::CapabilitiesReq{3, 1});
   EXPECT_EQ(outline(client.ask(request(kWheels, wire::kReqCapabilities, ask_capability))), "NACK 255");
   wheels.capable_of_all = true;
   EXPECT_EQ(outline(client.ask(request(kWheels, wire::kReqCapabilities, ask_capability))), "ACK 255");
 }
 
-TEST_F(ServerTest, gives_and_changes_properties_of_every_type) {
-  wheels.properties.declare("skip", 7);
-  wheels.properties.declare("rate", 0.5);
-  wheels.properties.declare("host", std::string("here"));
-  wheels.properties.declare("on", false);
+TEST_F(ServerTest, asks_the_driver_for_properties_and_lets_a_reader_only_look) {
+  const Bytes skip = wire::encode(wire::IntpropReq{wire::c_string("skip"), 7});
+  wheels.answers[wire::kReqGetIntprop] = skip;
+  wheels.answers[wire::kReqSetIntprop] = {};
   TestClient client(network, kPort);
-  // `before` is what it is, `after` what it becomes; a question carries the key alone.
-  const auto check = [&]<typename Request>(std::uint8_t get, std::uint8_t set, const Request& before,
-                                           const Request& after) {
-    const Bytes question = wire::encode(Request{before.key, {}});
-    for (const Request& expected : {before, after}) {
-      auto replies = client.ask(request(kWheels, get, question));
-      ASSERT_EQ(outline(replies), "ACK " + std::to_string(get));
-      EXPECT_EQ(*wire::decode<Request>(replies[0].body), expected) << wire::text(before.key);
-      replies = client.ask(request(kWheels, set, wire::encode(after)));
-      ASSERT_EQ(outline(replies), "ACK " + std::to_string(set));
-      EXPECT_TRUE(replies[0].body.empty());
-    }
-  };
-  const auto word = [](const char* text) { return wire::c_string(text); };
-  check(wire::kReqGetIntprop, wire::kReqSetIntprop, wire::IntpropReq{word("skip"), 7},
-        wire::IntpropReq{word("skip"), -2000000000});
-  check(wire::kReqGetDblprop, wire::kReqSetDblprop, wire::DblpropReq{word("rate"), 0.5},
-        wire::DblpropReq{word("rate"), -1e300});
-  check(wire::kReqGetStrprop, wire::kReqSetStrprop, wire::StrpropReq{word("host"), word("here")},
-        wire::StrpropReq{word("host"), word("a longer name than before")});
-  check(wire::kReqGetBoolprop, wire::kReqSetBoolprop, wire::BoolpropReq{word("on"), 0},
-        wire::BoolpropReq{word("on"), 1});
-}
-
-TEST_F(ServerTest, answers_nack_for_properties_of_other_names_and_types_and_lets_a_reader_only_look) {
-  wheels.properties.declare("skip", 7);
-  wheels.properties.declare("serial", 12, device::PropertyAccess::kReadOnly);
-  TestClient client(network, kPort);
-  for (const char* key : {"nothing", "skip "}) {
-    const Bytes by_int = wire::encode(wire::IntpropReq{wire::c_string(key), 1});
-    const Bytes by_double = wire::encode(wire::DblpropReq{wire::c_string(key), 1});
-    const Bytes by_text = wire::encode(wire::StrpropReq{wire::c_string(key), "x"});
-    const Bytes by_flag = wire::encode(wire::BoolpropReq{wire::c_string(key), 1});
-    const Bytes* bodies[] = {&by_flag,   &by_flag,   &by_text, &by_text,
-                             &by_double, &by_double, &by_int,  &by_int};
-    for (std::size_t i = 0; i < std::size(bodies); ++i) {
-      const auto subtype = static_cast<std::uint8_t>(wire::kReqSetBoolprop + i);
-      const auto replies = client.ask(request(kWheels, subtype, *bodies[i]));
-      ASSERT_EQ(outline(replies), "NACK " + std::to_string(subtype)) << key;
-      EXPECT_TRUE(replies[0].body.empty());
-    }
-  }
-  const Bytes as_double = wire::encode(wire::DblpropReq{wire::c_string("skip"), 1});
-  EXPECT_EQ(outline(client.ask(request(kWheels, wire::kReqGetDblprop, as_double))), "NACK 252");
-  EXPECT_EQ(outline(client.ask(request(kWheels, wire::kReqSetDblprop, as_double))), "NACK 251");
-  const Bytes serial = wire::encode(wire::IntpropReq{wire::c_string("serial"), 13});
-  EXPECT_EQ(outline(client.ask(request(kWheels, wire::kReqSetIntprop, serial))), "NACK 253");
+  const auto replies = client.ask(request(kWheels, wire::kReqGetIntprop, skip));
+  ASSERT_EQ(outline(replies), "ACK 254");
+  EXPECT_EQ(wire::decode<wire::IntpropReq>(replies[0].body)->value, 7);
+  EXPECT_EQ(outline(client.ask(request(kWheels, wire::kReqSetIntprop, skip))), "ACK 253");
+  EXPECT_EQ(wheels.requests, 2);
 
   client.ask(open_request(kWheels, 0, 'r'));
-  const Bytes skip = wire::encode(wire::IntpropReq{wire::c_string("skip"), 8});
   EXPECT_EQ(outline(client.ask(request(kWheels, wire::kReqSetIntprop, skip))), "NACK 253");
+  EXPECT_EQ(wheels.requests, 2);
   EXPECT_EQ(outline(client.ask(request(kWheels, wire::kReqGetIntprop, skip))), "ACK 254");
-  EXPECT_EQ(*wheels.properties.get("skip"), device::PropertyValue(7));
-  EXPECT_EQ(*wheels.properties.get("serial"), device::PropertyValue(12));
 }
 
 TEST_F(ServerTest, goes_by_the_last_access_of_a_device_opened_twice_until_both_are_closed) {
@@ -566,7 +527,6 @@ TEST_F(ServerTest, bounds_what_waits_for_a_stalled_client_and_serves_the_others)
   const ServerStatus status = server.status();
   EXPECT_EQ(status.stalled_sessions, 1u);
   EXPECT_GT(status.data_dropped, 1500u);
-  EXPECT_LE(server.sessions()[0].messages_waiting, limits::kSessionQueueMessages);
   stalled.peer.read_on();
   const auto late = stalled.read();
   EXPECT_EQ(late.size() + status.data_dropped, 3000u);
@@ -608,11 +568,12 @@ TEST_F(ServerTest, answers_every_request_of_a_client_that_sends_more_in_one_piec
   EXPECT_EQ(client.read().size(), kRequests);
 }
 
-TEST_F(ServerTest, does_not_hurry_for_a_client_that_asked_without_end_and_was_reset) {
+TEST_F(ServerTest, does_not_hurry_for_a_client_that_changed_things_without_end_and_was_reset) {
   wheels.holds_requests = true;
   TestClient flooder(network, kPort);
   constexpr std::size_t kRequests = 5 * limits::kSessionAnswers;
-  for (std::size_t i = 0; i < kRequests; ++i) flooder.send(request(kWheels, position2d::kReqGetGeom));
+  for (std::size_t i = 0; i < kRequests; ++i)
+    flooder.send(request(kWheels, position2d::kReqSetOdom, Bytes(24)));
   flooder.send(drive(0.5));
   flooder.peer.reset();
   network.run();
@@ -626,8 +587,106 @@ TEST_F(ServerTest, does_not_hurry_for_a_client_that_asked_without_end_and_was_re
   EXPECT_EQ(server.status().sessions, 0u);
 }
 
+TEST_F(ServerTest, asks_nothing_for_a_client_that_was_reset_and_still_does_what_it_said) {
+  network.piece_bytes = 1u << 30;
+  TestClient flooder(network, kPort);
+  for (int i = 0; i < 5000; ++i) {
+    flooder.send(player_request(wire::player::kReqDevlist));
+    flooder.send(request(kWheels, position2d::kReqGetGeom));
+  }
+  flooder.send(open_request(kWheels, 0));
+  flooder.send(drive(0.5));
+  flooder.send(request(kWheels, position2d::kReqSetOdom, Bytes(24)));
+  flooder.peer.reset();
+  network.run();
+  EXPECT_EQ(server.status().messages_received, 3u);
+  EXPECT_EQ(server.status().messages_sent, 0u);
+  EXPECT_EQ(wheels.commands.size(), 1u);
+  EXPECT_EQ(wheels.requests, 1);
+  EXPECT_EQ(wheels.stops, 1) << "its robot stops";
+  EXPECT_EQ(server.status().sessions, 0u);
+}
+
+TEST_F(ServerTest, drops_what_it_owes_a_client_that_is_reset_while_it_does_not_read) {
+  network.window_bytes = 4096;
+  TestClient flooder(network, kPort);
+  flooder.peer.stall();
+  for (int i = 0; i < 20000; ++i) flooder.send(request(kWheels, position2d::kReqGetGeom));
+  network.run();
+  const int before = wheels.requests;
+  flooder.peer.reset();
+  network.run();
+  EXPECT_EQ(wheels.requests, before);
+  EXPECT_EQ(server.status().sessions, 0u);
+}
+
+TEST_F(ServerTest, gives_every_answer_to_a_client_that_asked_much_and_finished_sending) {
+  network.window_bytes = 4096;
+  TestClient client(network, kPort);
+  constexpr std::size_t kRequests = 5 * limits::kSessionAnswers;
+  for (std::size_t i = 0; i < kRequests; ++i) client.send(request(kWheels, position2d::kReqGetGeom));
+  client.peer.finish();
+  EXPECT_EQ(client.read().size(), kRequests);
+  EXPECT_TRUE(client.peer.closed());
+}
+
+TEST_F(ServerTest, waits_five_seconds_for_a_client_that_finished_sending_and_does_not_read) {
+  network.window_bytes = 4096;
+  TestClient client(network, kPort);
+  client.peer.stall();
+  for (int i = 0; i < 100; ++i) client.send(request(kWheels, position2d::kReqGetGeom));
+  client.peer.finish();
+  network.run_for(4);
+  EXPECT_EQ(server.status().sessions, 1u);
+  network.run_for(2);
+  EXPECT_EQ(server.status().sessions, 0u);
+}
+
+TEST_F(ServerTest, looks_only_at_the_clients_that_have_something_to_do) {
+  std::vector<std::unique_ptr<TestClient>> idle;
+  for (int i = 0; i < 500; ++i) idle.push_back(std::make_unique<TestClient>(network, kPort));
+  TestClient client(network, kPort), reader(network, kPort);
+  reader.ask(open_request(kLaser, 0));
+  const std::uint64_t before = server.status().turns;
+  constexpr int kRequests = 100;
+  for (int i = 0; i < kRequests; ++i) {
+    EXPECT_EQ(client.ask(request(kWheels, position2d::kReqGetGeom)).size(), 1u);
+    publish(laser_id, i);
+    EXPECT_EQ(reader.read().size(), 1u);
+  }
+  EXPECT_LE(server.status().turns - before, 4u * kRequests);  // a turn to send, and one when it is sent
+}
+
+TEST_F(ServerTest, serves_others_between_the_portions_of_one_that_asks_for_much) {
+  network.piece_bytes = 1u << 30;
+  laser.answers[wire::laser::kReqGetGeom] = Bytes(72);
+  int served_before = -1;
+  laser.on_request = [&] { served_before = wheels.requests; };
+  TestClient greedy(network, kPort), modest(network, kPort);
+  for (int i = 0; i < 1000; ++i) greedy.send(request(kWheels, position2d::kReqGetGeom));
+  modest.send(request(kLaser, wire::laser::kReqGetGeom));
+  network.run();
+  EXPECT_EQ(wheels.requests, 1000);
+  EXPECT_LE(served_before, static_cast<int>(limits::kTurnMessages));
+}
+
+TEST_F(ServerTest, serves_others_while_one_asks_for_answers_that_it_has_left_out) {
+  network.piece_bytes = 65536;
+  laser.answers[wire::laser::kReqGetGeom] = Bytes(72);
+  TestClient greedy(network, kPort), modest(network, kPort);
+  EXPECT_TRUE(greedy.ask(rule_request(-1, static_cast<int>(wire::MessageType::kAck), 2)).empty());
+  const std::uint64_t before = server.status().messages_received;
+  std::uint64_t served_before = 0;
+  laser.on_request = [&] { served_before = server.status().messages_received - before; };
+  for (int i = 0; i < 20000; ++i) greedy.send(player_request(wire::player::kReqDevlist));
+  modest.send(request(kLaser, wire::laser::kReqGetGeom));
+  EXPECT_EQ(modest.read().size(), 1u);
+  EXPECT_LE(served_before, 2 * limits::kTurnMessages + 1);
+  EXPECT_EQ(server.status().messages_received - before, 20001u);
+}
+
 TEST_F(ServerTest, lets_a_client_wait_that_opens_and_closes_faster_than_the_driver_does) {
-  wheels.keeps_receipts = true;
+  wheels.holds_barriers = true;
   TestClient client(network, kPort), other(network, kPort);
   constexpr std::size_t kPairs = limits::kSessionAnswers + 10;
   for (std::size_t i = 0; i < kPairs; ++i) {
@@ -636,23 +695,23 @@ TEST_F(ServerTest, lets_a_client_wait_that_opens_and_closes_faster_than_the_driv
   }
   std::size_t answers = client.read().size();
   EXPECT_EQ(answers, limits::kSessionAnswers);
-  EXPECT_EQ(wheels.receipts.size(), limits::kSessionAnswers);
+  EXPECT_EQ(wheels.barriers.size(), limits::kSessionAnswers);
   EXPECT_EQ(outline(other.ask(open_request(kWheels, 0))), "ACK 3");
-  while (!wheels.receipts.empty()) {
-    wheels.receipts.clear();
+  while (!wheels.barriers.empty()) {
+    wheels.barriers.clear();
     answers += client.read().size();
   }
   EXPECT_EQ(answers, 2 * kPairs);
 }
 
 TEST_F(ServerTest, does_not_make_a_client_wait_for_devices_to_close_that_has_finished_sending) {
-  wheels.keeps_receipts = true;
+  wheels.holds_barriers = true;
   TestClient client(network, kPort);
   client.send(open_request(kWheels, 0));
   client.peer.finish();
   EXPECT_EQ(outline(client.read()), "ACK 3");
   EXPECT_TRUE(client.peer.closed());
-  wheels.receipts.clear();
+  wheels.barriers.clear();
   network.run();
 }
 
@@ -676,7 +735,8 @@ TEST_F(ServerTest, counts_long_answers_for_more) {
   constexpr std::size_t kRequests = 100, kAnswerBytes = 16 * limits::kDevices;
   for (std::size_t i = 0; i < kRequests; ++i) flooder.send(player_request(wire::player::kReqDevlist));
   network.run();
-  EXPECT_LE(server.sessions()[0].messages_waiting * kAnswerBytes, limits::kSessionAnswerBytes + kAnswerBytes);
+  EXPECT_LT(server.status().messages_received * kAnswerBytes, 2 * limits::kSessionAnswerBytes)
+      << "with what is on its way";
   flooder.peer.read_on();
   EXPECT_EQ(flooder.read().size(), kRequests);
 }
@@ -685,7 +745,7 @@ TEST_F(ServerTest, survives_garbage_of_every_seed) {
   TestClient good(network, kPort);
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     TestClient client(network, kPort);
-    Rng rng(seed, 0, 0, 0);
+    Rng rng(seed);
     Bytes garbage(rng.bits() % 400);
     for (std::byte& byte : garbage) byte = static_cast<std::byte>(rng.bits() % (seed % 2 ? 256 : 6));
     client.send(garbage);
@@ -698,7 +758,10 @@ TEST_F(ServerTest, survives_garbage_of_every_seed) {
 
 TEST_F(ServerTest, refuses_clients_over_the_limit_and_takes_new_ones_when_others_leave) {
   std::vector<net::SimulatedPeer> peers;
-  for (std::size_t i = 0; i < limits::kSessions + 2; ++i) peers.push_back(network.connect(kPort));
+  for (std::size_t i = 0; i < limits::kSessions; ++i) peers.push_back(network.connect(kPort));
+  for (net::SimulatedPeer& peer : peers) peer.send(request(kWheels, position2d::kReqGetGeom));
+  network.run();
+  for (int i = 0; i < 2; ++i) peers.push_back(network.connect(kPort));
   network.run();
   EXPECT_EQ(server.status().sessions, limits::kSessions);
   EXPECT_EQ(server.status().sessions_refused, 2u);
@@ -706,6 +769,56 @@ TEST_F(ServerTest, refuses_clients_over_the_limit_and_takes_new_ones_when_others
   peers.front().finish();
   network.run();
   EXPECT_EQ(TestClient(network, kPort).banner.size(), 32u);
+}
+
+TEST_F(ServerTest, lets_those_that_say_nothing_shut_out_nobody) {
+  std::vector<net::SimulatedPeer> peers;
+  for (std::size_t i = 0; i < limits::kSessions; ++i) peers.push_back(network.connect(kPort));
+  peers[0].send(request(kWheels, position2d::kReqGetGeom));
+  network.run();
+  TestClient late(network, kPort);
+  EXPECT_EQ(late.banner.size(), 32u);
+  EXPECT_FALSE(peers[0].closed()) << "it has asked something";
+  EXPECT_TRUE(peers[1].closed()) << "the first of the others";
+  EXPECT_FALSE(peers[2].closed());
+  EXPECT_EQ(server.status().sessions_silent, 1u);
+  EXPECT_EQ(server.status().sessions_refused, 0u);
+}
+
+TEST_F(ServerTest, closes_a_client_that_never_says_anything_and_no_other) {
+  TestClient mute(network, kPort), half(network, kPort), reader(network, kPort), asked(network, kPort);
+  half.send(Bytes(20));
+  reader.ask(open_request(kWheels, 0));
+  asked.ask(player_request(wire::player::kReqDevlist));
+  network.run_for(limits::kSilentSeconds - 1);
+  EXPECT_EQ(server.status().sessions, 4u);
+  network.run_for(2);
+  EXPECT_TRUE(mute.peer.closed());
+  EXPECT_TRUE(half.peer.closed());
+  network.run_for(100 * limits::kSilentSeconds);
+  EXPECT_EQ(server.status().sessions, 2u);
+  EXPECT_EQ(server.status().sessions_silent, 2u);
+}
+
+TEST_F(ServerTest, gives_one_address_a_part_of_the_places_and_this_machine_all) {
+  std::vector<net::SimulatedPeer> peers;
+  const auto connect = [&](const std::string& host) {
+    peers.push_back(network.connect(kPort, host));
+    network.run();
+    return !peers.back().closed();
+  };
+  for (std::size_t i = 0; i < limits::kSessionsOfHost; ++i)
+    peers.push_back(network.connect(kPort, "192.0.2.1"));
+  EXPECT_FALSE(connect("192.0.2.1"));
+  EXPECT_EQ(server.status().sessions_refused, 1u);
+  EXPECT_TRUE(connect("192.0.2.2"));
+  EXPECT_TRUE(connect("127.0.0.1"));
+  peers[0].vanish();
+  network.run();
+  EXPECT_TRUE(connect("192.0.2.1"));
+  EXPECT_FALSE(connect("192.0.2.1"));
+  for (std::size_t i = 0; i <= limits::kSessionsOfHost; ++i) peers.push_back(network.connect(kPort));
+  EXPECT_TRUE(connect("127.0.0.1"));
 }
 
 TEST_F(ServerTest, keeps_a_device_running_that_the_program_holds) {
@@ -731,6 +844,82 @@ TEST_F(ServerTest, lists_no_more_devices_than_a_list_holds_but_opens_them_all) {
 }
 
 /// A server with little memory for messages that have not come whole.
+/// Clients that do not read, on a server that keeps little for them.
+class Unread : public ServerTest {
+ protected:
+  static constexpr std::size_t kLimit = 4u << 20;
+  Unread() {
+    network.window_bytes = network.piece_bytes = 65536;
+    EXPECT_EQ(*small.listen(7000), 7000);
+    for (std::uint16_t i = 0; i < 2000; ++i) ids.push_back(*small.add_device({7000, kWheels, i}, wheels));
+  }
+  /// What is in the books besides bytes that somebody waits for: one portion of work.
+  static constexpr std::size_t kSlack = limits::kSessionAnswerBytes + (256u << 10);
+
+  Server small{network, {.output_bytes = kLimit}};
+  std::vector<device::DeviceId> ids;
+};
+
+TEST_F(Unread, answers_of_all_clients_have_a_limit_and_the_largest_holder_goes) {
+  TestClient modest(network, 7000);
+  modest.peer.stall();
+  modest.send(player_request(wire::player::kReqDevlist));
+  std::vector<std::unique_ptr<TestClient>> greedy;
+  for (int i = 0; i < 30; ++i) {
+    greedy.push_back(std::make_unique<TestClient>(network, 7000));
+    greedy.back()->peer.stall();
+    for (int k = 0; k < 100; ++k) greedy.back()->send(player_request(wire::player::kReqDevlist));
+    network.run();
+    EXPECT_LE(small.status().output_bytes, kLimit + kSlack);
+  }
+  EXPECT_GT(small.status().sessions_broken, 20u);
+  EXPECT_GT(small.status().sessions, 1u);
+  modest.peer.read_on();
+  EXPECT_EQ(modest.read().size(), 1u) << "it asked for little";
+  EXPECT_EQ(TestClient(network, 7000).ask(player_request(wire::player::kReqDevlist)).size(), 1u);
+  for (auto& client : greedy) client->peer.reset();
+  network.run();
+  EXPECT_LE(small.status().output_bytes, 100000u) << "nothing is kept for who is gone";
+}
+
+TEST_F(Unread, data_gives_way_before_a_client_does) {
+  std::vector<std::unique_ptr<TestClient>> readers;
+  for (std::uint16_t i = 0; i < 8; ++i) {
+    readers.push_back(std::make_unique<TestClient>(network, 7000));
+    readers.back()->ask(open_request(kWheels, i));
+    readers.back()->peer.stall();
+  }
+  for (int time = 0; time < 100; ++time) {
+    std::vector<device::Publication> batch;
+    for (std::size_t i = 0; i < readers.size(); ++i) batch.push_back({ids[i], 1, 1.0 * time, Bytes(65536)});
+    small.publish(std::move(batch));
+    network.run();
+    EXPECT_LE(small.status().output_bytes, kLimit + kSlack);
+  }
+  EXPECT_GT(small.status().data_dropped, 0u);
+  EXPECT_EQ(small.status().sessions_broken, 0u);
+  for (auto& reader : readers) {
+    reader->peer.read_on();
+    EXPECT_FALSE(reader->read().empty());
+  }
+}
+
+TEST_F(Unread, data_that_many_wait_for_counts_once) {
+  std::vector<std::unique_ptr<TestClient>> readers;
+  for (int i = 0; i < 50; ++i) {
+    readers.push_back(std::make_unique<TestClient>(network, 7000));
+    readers.back()->ask(open_request(kWheels, 0));
+    readers.back()->peer.stall();
+  }
+  for (int time = 0; time < 30; ++time) {
+    std::vector<device::Publication> batch;
+    batch.push_back({ids[0], 1, 1.0 * time, Bytes(100000)});
+    small.publish(std::move(batch));
+    network.run();
+  }
+  EXPECT_EQ(small.status().data_dropped, 0u);
+}
+
 class LongMessages : public ::testing::Test {
  protected:
   LongMessages() {

@@ -41,6 +41,13 @@ bool only_reads(const wire::MessageDef& def) {
              kReadersByOtherNames.end();
 }
 
+/// True also for one that is longer than it may be, of which the rest is not waited for.
+bool begins_with_message(std::span<const std::byte> input) {
+  if (input.size() < limits::kHeaderBytes) return false;
+  const std::uint32_t size = wire::decode_header(input.first<limits::kHeaderBytes>()).size;
+  return size > limits::kBodyBytes || input.size() - limits::kHeaderBytes >= size;
+}
+
 }  // namespace
 
 Session::Session(Switchboard& board, std::uint32_t serial, std::uint32_t robot, std::string peer)
@@ -59,11 +66,17 @@ Session::~Session() {
 void Session::receive(std::span<const std::byte> bytes) {
   if (!broken_.empty()) return;
   input_.insert(input_.end(), bytes.begin(), bytes.end());
-  process();
+  count_input(input_.capacity() > limits::kSessionInputBytes ? input_.capacity() : 0);
+  if (has_message()) mark_due();
 }
 
-void Session::work_on() {
-  process();
+void Session::mark_due() {
+  if (!std::exchange(due_, true)) board_.due.push_back(serial_);
+}
+
+void Session::lose_peer() {
+  peer_lost_ = true;
+  queue_.clear();
 }
 
 void Session::leave() {
@@ -76,33 +89,38 @@ void Session::leave() {
 std::size_t Session::owed_answers() const {
   // Long requests and answers count for more, so that the limit holds in bytes too.
   constexpr std::size_t kShare = limits::kSessionAnswerBytes / limits::kSessionAnswers;
-  return std::max(pending_.size() + receipts_.size(), pending_bytes_ / kShare) +
+  return std::max(pending_.size() + barriers_.size(), pending_bytes_ / kShare) +
          std::max(queue_.answers_waiting(), queue_.answer_bytes_waiting() / kShare);
 }
 
-// A receipt that nobody keeps any longer comes back as the answer to a request that nobody made.
-device::Receipt Session::make_receipt() {
+// For what the driver was told just now and does not answer by itself.
+void Session::take_credit(device::DeviceId device) {
   const std::uint32_t number = next_request_++;
-  receipts_.insert(number);
-  return std::make_shared<device::Replier>(*board_.outlet, make_ticket(serial_, number));
+  barriers_.insert(number);
+  board_.devices[device].driver->barrier(device::Replier(*board_.outlet, make_ticket(serial_, number)));
 }
 
-void Session::process() {
-  std::size_t at = 0;
-  while (broken_.empty() && wants_bytes() && input_.size() - at >= limits::kHeaderBytes) {
+std::size_t Session::work() {
+  std::size_t at = 0, messages = 0;
+  while (messages < limits::kTurnMessages && owed_answers() < limits::kSessionAnswers) {
     const Body rest = std::span(input_).subspan(at);
+    if (!begins_with_message(rest)) break;
     const wire::Header header = wire::decode_header(rest.first<limits::kHeaderBytes>());
     if (header.size > limits::kBodyBytes) {
-      broken_ = fmt::format("{} claims {} bytes, over the limit of {}", describe(header), header.size,
-                            limits::kBodyBytes);
-      break;
+      give_up(fmt::format("{} claims {} bytes, over the limit of {}", describe(header), header.size,
+                          limits::kBodyBytes));
+      return messages;
     }
-    if (rest.size() - limits::kHeaderBytes < header.size) break;
     dispatch(header, rest.subspan(limits::kHeaderBytes, header.size));
     at += limits::kHeaderBytes + header.size;
+    ++messages;
   }
-  held_up_ = broken_.empty() && !wants_bytes();
   forget_input(at);
+  return messages;
+}
+
+bool Session::has_message() const {
+  return begins_with_message(input_);
 }
 
 // A long buffer goes back once what is left of it is short, so that who sent one long message does not keep
@@ -122,11 +140,20 @@ void Session::count_input(std::size_t bytes) {
 
 void Session::give_up(std::string why) {
   broken_ = std::move(why);
-  held_up_ = false;
   forget_input(input_.size());
+  mark_due();
+}
+
+bool Session::matters_without_peer(const wire::Header& header) const {
+  if (header.type == wire::MessageType::kCmd) return true;
+  if (header.type != wire::MessageType::kReq) return false;
+  if (header.interf == wire::player::kCode) return header.subtype == wire::player::kReqDev;
+  const wire::MessageDef* def = wire::find_message(header.interf, header.type, header.subtype);
+  return def && !only_reads(*def);
 }
 
 void Session::dispatch(const wire::Header& header, Body body) {
+  if (peer_lost_ && !matters_without_peer(header)) return;
   ++board_.counters.messages_received;
   if (header.interf == wire::player::kCode) return player_message(header, body);
   switch (header.type) {
@@ -141,7 +168,8 @@ void Session::dispatch(const wire::Header& header, Body body) {
 
 void Session::command(const wire::Header& header, Body body) {
   const device::DeviceId device = board_.devices.find(address_of(header));
-  if (!device.valid()) return drop_command(header, Fault::kUnknownDevice, "no such device");
+  if (!device.valid())
+    return drop_command(header, Fault::kUnknownDevice, board_.devices.why_missing(address_of(header)));
   if (opened_for_reading_only(device))
     return drop_command(header, Fault::kReadOnly, "opened for reading only");
   const wire::MessageDef* def = wire::find_message(header.interf, header.type, header.subtype);
@@ -150,15 +178,21 @@ void Session::command(const wire::Header& header, Body body) {
     return drop_command(header, Fault::kUndecodable, wrong);
   }
   const auto type = static_cast<std::uint8_t>(header.type);
-  const device::Message message{device, type, header.subtype, body, [this] { return make_receipt(); }};
-  if (!board_.devices[device].driver->command(message)) {
-    drop_command(header, Fault::kUnsupported, "the device has no such command, or not with these values");
+  switch (board_.devices[device].driver->command({device, type, header.subtype, body})) {
+    case device::Taken::kNo:
+      return drop_command(header, Fault::kUnsupported,
+                          "the device has no such command, or not with these values");
+    case device::Taken::kQueued:
+      return take_credit(device);
+    case device::Taken::kLatest:
+      return;
   }
 }
 
 void Session::request(const wire::Header& header, Body body) {
   const device::DeviceId device = board_.devices.find(address_of(header));
-  if (!device.valid()) return refuse(header, Fault::kUnknownDevice, "no such device");
+  if (!device.valid())
+    return refuse(header, Fault::kUnknownDevice, board_.devices.why_missing(address_of(header)));
   const wire::MessageDef* def = wire::find_message(header.interf, header.type, header.subtype);
   if (!def) return refuse(header, Fault::kUnknownMessage, "no such request");
   if (const std::string wrong = def->check(body); !wrong.empty())
@@ -188,17 +222,17 @@ void Session::capability(device::DeviceId device, const wire::Header& header, Bo
 void Session::drop_command(const wire::Header& header, Fault fault, const std::string& why) {
   ++commands_dropped_;
   ++board_.counters.commands_dropped;
-  log_once(fault, header, why + "; dropped");
+  log_once(fault, describe(header), why + "; dropped");
 }
 
 void Session::refuse(const wire::Header& header, Fault fault, const std::string& why) {
   ++board_.counters.requests_refused;
-  log_once(fault, header, why + "; answered NACK");
+  log_once(fault, describe(header), why + "; answered NACK");
   reply(header, false);
 }
 
-void Session::log_once(Fault fault, const wire::Header& header, const std::string& why) {
-  if (logged_.insert(fault).second) log::warn("{}: {}: {}", peer_, describe(header), why);
+void Session::log_once(Fault fault, const std::string& what, const std::string& why) {
+  if (logged_.insert(fault).second) log::warn("{}: {}: {}", peer_, what, why);
 }
 
 device::Address Session::address_of(const wire::Header& header) const {
@@ -214,7 +248,8 @@ bool Session::opened_for_reading_only(device::DeviceId device) const {
 // ----------------------------------------------------------------------------------------------------------
 
 void Session::answer(std::uint32_t number, bool ack, std::span<const std::byte> body) {
-  if (receipts_.erase(number) > 0) return;
+  mark_due();  // it may go on, whether the answer is heard or not
+  if (barriers_.erase(number) > 0) return;
   const auto found = pending_.find(number);
   if (found == pending_.end()) return;  // answered before
   const wire::Header header = found->second.header;
@@ -226,7 +261,9 @@ void Session::answer(std::uint32_t number, bool ack, std::span<const std::byte> 
 }
 
 void Session::reply(const wire::Header& to, bool ack, Body body) {
+  if (peer_lost_) return;
   queue_.add(make_reply(to, ack, body));
+  mark_due();
 }
 
 Frame Session::make_reply(const wire::Header& to, bool ack, Body body) const {
@@ -235,23 +272,35 @@ Frame Session::make_reply(const wire::Header& to, bool ack, Body body) const {
   header.robot = robot_;
   header.type = ack ? wire::MessageType::kAck : wire::MessageType::kNack;
   header.timestamp = board_.clock();
-  return make_frame(header, body);
+  return counted(make_frame(header, body), board_.frame_bytes);
 }
 
 void Session::deliver(const Frame& frame) {
+  if (peer_lost_) return;
   const std::uint64_t dropped = queue_.dropped();
   queue_.add(frame);
-  if (queue_.dropped() == dropped) return;
-  board_.counters.data_dropped += queue_.dropped() - dropped;
+  if (queue_.has_output()) mark_due();
+  count_dropped(queue_.dropped() - dropped);
+}
+
+bool Session::drop_data() {
+  const std::uint64_t dropped = queue_.dropped();
+  queue_.drop_data();
+  count_dropped(queue_.dropped() - dropped);
+  return queue_.dropped() > dropped;
+}
+
+void Session::count_dropped(std::uint64_t messages) {
+  if (messages == 0) return;
+  board_.counters.data_dropped += messages;
   if (logged_.insert(Fault::kDrop).second) {
-    log::warn("{}: reads too slowly: {} messages wait, the oldest data is dropped", peer_, queue_.waiting());
+    log::warn("{}: reads too slowly: {} messages wait, old data is dropped", peer_, queue_.waiting());
   }
 }
 
 void Session::take(std::vector<net::SharedBytes>& out, std::size_t max_bytes) {
   const std::size_t before = out.size();
   queue_.take(out, max_bytes, board_.clock());
-  messages_sent_ += out.size() - before;
   board_.counters.messages_sent += out.size() - before;
   for (std::size_t i = before; i < out.size(); ++i) board_.counters.bytes_sent += out[i]->size();
 }

@@ -4,9 +4,11 @@
 /// owed. Knows no sockets: Server feeds it what arrives and sends what it gives. One connection, one session;
 /// io thread.
 ///
-/// A session stops working on its input while it owes limits::kSessionAnswers answers, those of drivers that
-/// have yet to open or close what it told them included (wants_bytes() is false), so a client that asks
-/// without reading, or faster than the world turns, holds up itself and nobody else.
+/// Work comes in portions: work() does at most limits::kTurnMessages messages, and the server goes round all
+/// sessions that have something to do: those that put themselves on its list (Switchboard::due). A session
+/// stops working on its input while it owes limits::kSessionAnswers answers, those of drivers that have yet
+/// to open, close or carry out what it told them included, so a client that asks without reading, or faster
+/// than the world turns, holds up itself and nobody else.
 
 #include <cstddef>
 #include <cstdint>
@@ -39,19 +41,29 @@ class Session final : public Reader {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  /// Bytes from the client, in any segmentation.
+  /// Bytes from the client, in any segmentation; work() takes them up.
   void receive(std::span<const std::byte> bytes);
-  /// Goes on with input that had to wait. Call while can_work_on(), once answers have gone out.
-  void work_on();
-  /// Input waits for answers to go out.
-  bool held_up() const { return held_up_; }
-  bool can_work_on() const { return held_up_ && wants_bytes(); }
+  /// Carries out the next messages, as many as one turn allows, and returns their number.
+  std::size_t work();
+  /// A message has come whole and is not carried out yet.
+  bool has_message() const;
+  /// work() would do something: has_message(), and no answers hold it up.
+  bool can_work() const { return has_message() && owed_answers() < limits::kSessionAnswers; }
+  /// Nobody hears answers or data any more. What the client sent before still counts if it changes something:
+  /// commands, requests that set, devices opened and closed. What only asks is passed over.
+  void lose_peer();
   /// Closes every device the session has open.
   void leave();
   /// Some driver has not answered yet.
   bool waits_for_answers() const { return !pending_.empty(); }
-  /// False while input waits for answers to go out: the connection should pause.
-  bool wants_bytes() const { return owed_answers() < limits::kSessionAnswers; }
+  /// take() would give something.
+  bool has_output() const { return queue_.has_output(); }
+
+  /// Puts the session on the list of those with something to do, unless it is there or is having its turn.
+  void mark_due();
+  /// The server took it from the list and has done what there was.
+  void unmark_due() { due_ = false; }
+
   /// Why the session has to be closed; empty while it need not.
   const std::string& broken() const { return broken_; }
 
@@ -62,19 +74,23 @@ class Session final : public Reader {
   /// From now on the session is broken().
   void give_up(std::string why);
 
-  /// A driver's answer to the request with this number (the low half of its ticket), or the end of a receipt.
+  /// A driver's answer to the request or the barrier with this number (the low half of its ticket).
   void answer(std::uint32_t number, bool ack, std::span<const std::byte> body);
   void deliver(const Frame& frame) override;
+
+  /// Of answers and data that wait; data that others wait for too is counted for each.
+  std::size_t output_bytes() const { return queue_.bytes_waiting(); }
+  /// Drops the data that waits, as if the queue were full; false if there is none.
+  bool drop_data();
 
   /// Moves what may be sent now to the end of `out`, until it holds about `max_bytes`.
   void take(std::vector<net::SharedBytes>& out, std::size_t max_bytes);
 
-  std::uint32_t robot() const { return robot_; }
   const std::string& peer() const { return peer_; }
-  std::size_t devices_open() const { return open_.size(); }
   std::size_t messages_waiting() const { return queue_.waiting(); }
-  std::uint64_t messages_sent() const { return messages_sent_; }
-  std::uint64_t data_dropped() const { return queue_.dropped(); }
+  std::size_t data_waiting() const { return queue_.data_waiting(); }
+  /// As OutQueue.
+  void send_unasked() { queue_.send_unasked(); }
 
  private:
   struct OpenDevice {
@@ -100,8 +116,8 @@ class Session final : public Reader {
 
   // session.cc: framing, commands and requests
   std::size_t owed_answers() const;
-  device::Receipt make_receipt();
-  void process();
+  void take_credit(device::DeviceId device);
+  bool matters_without_peer(const wire::Header& header) const;
   void forget_input(std::size_t count);
   void count_input(std::size_t bytes);
   void dispatch(const wire::Header& header, Body body);
@@ -112,7 +128,8 @@ class Session final : public Reader {
   void refuse(const wire::Header& header, Fault fault, const std::string& why);
   void reply(const wire::Header& to, bool ack, Body body = {});
   Frame make_reply(const wire::Header& to, bool ack, Body body) const;
-  void log_once(Fault fault, const wire::Header& header, const std::string& why);
+  void count_dropped(std::uint64_t messages);
+  void log_once(Fault fault, const std::string& what, const std::string& why);
   device::Address address_of(const wire::Header& header) const;
   bool opened_for_reading_only(device::DeviceId device) const;
 
@@ -123,7 +140,7 @@ class Session final : public Reader {
   void open_or_close(const wire::Header& header, Body body);
   void set_data_mode(const wire::Header& header, Body body);
   void add_replace_rule(const wire::Header& header, Body body);
-  std::uint8_t open(device::DeviceId device, Access access, std::uint8_t code, const wire::Header& header);
+  std::uint8_t open(device::DeviceId device, Access access, std::uint8_t code);
   bool close(device::DeviceId device);
 
   Switchboard& board_;
@@ -138,12 +155,12 @@ class Session final : public Reader {
   std::map<device::DeviceId, OpenDevice> open_;
   std::map<std::uint32_t, PendingRequest> pending_;
   std::size_t pending_bytes_ = 0;     // of the requests in pending_
-  std::set<std::uint32_t> receipts_;  // that drivers keep
+  std::set<std::uint32_t> barriers_;  // that drivers have not answered
   std::uint32_t next_request_ = 0;    // numbers both
-  bool held_up_ = false;
+  bool due_ = false, peer_lost_ = false;
   std::string broken_;
   std::set<Fault> logged_;
-  std::uint64_t messages_sent_ = 0, commands_dropped_ = 0;
+  std::uint64_t commands_dropped_ = 0;
 };
 
 /// The ticket of a session's request: what a driver hands back with its answer.

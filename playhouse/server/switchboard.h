@@ -4,7 +4,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <functional>
+#include <map>
+#include <memory>
+#include <vector>
 
 #include "playhouse/device/device_table.h"
 #include "playhouse/device/driver.h"
@@ -24,10 +28,14 @@ struct Counters {
 
 struct Switchboard {
   device::DeviceTable devices;
-  Fanout fanout;
+  FrameBytes frame_bytes = std::make_shared<std::size_t>(0);  // limits::kOutputBytes
+  Fanout fanout{frame_bytes};
   Counters counters;
   std::function<double()> clock;  // s; stamps answers
   device::Outlet* outlet;         // where drivers send their answers
+  std::deque<std::uint32_t> due;  // serials of the sessions with something to do, the longest waiting first
+  /// Bodies of the answers to "which devices are there", by port; forgotten when a device is added.
+  std::map<std::uint32_t, std::vector<std::byte>> device_lists;
 
   std::size_t input_bytes = 0;  // of memory for long messages that have not come whole (limits::kInputBytes)
   std::uint64_t input_turns = 0;  // numbers the moments at which such a message began

@@ -14,8 +14,8 @@ namespace playhouse::stage {
 namespace {
 
 /// Adds the rays of a bundle.
-PLAYHOUSE_VECTORS void put_rays(const Bundle& bundle, const Pose& X_WM, Rotation r, std::size_t first_beam,
-                                Rays& rays) {
+PLAYHOUSE_INLINE void put_rays(const Bundle& bundle, const Pose& X_WM, Rotation r, std::size_t first_beam,
+                               Rays& rays) {
   const std::size_t count = bundle.rays(), first = rays.count;
   const double *px = bundle.p.x.data(), *py = bundle.p.y.data(), *dx = bundle.d.x.data(),
                *dy = bundle.d.y.data();
@@ -34,7 +34,7 @@ PLAYHOUSE_VECTORS void put_rays(const Bundle& bundle, const Pose& X_WM, Rotation
 }
 
 /// Keeps the nearer of what is known and the edge, for the rays of a part.
-PLAYHOUSE_VECTORS void meet_edge(Vec2 a, Vec2 b, double seen, const Rays::Part& part, Rays& rays) {
+PLAYHOUSE_INLINE void meet_edge(Vec2 a, Vec2 b, double seen, const Rays::Part& part, Rays& rays) {
   for (std::size_t k = part.begin; k < part.end; ++k) {
     const double ax = a.x - rays.px[k], ay = a.y - rays.py[k], bx = b.x - rays.px[k], by = b.y - rays.py[k];
     const double s0 = rays.dx[k] * ay - rays.dy[k] * ax, s1 = rays.dx[k] * by - rays.dy[k] * bx;
@@ -53,9 +53,9 @@ constexpr std::size_t kMeetings = 256;
 
 /// Puts the places of bodies that rays may meet, by where they are in `meets`, into `place`, and which rays
 /// into `rays`; returns how many.
-PLAYHOUSE_VECTORS std::size_t find_bodies(const Bundle& bundle, const DiscIndex& index, Vec2 p_WM, Rotation r,
-                                          double z_low, double z_high, std::uint32_t* __restrict place,
-                                          std::uint16_t* __restrict rays) {
+PLAYHOUSE_INLINE std::size_t find_bodies(const Bundle& bundle, const DiscIndex& index, Vec2 p_WM, Rotation r,
+                                         double z_low, double z_high, std::uint32_t* __restrict place,
+                                         std::uint16_t* __restrict rays) {
   const double per_cell = 1.0 / bundle.cell, middle = bundle.half * per_cell + 1;
   const double c = r.c * per_cell, s = r.s * per_cell, far = bundle.half * bundle.half;
   const DiscIndex::Places& places = index.places();
@@ -104,9 +104,9 @@ PLAYHOUSE_INLINE void meet(const Space& space, const Meeting* meetings, std::siz
 }
 
 /// Keeps the nearer of what is known and the bodies at `place`, each for the rays that its bits name.
-PLAYHOUSE_VECTORS void meet_bodies(const Space& space, std::uint32_t own_root, const std::uint32_t* place,
-                                   const std::uint16_t* near, std::size_t count, std::size_t first,
-                                   bool heights, Rays& rays) {
+PLAYHOUSE_INLINE void meet_bodies(const Space& space, std::uint32_t own_root, const std::uint32_t* place,
+                                  const std::uint16_t* near, std::size_t count, std::size_t first,
+                                  bool heights, Rays& rays) {
   Meeting meetings[kMeetings + Bundle::kRays];
   std::size_t met = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -114,7 +114,7 @@ PLAYHOUSE_VECTORS void meet_bodies(const Space& space, std::uint32_t own_root, c
     if (disc.root == own_root || disc.ranger_return < 0) continue;
     const double radius = disc.radius + kMargin;
     unsigned left = near[i];
-    do {  // without branches: nobody can foretell which circles are met
+    do {  // branch-free: hits are unpredictable
       const auto k = static_cast<std::uint32_t>(first + static_cast<std::size_t>(std::countr_zero(left)));
       meetings[met] = {place[i], k};
       met += (std::fabs(geom::cross(rays.d(k), disc.center - rays.p(k))) <= radius) &
@@ -149,20 +149,20 @@ void RangerSense::meet_few_walls(const Space& space, const View& view, const Ray
   const geom::Box box = box_about(part.about, reach);
   for (const Walls::Edge& edge : space.walls.few())
     if (edge.reaches(box) && view.sees(space.solids, edge.solid, rays.z[part.begin]))
-      meet_edge(edge.a, edge.b, space.solids.ranger_return[edge.solid], part, rays);
+      in_vectors<meet_edge>(edge.a, edge.b, space.solids.ranger_return[edge.solid], part, rays);
 }
 
-void RangerSense::run_bundle(const Space& space, const View& view, const Bundle& bundle, Bench& bench) {
-  if (bench.rays.count + bundle.rays() > Rays::kMost) finish_rays(space, bench);
-  Rays& rays = bench.rays;
+void RangerSense::run_bundle(const Space& space, const View& view, const Bundle& bundle, Scratch& scratch) {
+  if (scratch.rays.count + bundle.rays() > Rays::kMost) finish_rays(space, scratch);
+  Rays& rays = scratch.rays;
   const Rotation rotation = Rotation::of(view.X_WM.a);
-  put_rays(bundle, view.X_WM, rotation, bench.first_beam, rays);
+  in_vectors<put_rays>(bundle, view.X_WM, rotation, scratch.first_beam, rays);
   const Rays::Part part = rays.parts[rays.part_count - 1];
   const double z_low = view.X_WM.z + bundle.z_min, z_high = view.X_WM.z + bundle.z_max;
-  const std::size_t count = find_bodies(bundle, space.index, view.X_WM.xy(), rotation, z_low, z_high,
-                                        bench.place.data(), bench.met_by.data());
-  meet_bodies(space, view.root, bench.place.data(), bench.met_by.data(), count, part.begin, z_low != z_high,
-              rays);
+  const std::size_t count = in_vectors<find_bodies>(bundle, space.index, view.X_WM.xy(), rotation, z_low,
+                                                    z_high, scratch.place.data(), scratch.met_by.data());
+  in_vectors<meet_bodies>(space, view.root, scratch.place.data(), scratch.met_by.data(), count, part.begin,
+                          z_low != z_high, rays);
 
   const Walls& walls = space.walls;
   if (walls.clear_about(part.about) <= bundle.reach) {
@@ -173,7 +173,7 @@ void RangerSense::run_bundle(const Space& space, const View& view, const Bundle&
     else
       meet_walls_alone(space, view, part, rays);
   }
-  put_back(part, bench);
+  put_back(part, scratch);
   rays.count = part.begin;
   --rays.part_count;
 }
@@ -182,18 +182,18 @@ bool RangerSense::can_march(const Walls& walls, const View& view, double reach) 
   return !view.is_wall && reach < kFarthestMarch * walls.torus().cell();
 }
 
-void RangerSense::put_back(const Rays::Part& part, Bench& bench) {
+void RangerSense::put_back(const Rays::Part& part, Scratch& scratch) {
   for (std::size_t k = part.begin; k < part.end; ++k) {
-    bench.range[bench.rays.beam[k]] = bench.rays.range[k];
-    bench.intensity[bench.rays.beam[k]] = bench.rays.intensity[k];
+    scratch.range[scratch.rays.beam[k]] = scratch.rays.range[k];
+    scratch.intensity[scratch.rays.beam[k]] = scratch.rays.intensity[k];
   }
 }
 
-void RangerSense::finish_rays(const Space& space, Bench& bench) {
-  if (bench.rays.count == 0) return;
-  march(space.walls, bench.rays);
-  put_back({{}, 0, bench.rays.count}, bench);
-  bench.rays.count = bench.rays.part_count = 0;
+void RangerSense::finish_rays(const Space& space, Scratch& scratch) {
+  if (scratch.rays.count == 0) return;
+  march(space.walls, scratch.rays);
+  put_back({{}, 0, scratch.rays.count}, scratch);
+  scratch.rays.count = scratch.rays.part_count = 0;
 }
 
 }  // namespace playhouse::stage

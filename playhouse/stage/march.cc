@@ -112,8 +112,7 @@ PLAYHOUSE_INLINE void look(const Torus& torus, const std::uint8_t* clearances, s
   const EightInts ended = range < t;
   store<EightInts>(lanes.place + k, ((((y << static_cast<int>(torus.bits())) + x) << 2) + quadrant) | ended);
   found.on += ended + 1;
-  for (std::size_t lane = k; lane < k + kEight;
-       ++lane) {  // without branches: nobody can foretell what is met
+  for (std::size_t lane = k; lane < k + kEight; ++lane) {  // branch-free: hits are unpredictable
     const std::int32_t clearance = clearances[lanes.place[lane]];
     lanes.hop[lane] = clearance;
     found.touch[found.touches] = static_cast<std::uint32_t>(lane);
@@ -184,8 +183,7 @@ PLAYHOUSE_INLINE void fill_up(std::size_t count, Lanes& lanes) {
   }
 }
 
-/// Keeps the nearer of what is known about ray k and the edges. Without branches: nobody can foretell what is
-/// hit.
+/// Keeps the nearer of what is known about ray k and the edges. Branch-free: hits are unpredictable.
 PLAYHOUSE_INLINE void meet(const Walls::Group& group, std::size_t k, Rays& rays) {
   const double px = rays.px[k], py = rays.py[k], dx = rays.dx[k], dy = rays.dy[k];
   const Four range = {rays.range[k], rays.range[k], rays.range[k], rays.range[k]};
@@ -211,9 +209,7 @@ PLAYHOUSE_INLINE void meet(const Walls::Group& group, std::size_t k, Rays& rays)
   rays.intensity[k] = (t < range ? seen : known)[0];
 }
 
-}  // namespace
-
-PLAYHOUSE_VECTORS void march(const Walls& walls, Rays& rays) {
+PLAYHOUSE_INLINE void march_here(const Walls& walls, Rays& rays) {
   Lanes lanes;
   for (std::size_t i = 0; i < rays.part_count; ++i) put_origins(rays, rays.parts[i], walls.torus(), lanes);
   put_directions(rays, walls.torus(), lanes);
@@ -238,6 +234,12 @@ PLAYHOUSE_VECTORS void march(const Walls& walls, Rays& rays) {
     found.on = EightInts{};
     advance(walls, used, lanes, found);
   }
+}
+
+}  // namespace
+
+void march(const Walls& walls, Rays& rays) {
+  in_vectors<march_here>(walls, rays);
 }
 
 }  // namespace playhouse::stage

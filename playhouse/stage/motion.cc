@@ -40,7 +40,11 @@ Outline outline_now(const Solids& solids, std::size_t row) {
 }  // namespace
 
 Motion::Motion(const Trees& trees, const Solids& solids, const world::Models& models, unsigned workers)
-    : trees_(&trees), proposes_(trees.size()), stalls_(trees.size()), reach_(trees.size()) {
+    : trees_(&trees),
+      proposes_(trees.size()),
+      stalls_(trees.size()),
+      conflicts_(trees.size()),
+      reach_(trees.size()) {
   Sweep sweep;
   for (std::size_t tree = 0; tree < trees.size(); ++tree) {
     const std::uint32_t begin = trees.first_model[tree], end = trees.first_model[tree + 1];
@@ -58,6 +62,8 @@ Motion::Motion(const Trees& trees, const Solids& solids, const world::Models& mo
   sweep.X_WM.resize(sweep.X_PM.size());
   sweep.rotation.resize(sweep.X_PM.size());
   sweeps_.assign(workers, sweep);
+  for (Sweep& each : sweeps_)
+    each.conflicts.reserve(8 * trees.size());  // what few workers meet is met by one
   X_PM_.resize(trees.models.size());
   X_WM_.resize(trees.models.size());
   rotation_.resize(trees.models.size());
@@ -155,25 +161,34 @@ bool Motion::meets_wall(const Surroundings& in, std::size_t solid, const Outline
   return met;
 }
 
-/// True if the outline overlaps another tree's solid where that is, or where a tree before this one proposes
-/// to be. Two that overlap already may part.
-bool Motion::meets_other(const Surroundings& in, std::size_t solid, const Outline& now, const Outline& then,
-                         std::size_t other) const {
-  const Outline other_now = outline_now(in.solids, other);
-  const double reach = in.solids.radius[solid] + in.solids.radius[other];
-  const auto meets_at = [&](const Outline& place) {
-    if (distance(then.center, place.center) >= reach || !overlap(then, place)) return false;
-    const bool parting =
-        distance(then.center, place.center) >= distance(now.center, other_now.center) - kRounding;
-    return !(parting && overlap(now, other_now));
-  };
-  if (meets_at(other_now)) return true;
-  const std::uint32_t tree = in.solids.tree[other];
-  return tree < in.solids.tree[solid] && proposes_[tree] &&
-         meets_at(outline_at(in.solids, other, center_[other], p_.data() + in.solids.first_vertex[other]));
+bool Motion::Sweep::add(Conflict conflict) {
+  for (std::size_t i = first_conflict; i < conflicts.size(); ++i)
+    if (conflicts[i].with == conflict.with) return conflicts[i].if_moved != conflict.if_moved;
+  conflicts.push_back(conflict);
+  return false;
 }
 
-bool Motion::meets(const Surroundings& in, std::uint32_t tree, const TreeShape& shape) const {
+/// True if the outline overlaps another tree's solid wherever that may come to be. Where it depends on
+/// whether that tree moves, that is a conflict. Two that overlap already may part.
+bool Motion::meets_other(const Surroundings& in, std::size_t solid, const Outline& now, const Outline& then,
+                         std::size_t other, Sweep& sweep) const {
+  const double reach = in.solids.radius[solid] + in.solids.radius[other];
+  const auto meets_at = [&](const Outline& place) {
+    const double apart = distance(then.center, place.center);
+    if (apart >= reach || !overlap(then, place)) return false;
+    const bool parting = apart >= distance(now.center, place.center) - kRounding;
+    return !(parting && overlap(now, place));
+  };
+  const bool meets_now = meets_at(outline_now(in.solids, other));
+  const std::uint32_t tree = in.solids.tree[other];
+  if (tree > in.solids.tree[solid] || !proposes_[tree]) return meets_now;
+  const bool meets_then =
+      meets_at(outline_at(in.solids, other, center_[other], p_.data() + in.solids.first_vertex[other]));
+  if (meets_now == meets_then) return meets_now;
+  return sweep.add({tree, meets_then});
+}
+
+bool Motion::meets(const Surroundings& in, std::uint32_t tree, const TreeShape& shape, Sweep& sweep) const {
   const Solids& solids = in.solids;
   const std::uint32_t first = trees_->first_solid[tree], end = trees_->first_solid[tree + 1];
   for (std::uint32_t row = first; row < end; ++row) {
@@ -190,13 +205,14 @@ bool Motion::meets(const Surroundings& in, std::uint32_t tree, const TreeShape& 
           if (met || disc.root == solids.root[row] || !solids.obstacle[disc.row]) return;
           if (distance(disc.center, then.center) >= disc.radius + reach || !z_overlaps(solids, row, disc.row))
             return;
-          met = meets_other(in, row, now, then, disc.row);
+          met = meets_other(in, row, now, then, disc.row, sweep);
         });
     if (met) return true;
   }
   return false;
 }
 
+/// True if the way of a tree is blocked whatever the trees before it do; else `sweep` has its conflicts.
 bool Motion::is_blocked(const Surroundings& in, std::uint32_t tree, Sweep& sweep) {
   const unsigned steps = steps_of(in, tree);
   const TreeShape last = proposal(in.solids, tree);
@@ -207,9 +223,31 @@ bool Motion::is_blocked(const Surroundings& in, std::uint32_t tree, Sweep& sweep
                           {sweep.p.data(), last.p.size()}};
   for (unsigned step = 1; step < steps; ++step) {
     shape_at(in, tree, static_cast<double>(step) / steps, between);
-    if (meets(in, tree, between)) return true;
+    if (meets(in, tree, between, sweep)) return true;
   }
-  return meets(in, tree, last);
+  return meets(in, tree, last, sweep);
+}
+
+void Motion::follow(const Surroundings& in, std::uint32_t tree, std::uint32_t worker) {
+  Sweep& sweep = sweeps_[worker];
+  sweep.first_conflict = sweep.conflicts.size();
+  stalls_[tree] = is_blocked(in, tree, sweep);
+  if (stalls_[tree]) sweep.conflicts.resize(sweep.first_conflict);
+  conflicts_[tree] = {worker, static_cast<std::uint32_t>(sweep.first_conflict),
+                      static_cast<std::uint32_t>(sweep.conflicts.size())};
+}
+
+/// In row order, so that what a tree before this one does is known.
+void Motion::decide() {
+  for (std::size_t tree = 0; tree < trees_->size(); ++tree) {
+    if (!proposes_[tree]) continue;
+    const Conflicts& at = conflicts_[tree];
+    for (std::uint32_t i = at.begin; i < at.end; ++i) {
+      const Conflict& conflict = sweeps_[at.worker].conflicts[i];
+      const bool moved = !stalls_[conflict.with];
+      if (moved == conflict.if_moved) stalls_[tree] = 1;
+    }
+  }
 }
 
 /// What the robot believes after it has moved. Wheels of a stalled robot do not turn.
@@ -257,9 +295,11 @@ bool Motion::move(world::World& world, Solids& solids, const DiscIndex& index, c
   each_tree([&](std::uint32_t tree) { propose(in, tree); });
   reach_max_ = 0;
   for (const double reach : reach_) reach_max_ = std::max(reach_max_, reach);
+  for (Sweep& sweep : sweeps_) sweep.conflicts.clear();
   each_tree([&](std::uint32_t tree) {
-    if (proposes_[tree]) stalls_[tree] = is_blocked(in, tree, sweeps_[workers.current()]);
+    if (proposes_[tree]) follow(in, tree, workers.current());
   });
+  decide();
   each_tree([&](std::uint32_t tree) { commit(world, solids, tree); });
   for (std::size_t tree = 0; tree < trees_->size(); ++tree)
     if (proposes_[tree] && !stalls_[tree]) return true;

@@ -1,10 +1,14 @@
 #pragma once
 
-/// Motion: moves whole trees of models, in three steps that each may run on any number of workers. Every tree
-/// that drives proposes where it would be. It stalls, and stays, if its proposal overlaps something that
-/// stands still, any other tree where that is now, or the proposal of a tree before it in row order; so no
-/// two trees ever come to overlap, and the order of computation does not matter. A tree that overlaps
-/// something already may move as long as it does not get deeper into it.
+/// Motion: moves whole trees of models, with the result that trees moving one after the other, in row order,
+/// would have. Every tree that drives proposes where it would be. The proposal is refused, and the tree
+/// stalls and stays, if the way there meets something that stands still or another tree: where that came to
+/// be in this tick if it is before this one in row order, where it was if it comes after. So no two trees
+/// ever come to overlap, and a move that is refused is in nobody's way. A tree that overlaps something
+/// already may move as long as it does not get deeper into it.
+///
+/// Proposals and what their ways meet are found on any number of workers; what depends on the moves of trees
+/// before is noted as a conflict, and one pass in row order decides. Threads change no bit of the result.
 
 #include <vector>
 
@@ -25,11 +29,27 @@ class Motion {
             world::Workers& workers);
 
  private:
-  /// Shapes of one tree at a time, for the steps of one worker between here and the proposal.
+  /// A way that one of two places of another tree blocks: the proposal of `with`, or where it was.
+  struct Conflict {
+    std::uint32_t with;  // a tree that proposes, before the one whose way it is
+    bool if_moved;       // true: with's proposal blocks it; false: the place it would leave
+  };
+  /// What one worker needs to follow one way after the other.
   struct Sweep {
+    // The shape of a tree between here and its proposal.
     std::vector<Pose> X_PM, X_WM;
     std::vector<Rotation> rotation;
     std::vector<Vec2> center, p;
+    // Of all ways of this tick, those of one way together; keeps its capacity from tick to tick.
+    std::vector<Conflict> conflicts;
+    std::size_t first_conflict = 0;  // of the present way
+
+    /// Adds a conflict of the present way. True if both places of the other tree block it.
+    bool add(Conflict conflict);
+  };
+  /// The conflicts of a tree's way: sweeps_[worker].conflicts[begin .. end).
+  struct Conflicts {
+    std::uint32_t worker = 0, begin = 0, end = 0;
   };
   struct Surroundings {
     const world::World& world;
@@ -41,11 +61,13 @@ class Motion {
   void propose(const Surroundings& in, std::uint32_t tree);
   void shape_at(const Surroundings& in, std::uint32_t tree, double fraction, const TreeShape& out) const;
   unsigned steps_of(const Surroundings& in, std::uint32_t tree) const;
+  void follow(const Surroundings& in, std::uint32_t tree, std::uint32_t worker);
   bool is_blocked(const Surroundings& in, std::uint32_t tree, Sweep& sweep);
-  bool meets(const Surroundings& in, std::uint32_t tree, const TreeShape& shape) const;
+  bool meets(const Surroundings& in, std::uint32_t tree, const TreeShape& shape, Sweep& sweep) const;
   bool meets_wall(const Surroundings& in, std::size_t solid, const Outline& now, const Outline& then) const;
   bool meets_other(const Surroundings& in, std::size_t solid, const Outline& now, const Outline& then,
-                   std::size_t other) const;
+                   std::size_t other, Sweep& sweep) const;
+  void decide();
   void commit(world::World& world, Solids& solids, std::uint32_t tree) const;
   void believe(world::World& world, std::uint32_t robot) const;
   TreeShape proposal(const Solids& solids, std::uint32_t tree);
@@ -53,6 +75,7 @@ class Motion {
   const Trees* trees_;
   // Rows as in Trees.
   std::vector<std::uint8_t> proposes_, stalls_;  // (trees)
+  std::vector<Conflicts> conflicts_;             // (trees)
   std::vector<double> reach_;                    // largest displacement of a solid's centre  [m] (trees)
   std::vector<std::uint32_t> parent_;  // local row of the parent in its tree           (models of trees)
   double reach_max_ = 0;               // m, of this tick

@@ -53,21 +53,29 @@ bool is_inside_any(std::span<const Vec2> polygon, Vec2 p) {
   return odd;
 }
 
-/// Cuts the segment where it meets the outline and adds the pieces whose middle is inside.
-double length_inside_any(std::span<const Vec2> polygon, Vec2 a, Vec2 b) {
-  std::vector<double> cuts{0, 1};
+/// Where the segment a-b next meets the outline after `from`, or its end; both as a share of it.
+double next_cut(std::span<const Vec2> polygon, Vec2 a, Vec2 b, double from) {
   const Vec2 d = b - a;
+  double next = 1;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec2 v = polygon[i], e = corner_after(polygon, i) - v;
     const double denominator = geom::cross(d, e);
     if (denominator == 0) continue;
     const double t = geom::cross(v - a, e) / denominator, s = geom::cross(v - a, d) / denominator;
-    if (t > 0 && t < 1 && s >= 0 && s <= 1) cuts.push_back(t);
+    if (t > from && t < next && s >= 0 && s <= 1) next = t;
   }
-  std::sort(cuts.begin(), cuts.end());
+  return next;
+}
+
+/// Adds the pieces between two cuts whose middle is inside.
+double length_inside_any(std::span<const Vec2> polygon, Vec2 a, Vec2 b) {
+  const Vec2 d = b - a;
   double inside = 0;
-  for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
-    if (is_inside_any(polygon, a + (0.5 * (cuts[i] + cuts[i + 1])) * d)) inside += cuts[i + 1] - cuts[i];
+  for (double from = 0; from < 1;) {
+    const double to = next_cut(polygon, a, b, from);
+    if (is_inside_any(polygon, a + (0.5 * (from + to)) * d)) inside += to - from;
+    from = to;
+  }
   return inside * length(d);
 }
 

@@ -86,7 +86,7 @@ void add_sensor(RangerKind& kind, const scene::RangerSensorDesc& sensor, const P
   if (sensor.noise_angular > 0) {
     for (std::uint32_t sample = 0; sample < sensor.samples; ++sample)
       kind.jitters.push_back({X_MS, z, sensor.range_max, bearing_of(sensor, sample), sensor.noise_angular,
-                              kind.beams + sample, number});
+                              kind.beams + sample, number, sample});
   } else if (sensor.samples >= kScanBeams && sensor.fov > 0) {
     kind.scans.push_back(make_scan(sensor, X_MS, z, kind.beams));
   } else {

@@ -45,8 +45,8 @@ struct Row {
 
 /// Keeps the nearer of what is known and the edge from w0 to w1, which is to the left of w0, for the beams
 /// from `first` on up to `last`, and a few more.
-PLAYHOUSE_VECTORS void project(const Row& row, Vec2 w0, Vec2 w1, double seen, std::size_t first,
-                               std::size_t last) {
+PLAYHOUSE_INLINE void project(const Row& row, Vec2 w0, Vec2 w1, double seen, std::size_t first,
+                              std::size_t last) {
   const double area = w0.x * w1.y - w0.y * w1.x;
   for (std::size_t k = first; k <= last; k += kFour) {
     Four x, y, range, intensity;
@@ -76,7 +76,7 @@ void project_edge(Vec2 w0, Vec2 w1, double intensity, const Row& row) {
   for (int turn = -turns; turn <= turns; ++turn) {
     const double low = from + turn * geom::kTwoPi, high = to + turn * geom::kTwoPi;
     if (high < -row.half || low > row.half) continue;
-    project(row, w0, w1, intensity, row.beam_right_of(low), row.beam_left_of(high));
+    in_vectors<project>(row, w0, w1, intensity, row.beam_right_of(low), row.beam_left_of(high));
   }
 }
 
@@ -95,9 +95,9 @@ constexpr std::size_t kFacingCorners = 32;
 
 /// A convex body of up to kFacingCorners from outside, all within the beams first .. last: projects the edges
 /// that face the scanner, unless every beam has met something nearer than `nearest`.
-PLAYHOUSE_VECTORS void project_facing(const Row& row, const Vec2* __restrict polygon, std::size_t corners,
-                                      Vec2 origin, Rotation r, double seen, double nearest, std::size_t first,
-                                      std::size_t last) {
+PLAYHOUSE_INLINE void project_facing(const Row& row, const Vec2* __restrict polygon, std::size_t corners,
+                                     Vec2 origin, Rotation r, double seen, double nearest, std::size_t first,
+                                     std::size_t last) {
   bool hidden = true;
   for (std::size_t k = first; k <= last && hidden; ++k) hidden = row.range[k] <= nearest;
   if (hidden) return;
@@ -161,9 +161,9 @@ void put_beams(const Scan& scan, Vec2 p_WS, Rotation rotation, double z, std::si
 }
 
 /// Turns centres into the scanner's frame and measures their distances and rough bearings.
-PLAYHOUSE_VECTORS void find_distances(Rotation r, std::size_t count, double* __restrict x,
-                                      double* __restrict y, double* __restrict distance,
-                                      double* __restrict bearing) {
+PLAYHOUSE_INLINE void find_distances(Rotation r, std::size_t count, double* __restrict x,
+                                     double* __restrict y, double* __restrict distance,
+                                     double* __restrict bearing) {
   for (std::size_t i = 0; i < count; ++i) {
     const double u = r.c * x[i] + r.s * y[i], v = r.c * y[i] - r.s * x[i];
     x[i] = u;
@@ -176,7 +176,7 @@ PLAYHOUSE_VECTORS void find_distances(Rotation r, std::size_t count, double* __r
 }  // namespace
 
 /// Puts the places of what may be seen into `order`, from near to far by rings; returns how many.
-std::size_t RangerSense::Bench::sort_by_distance(std::size_t count, double reach) {
+std::size_t RangerSense::Scratch::sort_by_distance(std::size_t count, double reach) {
   constexpr std::size_t kRings = 32;
   std::uint32_t first[kRings + 2] = {};
   const double per_ring = static_cast<double>(kRings) / reach;
@@ -194,51 +194,54 @@ std::size_t RangerSense::Bench::sort_by_distance(std::size_t count, double reach
 }
 
 void RangerSense::scan_bodies(const Space& space, const Pose& X_WS, Rotation rotation, double z,
-                              const View& view, const Scan& scan, Bench& bench) {
+                              const View& view, const Scan& scan, Scratch& scratch) {
   const Solids& solids = space.solids;
-  const Row row(scan, bench.range.data() + bench.first_beam, bench.intensity.data() + bench.first_beam);
+  const Row row(scan, scratch.range.data() + scratch.first_beam,
+                scratch.intensity.data() + scratch.first_beam);
   const double radius_max = space.index.radius_max() + kMargin;
   Sector sector{X_WS.xy(), scan.range_max, z, z, {0, 0}, 0};
   if (scan.fov <= geom::kPi) {  // no beam points back, so none meets what is all behind
     sector.ahead = {rotation.c, rotation.s};
     sector.behind = -radius_max;
   }
-  const std::size_t near = bench.gather(space.index, sector);
-  find_distances(rotation, near, bench.x.data(), bench.y.data(), bench.distance.data(), bench.bearing.data());
-  const std::size_t count = bench.sort_by_distance(near, scan.range_max + radius_max);
+  const std::size_t near = scratch.gather(space.index, sector);
+  in_vectors<find_distances>(rotation, near, scratch.x.data(), scratch.y.data(), scratch.distance.data(),
+                             scratch.bearing.data());
+  const std::size_t count = scratch.sort_by_distance(near, scan.range_max + radius_max);
 
   constexpr std::size_t kAhead = 3;
   for (std::size_t i = 0; i < count; ++i) {
-    const std::uint32_t at = bench.order[i];
-    const DiscIndex::Disc& disc = space.index.discs()[bench.place[at]];
+    const std::uint32_t at = scratch.order[i];
+    const DiscIndex::Disc& disc = space.index.discs()[scratch.place[at]];
     if (i + kAhead < count) {
       const Vec2* const soon =
-          solids.p.data() + space.index.discs()[bench.place[bench.order[i + kAhead]]].first_vertex;
+          solids.p.data() + space.index.discs()[scratch.place[scratch.order[i + kAhead]]].first_vertex;
       __builtin_prefetch(soon);
       __builtin_prefetch(soon + 4);
       __builtin_prefetch(soon + 8);
     }
     if (!view.sees(disc)) continue;
-    const double distance = bench.distance[at], radius = disc.radius + kMargin;
+    const double distance = scratch.distance[at], radius = disc.radius + kMargin;
     const double x = radius / distance;
     const double spread = x + 0.5708 * x * x * x + kBearingError;  // not below asin(x)
-    const double from = bench.bearing[at] - spread, to = bench.bearing[at] + spread;
+    const double from = scratch.bearing[at] - spread, to = scratch.bearing[at] + spread;
     const std::span<const Vec2> polygon(solids.p.data() + disc.first_vertex, disc.vertices);
     const bool in_front = (x < 1) & (row.half <= geom::kPi) & (from > -geom::kPi) & (to < geom::kPi);
     if (!in_front || !disc.convex || polygon.size() > kFacingCorners) {
       project_edges(polygon, X_WS, rotation, disc.ranger_return, row);
     } else if (to >= -row.half && from <= row.half) {
-      project_facing(row, polygon.data(), polygon.size(), X_WS.xy(), rotation, disc.ranger_return,
-                     distance - radius, row.beam_right_of(from), row.beam_left_of(to));
+      in_vectors<project_facing>(row, polygon.data(), polygon.size(), X_WS.xy(), rotation, disc.ranger_return,
+                                 distance - radius, row.beam_right_of(from), row.beam_left_of(to));
     }
   }
 }
 
 void RangerSense::scan_walls(const Space& space, const Pose& X_WS, Rotation rotation, double z,
-                             const View& view, const Scan& scan, Bench& bench) {
+                             const View& view, const Scan& scan, Scratch& scratch) {
   if (space.walls.clear_about(X_WS.xy()) > scan.range_max) return;
   const geom::Box box = box_about(X_WS.xy(), scan.range_max);
-  const Row row(scan, bench.range.data() + bench.first_beam, bench.intensity.data() + bench.first_beam);
+  const Row row(scan, scratch.range.data() + scratch.first_beam,
+                scratch.intensity.data() + scratch.first_beam);
   const auto hides = [&](std::uint32_t solid) { return view.sees(space.solids, solid, z); };
   const auto project_wall = [&](const Walls::Edge& edge) {
     project_edge(rotation.inverse(edge.a - X_WS.xy()), rotation.inverse(edge.b - X_WS.xy()),
@@ -250,10 +253,10 @@ void RangerSense::scan_walls(const Space& space, const Pose& X_WS, Rotation rota
     return;
   }
   if (space.walls.count_near(box) <= scan.count) {
-    ++bench.scans;
+    ++scratch.scans;
     space.walls.near(box, [&](const Walls::Edge& edge) {
-      if (bench.stamp[edge.number] == bench.scans) return;
-      bench.stamp[edge.number] = bench.scans;
+      if (scratch.stamp[edge.number] == scratch.scans) return;
+      scratch.stamp[edge.number] = scratch.scans;
       if (hides(edge.solid)) project_wall(edge);
     });
     return;
@@ -272,13 +275,13 @@ void RangerSense::scan_walls(const Space& space, const Pose& X_WS, Rotation rota
   }
 }
 
-void RangerSense::run_scan(const Space& space, const View& view, const Scan& scan, Bench& bench) {
-  std::fill_n(bench.range.begin() + bench.first_beam + scan.first_beam, scan.count, scan.range_max);
+void RangerSense::run_scan(const Space& space, const View& view, const Scan& scan, Scratch& scratch) {
+  std::fill_n(scratch.range.begin() + scratch.first_beam + scan.first_beam, scan.count, scan.range_max);
   const Pose X_WS = geom::compose(view.X_WM, scan.X_MS);
   const double z = view.X_WM.z + scan.z;
   const Rotation rotation = Rotation::of(X_WS.a);
-  scan_walls(space, X_WS, rotation, z, view, scan, bench);
-  scan_bodies(space, X_WS, rotation, z, view, scan, bench);
+  scan_walls(space, X_WS, rotation, z, view, scan, scratch);
+  scan_bodies(space, X_WS, rotation, z, view, scan, scratch);
 }
 
 }  // namespace playhouse::stage

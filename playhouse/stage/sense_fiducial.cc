@@ -25,6 +25,8 @@ FiducialSense::FiducialSense(const world::World& world, const Solids& solids)
       targets_(world.fiducials.size() > 0 ? world.models.size() : 0, 0.25) {
   for (const world::ModelRow model : world.fiducials.model)
     period_.push_back(ticks_of(world.desc(model).update_interval, world.scene().interval));
+  due_.reserve(world.fiducials.size());
+  marked_.reserve(world.fiducials.size() > 0 ? world.models.size() : 0);
   for (std::size_t row = 0; row < solids.size(); ++row) {
     const std::uint32_t top = solids.root[row];
     const double z = world.models.X_WM[top].z;

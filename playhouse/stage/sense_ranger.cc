@@ -32,21 +32,21 @@ RangerSense::RangerSense(const world::World& world, const Solids& solids, unsign
   for (const world::ModelRow model : world.rangers.model)
     period_.push_back(ticks_of(world.desc(model).update_interval, world.scene().interval));
 
-  Bench bench;
+  Scratch scratch;
   std::size_t beams = 0;
   for (const RangerKind& kind : kinds_.kinds) beams = std::max<std::size_t>(beams, kind.beams);
-  bench_beams_ = std::max<std::size_t>(beams, 2 * Rays::kMost);
-  bench.range.resize(bench_beams_ + Scan::kSpare);
-  bench.intensity.resize(bench_beams_ + Scan::kSpare);
-  bench.x.resize(solids.moving + 1);
-  bench.y.resize(solids.moving + 1);
-  bench.distance.resize(solids.moving + 1);
-  bench.bearing.resize(solids.moving + 1);
-  bench.place.resize(solids.moving + 1);
-  bench.order.resize(solids.moving + 1);
-  bench.ring.resize(solids.moving + 1);
-  bench.met_by.resize(solids.moving + 1);
-  benches_.assign(workers, bench);
+  scratch_beams_ = std::max<std::size_t>(beams, 2 * Rays::kMost);
+  scratch.range.resize(scratch_beams_ + Scan::kSpare);
+  scratch.intensity.resize(scratch_beams_ + Scan::kSpare);
+  scratch.x.resize(solids.moving + 1);
+  scratch.y.resize(solids.moving + 1);
+  scratch.distance.resize(solids.moving + 1);
+  scratch.bearing.resize(solids.moving + 1);
+  scratch.place.resize(solids.moving + 1);
+  scratch.order.resize(solids.moving + 1);
+  scratch.ring.resize(solids.moving + 1);
+  scratch.met_by.resize(solids.moving + 1);
+  scratch_.assign(workers, scratch);
   due_.reserve(world.rangers.size());
 }
 
@@ -61,14 +61,14 @@ std::uint64_t RangerSense::sense(world::World& world, const Space& space, std::u
     due_.push_back(ranger);
     rays += beams(ranger);
   }
-  for (Bench& bench : benches_) bench.stamp.resize(space.walls.edge_count(), 0);
+  for (Scratch& scratch : scratch_) scratch.stamp.resize(space.walls.edge_count(), 0);
   workers.run(due_.size(), 8, [&](std::size_t begin, std::size_t end) {
-    Bench& bench = benches_[workers.current()];
+    Scratch& scratch = scratch_[workers.current()];
     while (begin < end) {
       std::size_t next = begin, batch_beams = 0;
       do batch_beams += beams(due_[next++]);
-      while (next < end && batch_beams + beams(due_[next]) <= bench_beams_);
-      measure_batch(world, space, {due_.data() + begin, next - begin}, tick, bench);
+      while (next < end && batch_beams + beams(due_[next]) <= scratch_beams_);
+      measure_batch(world, space, {due_.data() + begin, next - begin}, tick, scratch);
       begin = next;
     }
   });
@@ -77,48 +77,48 @@ std::uint64_t RangerSense::sense(world::World& world, const Space& space, std::u
 
 void RangerSense::measure_batch(world::World& world, const Space& space,
                                 std::span<const std::uint32_t> rangers, std::uint64_t tick,
-                                Bench& bench) const {
-  bench.first_beam = 0;
+                                Scratch& scratch) const {
+  scratch.first_beam = 0;
   for (const std::uint32_t ranger : rangers) {
-    measure(world, space, ranger, tick, bench);
-    bench.first_beam += beams(ranger);
+    measure(world, space, ranger, tick, scratch);
+    scratch.first_beam += beams(ranger);
   }
-  finish_rays(space, bench);
-  bench.first_beam = 0;
+  finish_rays(space, scratch);
+  scratch.first_beam = 0;
   for (const std::uint32_t ranger : rangers) {
-    finish(world, ranger, tick, bench);
-    bench.first_beam += beams(ranger);
+    finish(world, ranger, tick, scratch);
+    scratch.first_beam += beams(ranger);
   }
 }
 
 void RangerSense::measure(world::World& world, const Space& space, std::uint32_t ranger, std::uint64_t tick,
-                          Bench& bench) const {
+                          Scratch& scratch) const {
   const std::uint32_t model = world.rangers.model[ranger].index;
   const std::uint32_t root = world.models.root[model];
   const View view{world.models.X_WM[model], root, is_wall_[root] != 0};
   const RangerKind& kind = kinds_.kinds[kinds_.of_ranger[ranger]];
-  std::fill_n(bench.intensity.begin() + bench.first_beam, kind.beams, 0.0);
-  for (const Scan& scan : kind.scans) run_scan(space, view, scan, bench);
-  for (const Bundle& bundle : kind.bundles) run_bundle(space, view, bundle, bench);
+  std::fill_n(scratch.intensity.begin() + scratch.first_beam, kind.beams, 0.0);
+  for (const Scan& scan : kind.scans) run_scan(space, view, scan, scratch);
+  for (const Bundle& bundle : kind.bundles) run_bundle(space, view, bundle, scratch);
   for (const Jitter& jitter : kind.jitters) {
     const std::uint32_t sensor = world.rangers.first_sensor[ranger] + jitter.sensor;
-    Rng rng(world.seed(), tick, (std::uint64_t{sensor} << 32) + jitter.beam + 1,
-            static_cast<std::uint64_t>(world::Stream::kRangeNoise));
-    run_jitter(space, view, jitter, jitter.bearing + rng.uniform(-jitter.spread, jitter.spread), bench);
+    Rng rng(world.seed(), tick, {Purpose::kBeamBearing, sensor, jitter.sample});
+    run_jitter(space, view, jitter, jitter.bearing + rng.uniform(-jitter.spread, jitter.spread), scratch);
   }
 }
 
 /// Noise, limits, and the columns that everyone reads.
-void RangerSense::finish(world::World& world, std::uint32_t ranger, std::uint64_t tick, Bench& bench) const {
+void RangerSense::finish(world::World& world, std::uint32_t ranger, std::uint64_t tick,
+                         Scratch& scratch) const {
   const RangerKind& kind = kinds_.kinds[kinds_.of_ranger[ranger]];
   const std::uint32_t first_sensor = world.rangers.first_sensor[ranger];
   world.rangers.measured_tick[ranger] = tick;
   if (kind.beams == 0) return;
   if (kind.noisy) {
-    double* range = bench.range.data() + bench.first_beam;
+    double* range = scratch.range.data() + scratch.first_beam;
     for (std::uint32_t i = 0; i < world.rangers.sensor_count[ranger]; ++i) {
       const scene::RangerSensorDesc& sensor = world.desc(world.rangers.model[ranger]).sensors[i];
-      Rng rng(world.seed(), tick, first_sensor + i, static_cast<std::uint64_t>(world::Stream::kRangeNoise));
+      Rng rng(world.seed(), tick, {Purpose::kRangeNoise, first_sensor + i});
       for (std::uint32_t k = 0; k < sensor.samples; ++k, ++range)
         if (*range < sensor.range_max) *range = noisy(*range, sensor, rng);
     }
@@ -126,8 +126,8 @@ void RangerSense::finish(world::World& world, std::uint32_t ranger, std::uint64_
   // The beams of a ranger's sensors are consecutive.
   float* const ranges = world.sensors.ranges.data() + world.sensors.first_beam[first_sensor];
   float* const intensities = world.sensors.intensities.data() + world.sensors.first_beam[first_sensor];
-  const double *range = bench.range.data() + bench.first_beam,
-               *intensity = bench.intensity.data() + bench.first_beam, *low = kind.range_min.data(),
+  const double *range = scratch.range.data() + scratch.first_beam,
+               *intensity = scratch.intensity.data() + scratch.first_beam, *low = kind.range_min.data(),
                *high = kind.range_max.data();
   for (std::uint32_t k = 0; k < kind.beams; ++k) {
     const double above = range[k] < low[k] ? low[k] : range[k];
@@ -136,7 +136,7 @@ void RangerSense::finish(world::World& world, std::uint32_t ranger, std::uint64_
   for (std::uint32_t k = 0; k < kind.beams; ++k) intensities[k] = static_cast<float>(intensity[k]);
 }
 
-std::size_t RangerSense::Bench::gather(const DiscIndex& index, const Sector& sector) {
+std::size_t RangerSense::Scratch::gather(const DiscIndex& index, const Sector& sector) {
   std::size_t count = 0;
   const DiscIndex::Places& places = index.places();
   const double *const from_x = places.x.data(), *const from_y = places.y.data();
@@ -161,14 +161,14 @@ std::size_t RangerSense::Bench::gather(const DiscIndex& index, const Sector& sec
 }
 
 void RangerSense::run_jitter(const Space& space, const View& view, const Jitter& jitter, double bearing,
-                             Bench& bench) {
+                             Scratch& scratch) {
   const Pose X_WS = geom::compose(view.X_WM, jitter.X_MS);
   const Rotation ahead = Rotation::of(X_WS.a + bearing);
   const Ray ray{X_WS.xy(), {ahead.c, ahead.s}, view.X_WM.z + jitter.z, jitter.range_max, view.root};
   const Hit hit = cast(space, ray, [&](std::uint32_t row) { return space.solids.ranger_return[row] >= 0; });
-  bench.range[bench.first_beam + jitter.beam] = hit.range;
+  scratch.range[scratch.first_beam + jitter.beam] = hit.range;
   if (hit.solid != world::ModelRow::kNone)
-    bench.intensity[bench.first_beam + jitter.beam] = space.solids.ranger_return[hit.solid];
+    scratch.intensity[scratch.first_beam + jitter.beam] = space.solids.ranger_return[hit.solid];
 }
 
 }  // namespace playhouse::stage

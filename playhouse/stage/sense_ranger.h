@@ -30,7 +30,7 @@ class RangerSense {
     double behind = 0;
   };
   /// Scratch memory of one worker.
-  struct Bench {
+  struct Scratch {
     std::vector<double> range, intensity;  // beams of the rangers of a batch
     std::size_t first_beam = 0;            // of the ranger that is measured
     Rays rays;                             // still to go through the walls
@@ -49,32 +49,32 @@ class RangerSense {
 
   std::size_t beams(std::uint32_t ranger) const { return kinds_.kinds[kinds_.of_ranger[ranger]].beams; }
   void measure_batch(world::World& world, const Space& space, std::span<const std::uint32_t> rangers,
-                     std::uint64_t tick, Bench& bench) const;
+                     std::uint64_t tick, Scratch& scratch) const;
   void measure(world::World& world, const Space& space, std::uint32_t ranger, std::uint64_t tick,
-               Bench& bench) const;
-  void finish(world::World& world, std::uint32_t ranger, std::uint64_t tick, Bench& bench) const;
+               Scratch& scratch) const;
+  void finish(world::World& world, std::uint32_t ranger, std::uint64_t tick, Scratch& scratch) const;
 
-  static void run_scan(const Space& space, const View& view, const Scan& scan, Bench& bench);
+  static void run_scan(const Space& space, const View& view, const Scan& scan, Scratch& scratch);
   static void scan_bodies(const Space& space, const Pose& X_WS, Rotation rotation, double z, const View& view,
-                          const Scan& scan, Bench& bench);
+                          const Scan& scan, Scratch& scratch);
   static void scan_walls(const Space& space, const Pose& X_WS, Rotation rotation, double z, const View& view,
-                         const Scan& scan, Bench& bench);
-  static void run_bundle(const Space& space, const View& view, const Bundle& bundle, Bench& bench);
+                         const Scan& scan, Scratch& scratch);
+  static void run_bundle(const Space& space, const View& view, const Bundle& bundle, Scratch& scratch);
   static void meet_few_walls(const Space& space, const View& view, const Rays::Part& part, double reach,
                              Rays& rays);
   static void meet_walls_alone(const Space& space, const View& view, const Rays::Part& part, Rays& rays);
   static bool can_march(const Walls& walls, const View& view, double reach);
-  static void put_back(const Rays::Part& part, Bench& bench);
-  static void finish_rays(const Space& space, Bench& bench);
+  static void put_back(const Rays::Part& part, Scratch& scratch);
+  static void finish_rays(const Space& space, Scratch& scratch);
   static void run_jitter(const Space& space, const View& view, const Jitter& jitter, double bearing,
-                         Bench& bench);
+                         Scratch& scratch);
 
   RangerKinds kinds_;
   std::vector<std::uint8_t> is_wall_;  // 1: of a tree that stands still (models)
   std::vector<std::uint64_t> period_;  // ticks between two scans (rangers)
   std::vector<std::uint32_t> due_;     // rangers of this tick
-  std::size_t bench_beams_ = 0;        // room for beams in a bench
-  std::vector<Bench> benches_;         // one per worker
+  std::size_t scratch_beams_ = 0;      // room for beams in a Scratch
+  std::vector<Scratch> scratch_;       // one per worker
 };
 
 /// From where a ranger looks, and what it does not see.

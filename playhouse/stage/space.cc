@@ -4,8 +4,8 @@
 
 namespace playhouse::stage {
 
-PLAYHOUSE_VECTORS double polygon_hit(const Vec2* polygon, std::size_t corners, Vec2 p, Vec2 d) {
-  return polygon_hit_here(polygon, corners, p, d);
+double polygon_hit(const Vec2* polygon, std::size_t corners, Vec2 p, Vec2 d) {
+  return in_vectors<polygon_hit_here>(polygon, corners, p, d);
 }
 
 }  // namespace playhouse::stage

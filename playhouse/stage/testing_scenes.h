@@ -125,7 +125,7 @@ inline scene::SceneDesc crowd(std::size_t robots, Sensing sensing) {
   const double side = spacing * static_cast<double>(per_row);
   add_arena(scene, side);
   for (std::size_t i = 0; i < robots; ++i) {
-    Rng rng(1, 0, i, 100);
+    Rng rng(1, 0, {Purpose::kTestScene, static_cast<std::uint32_t>(i)});
     const double x = (static_cast<double>(i % per_row) + 0.5) * spacing - side / 2 + rng.uniform(-0.5, 0.5);
     const double y = (static_cast<double>(i / per_row) + 0.5) * spacing - side / 2 + rng.uniform(-0.5, 0.5);
     const int parent = static_cast<int>(scene.models.size());
@@ -134,6 +134,26 @@ inline scene::SceneDesc crowd(std::size_t robots, Sensing sensing) {
     scene.models.back().position->velocity = {0.3, 0, 0, rng.uniform(-0.5, 0.5)};
     if (sensing == Sensing::kSonar) scene.models.push_back(sonar_ring(name + ".ranger:0", parent));
     if (sensing == Sensing::kLaser) scene.models.push_back(laser(name + ".ranger:0", parent));
+  }
+  return scene;
+}
+
+/// Boxes that start apart, 3.7 to the square metre, and drive their own arcs, so slowly that a tick is one
+/// step: they are in each other's way all the time.
+inline scene::SceneDesc throng(std::size_t robots, std::uint64_t seed) {
+  scene::SceneDesc scene;
+  scene.name = "throng";
+  std::size_t per_row = 1;
+  while (per_row * per_row < robots) ++per_row;
+  const double spacing = 0.52, side = spacing * static_cast<double>(per_row);
+  add_arena(scene, side);
+  for (std::size_t i = 0; i < robots; ++i) {
+    Rng rng(seed, 0, {Purpose::kTestScene, static_cast<std::uint32_t>(i)});
+    const double x = (static_cast<double>(i % per_row) + 0.5) * spacing - side / 2 + rng.uniform(-0.04, 0.04);
+    const double y = (static_cast<double>(i / per_row) + 0.5) * spacing - side / 2 + rng.uniform(-0.04, 0.04);
+    const geom::Size size{rng.uniform(0.2, 0.3), rng.uniform(0.2, 0.3), 0.2};
+    scene.models.push_back(robot("r" + std::to_string(i), {x, y, 0, rng.uniform(-3, 3)}, size));
+    scene.models.back().position->velocity = {rng.uniform(-0.5, 0.5), 0, 0, rng.uniform(-1, 1)};
   }
   return scene;
 }

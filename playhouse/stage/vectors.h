@@ -1,24 +1,44 @@
 #pragma once
 
-/// PLAYHOUSE_VECTORS: compiles a function a second time for processors with AVX2 and picks one when the
-/// program starts. Both give the same bits: nothing is fused or reordered, only done four at a time.
+/// Vector functions: f(a, b) is written as a PLAYHOUSE_INLINE function and called as in_vectors<f>(a, b). It
+/// is compiled twice, for any processor and for those with AVX2, and instruction_set.h says which one runs.
+/// Both give the same bits: nothing is fused or reordered, only done four at a time.
 
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
-    !defined(__SANITIZE_THREAD__)
-#define PLAYHOUSE_VECTORS __attribute__((target_clones("avx2", "default")))
-#else
-#define PLAYHOUSE_VECTORS
-#endif
-
-/// For what functions with PLAYHOUSE_VECTORS are made of: becomes a part of each of their versions.
+/// For vector functions and what they are made of: becomes a part of each version.
 #define PLAYHOUSE_INLINE inline __attribute__((always_inline))
 
 namespace playhouse::stage {
+
+/// See instruction_set.h; here so that a call costs one look.
+extern bool vectors_use_avx2;
+
+/// The versions of a function.
+template <auto kFunction>
+struct Versions;
+template <typename Value, typename... Arguments, Value (*kFunction)(Arguments...)>
+struct Versions<kFunction> {
+  [[gnu::noinline]] static Value plain(Arguments... arguments) { return kFunction(arguments...); }
+#ifdef __x86_64__
+  [[gnu::noinline, gnu::target("avx2")]] static Value avx2(Arguments... arguments) {
+    return kFunction(arguments...);
+  }
+#else
+  static Value avx2(Arguments... arguments) {
+    return plain(arguments...);
+  }
+#endif
+  /// Not a part of its callers: it has nothing to do but to jump on.
+  [[gnu::noinline]] static Value call(Arguments... arguments) {
+    return vectors_use_avx2 ? avx2(arguments...) : plain(arguments...);
+  }
+};
+template <auto kFunction>
+inline constexpr auto in_vectors = Versions<kFunction>::call;
 
 /// Numbers that are worked on together, on any processor: four that are exact, or eight where half the digits
 /// do.

@@ -23,8 +23,8 @@ class Walls {
     std::uint32_t number;  // of this edge; the same in every cell that lists it
 
     bool reaches(const geom::Box& box) const {
-      return (std::max(a.x, b.x) >= box.x_min) & (std::min(a.x, b.x) <= box.x_max) &
-             (std::max(a.y, b.y) >= box.y_min) & (std::min(a.y, b.y) <= box.y_max);
+      return int{std::max(a.x, b.x) >= box.x_min} & int{std::min(a.x, b.x) <= box.x_max} &
+             int{std::max(a.y, b.y) >= box.y_min} & int{std::min(a.y, b.y) <= box.y_max};
     }
   };
 

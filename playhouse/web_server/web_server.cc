@@ -15,8 +15,9 @@
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/limits.h"
 #include "playhouse/base/log.h"
+#include "playhouse/net/fair_share.h"
 #include "playhouse/net/http.h"
-#include "playhouse/replicate/scene_text.h"
+#include "playhouse/web_server/driven_robots.h"
 #include "playhouse/web_server/web_viewer.h"
 
 namespace playhouse::web_server {
@@ -27,21 +28,16 @@ constexpr std::string_view kNoPage =
     "the "
     "program again.\n";
 
-/// "http://host:port" to "host:port".
-std::string_view authority(std::string_view origin) {
-  const std::size_t at = origin.find("://");
-  return at == std::string_view::npos ? origin : origin.substr(at + 3);
-}
+/// The page loads its own files alone, talks to this server alone, and is shown in nobody's frame, where a
+/// click meant for another site could drive a robot.
+constexpr std::string_view kPagePolicy =
+    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; connect-src 'self'; "
+    "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
 /// "host:port" or "host" to "host"; the brackets of an IPv6 address stay.
 std::string_view without_port(std::string_view authority) {
   const std::size_t bracket = authority.find(']');
   return authority.substr(0, authority.find(':', bracket == std::string_view::npos ? 0 : bracket));
-}
-
-/// True for what means this very machine to every browser.
-bool is_local(std::string_view host) {
-  return host == "localhost" || host == "127.0.0.1" || host == "[::1]";
 }
 
 bool is_address(std::string_view host) {
@@ -85,13 +81,15 @@ class WebServer::Impl final : public net::HttpService,
                               public WebViewerOwner,
                               public std::enable_shared_from_this<WebServer::Impl> {
  public:
-  Impl(net::IoLoop& loop, WebOptions options, world::Control& control, const world::World& world)
+  Impl(net::IoLoop& loop, WebOptions options, world::Control& control, const world::World& world,
+       const replicate::DeviceNames& devices)
       : loop_(loop),
         options_(std::move(options)),
         host_name_(options_.host_name.empty() ? machine_name() : options_.host_name),
         control_(control),
         layout_(world),
-        scene_(std::make_shared<const std::string>(replicate::scene_text(world, layout_))) {
+        scene_(std::make_shared<const std::string>(replicate::scene_text(world, layout_, devices))),
+        driven_(loop, control, world) {
     sensing_.resize(layout_.root.size());
     for (std::uint32_t row = 0; row < layout_.root.size(); ++row) {
       if (layout_.root[row] == row) sensing_[row] = sensing_models(world, layout_, row);
@@ -139,9 +137,10 @@ class WebServer::Impl final : public net::HttpService,
   }
 
  private:
-  /// Gives the newest snapshot to every viewer.
+  /// One turn: the newest snapshot for every viewer, and its next commands.
   void serve() {
     posted_ = false;
+    for (const auto& viewer : viewers_) viewer->new_turn();
     {
       const std::lock_guard lock(mutex_);
       if (std::exchange(fresh_, false)) std::swap(ready_, front_);
@@ -155,6 +154,14 @@ class WebServer::Impl final : public net::HttpService,
   }
 
   // HttpService
+
+  Result<void> serves(const std::string& host) override {
+    if (host.empty() || is_our_name(without_port(host))) return {};
+    const std::string text = in_quotes(host) + " is no name of this program; open it by its address or as " +
+                             host_name_ + " (--web-host gives it another name)";
+    if (hosts_refused_++ == 0) log::warn("web: a request refused: {} (told once)", text);
+    return Error{"", text};
+  }
 
   net::HttpReply get(const net::HttpRequest& request) override {
     net::HttpReply reply;
@@ -172,6 +179,7 @@ class WebServer::Impl final : public net::HttpService,
     }
     const bool gzip = request.accepts_gzip && !file->gzip.empty();
     reply.content_type = file->content_type;
+    reply.content_security_policy = kPagePolicy;
     reply.etag = file->etag;
     reply.content_encoding = gzip ? "gzip" : "";
     reply.constant = gzip ? file->gzip : file->bytes;
@@ -182,18 +190,19 @@ class WebServer::Impl final : public net::HttpService,
 
   Result<void> may_upgrade(const net::HttpRequest& request) override {
     if (request.path != "/live") return Error{"", "viewers connect to /live"};
-    if (!request.origin.empty() && !may_control(authority(request.origin), request.host)) {
-      log::warn("web: {} refused: a page from {} may not control this program (its address or own name may)",
-                request.peer, in_quotes(request.origin));
-      return Error{"", "pages from " + in_quotes(request.origin) + " may not control this program"};
+    if (!request.origin.empty() && !may_control(request.origin, request.host)) {
+      const std::string text = "a page from " + in_quotes(request.origin) + " may not control this program";
+      if (origins_refused_++ == 0)
+        log::warn("web: {} refused: {}; its own page may, at http://{}/ (told once)", request.peer, text,
+                  request.host);
+      return Error{"", text};
     }
-    if (viewers_.size() < limits::kViewers) return {};
-    return too_many(request.peer);
+    return {};
   }
 
   void upgraded(std::unique_ptr<net::WebSocket> socket, const net::HttpRequest&) override {
-    // Of many handshakes at once, others may have taken the last places meanwhile.
-    if (viewers_.size() >= limits::kViewers) return socket->close(too_many(socket->peer()).text);
+    if (viewers_.size() >= limits::kViewers && !make_room(net::network_of(socket->peer())))
+      return refuse(*socket);
     viewers_.push_back(std::make_unique<WebViewer>(std::move(socket), layout_, *this));
     log::info("web: {} watches ({} now)", viewers_.back()->peer(), viewers_.size());
     watched_ = viewers_.size();
@@ -202,7 +211,7 @@ class WebServer::Impl final : public net::HttpService,
 
   // WebViewerOwner
 
-  Result<void> carry_out(const replicate::Command& command, WebViewer&) override {
+  Result<void> carry_out(const replicate::Command& command, WebViewer& from) override {
     ++status_.commands;
     if (std::holds_alternative<replicate::Pause>(command)) control_.pause();
     if (std::holds_alternative<replicate::Resume>(command)) control_.resume();
@@ -210,6 +219,7 @@ class WebServer::Impl final : public net::HttpService,
     if (const auto* speed = std::get_if<replicate::SetSpeed>(&command))
       control_.set_speed(speed->times_real_time);
     if (const auto* drag = std::get_if<replicate::Drag>(&command)) return move(*drag);
+    if (const auto* drive = std::get_if<replicate::Drive>(&command)) return driven_.drive(*drive, &from);
     if (std::holds_alternative<replicate::Select>(command) ||
         std::holds_alternative<replicate::Look>(command)) {
       interest_changed();
@@ -217,19 +227,55 @@ class WebServer::Impl final : public net::HttpService,
     return {};
   }
 
-  /// Whether a page from `origin` may watch and control the program that it calls `host`. It must have come
-  /// from here: from this machine, or under the name it calls us by. That name is an address or the machine's
-  /// own, for whoever owns another name can make it point at us once their page is in somebody's browser.
-  bool may_control(std::string_view origin, std::string_view host) const {
-    const std::string_view name = without_port(origin);
-    if (is_local(name)) return true;
-    return origin == host && (is_address(name) || is_name_of(host_name_, name));
+  /// Whether browsers may call us by this name: as this machine, by an address, by the machine's own name or
+  /// one that we were told. Whoever owns another name can make it point at us once their page is in
+  /// somebody's browser.
+  bool is_our_name(std::string_view name) const {
+    return name == "localhost" || is_address(name) || is_name_of(host_name_, name) || is_further_name(name);
   }
 
-  Error too_many(const std::string& peer) {
+  bool is_further_name(std::string_view name) const {
+    return std::ranges::any_of(options_.further_names,
+                               [name](const std::string& other) { return same_letters(other, name); });
+  }
+
+  /// Whether a page from `origin` may watch and control the program that its browser calls `host`: it came
+  /// from here, the same name and port. Another port is another program, whoever's that is. In front of a
+  /// name that we were told there may be a proxy that speaks TLS.
+  bool may_control(std::string_view origin, const std::string& host) const {
+    if (origin == "http://" + host) return true;
+    return origin == "https://" + host && is_further_name(without_port(host));
+  }
+
+  /// Closes a viewer for one that comes: of the network with the most viewers, or else one that has
+  /// acknowledged nothing for long, as hidden pages do. False: all are busy, and no network has more than its
+  /// share.
+  bool make_room(const std::string& network) {
+    std::vector<std::string> networks;
+    std::vector<net::Holder> holders;
+    for (const auto& viewer : viewers_) networks.push_back(net::network_of(viewer->peer()));
+    for (std::size_t k = 0; k < viewers_.size(); ++k)
+      holders.push_back({networks[k], viewers_[k]->quiet_since()});
+    const std::size_t of_largest = net::gives_way(holders);
+    const std::size_t quietest = static_cast<std::size_t>(
+        std::ranges::min_element(holders, {}, &net::Holder::quiet_since) - holders.begin());
+    if (net::places_of(holders, networks[of_largest]) > net::places_of(holders, network) + 1)
+      return close_for_another(*viewers_[of_largest]);
+    if (std::chrono::steady_clock::now() - holders[quietest].quiet_since >= options_.viewer_quiet)
+      return close_for_another(*viewers_[quietest]);
+    return false;
+  }
+
+  bool close_for_another(WebViewer& viewer) {
+    viewer.close("gave way to another viewer");
+    left(viewer, "gave way to another viewer");
+    return true;
+  }
+
+  void refuse(net::WebSocket& socket) {
     if (status_.viewers_refused++ == 0)
-      log::warn("web: {} refused: {} viewers is the limit (told once)", peer, limits::kViewers);
-    return {"", "there are as many viewers as this program serves"};
+      log::warn("web: {} refused: {} viewers is the limit (told once)", socket.peer(), limits::kViewers);
+    socket.close("there are as many viewers as this program serves");
   }
 
   Result<void> move(const replicate::Drag& drag) {
@@ -267,6 +313,7 @@ class WebServer::Impl final : public net::HttpService,
 
   void left(WebViewer& viewer, const std::string& why) override {
     log::info("web: {} left: {}", viewer.peer(), why);
+    driven_.left(&viewer);
     std::erase_if(viewers_, [&](const auto& other) { return other.get() == &viewer; });
     watched_ = viewers_.size();
     interest_changed();
@@ -323,8 +370,10 @@ class WebServer::Impl final : public net::HttpService,
   std::vector<std::unique_ptr<WebViewer>> viewers_;
   std::set<std::uint32_t> selected_, subscribed_;  // top-level rows: wanted, and asked of the world
   std::unique_ptr<net::Timer> offer_timer_;
+  DrivenRobots driven_;
   replicate::Snapshot front_;
   WebStatus status_;
+  std::uint64_t hosts_refused_ = 0, origins_refused_ = 0;
 
   // tick thread
   std::chrono::steady_clock::time_point capture_time_;
@@ -341,8 +390,8 @@ class WebServer::Impl final : public net::HttpService,
 };
 
 WebServer::WebServer(net::IoLoop& loop, WebOptions options, world::Control& control,
-                     const world::World& world)
-    : impl_(std::make_shared<Impl>(loop, std::move(options), control, world)) {}
+                     const world::World& world, const replicate::DeviceNames& devices)
+    : impl_(std::make_shared<Impl>(loop, std::move(options), control, world, devices)) {}
 WebServer::~WebServer() {
   impl_->close();
 }

@@ -6,14 +6,18 @@
 /// show() is for the tick thread, all else for the thread of the loop (the web thread) or for before it
 /// runs.
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
+#include "playhouse/base/limits.h"
 #include "playhouse/base/result.h"
 #include "playhouse/net/io_loop.h"
+#include "playhouse/replicate/scene_text.h"
 #include "playhouse/web_server/page_files.h"
 #include "playhouse/world/control.h"
 
@@ -24,11 +28,13 @@ struct WebOptions {
   std::uint16_t port = 8080;       // 0: any free one
   std::span<const PageFile> page;  // usually page_files()
   std::string host_name;           // of this machine; empty: the system is asked
+  std::chrono::milliseconds viewer_quiet = std::chrono::seconds(limits::kViewerQuietSeconds);  // for tests
+  std::vector<std::string> further_names;  // under which browsers may call us besides
 };
 
 struct WebStatus {
   std::size_t viewers = 0;            // connected now
-  std::uint64_t viewers_refused = 0;  // over limits::kViewers
+  std::uint64_t viewers_refused = 0;  // over limits::kViewers, with none that gave way
   std::uint64_t frames_sent = 0;
   std::uint64_t bytes_sent = 0;  // of frames
   std::uint64_t commands = 0;
@@ -37,10 +43,12 @@ struct WebStatus {
 
 class WebServer {
  public:
-  /// Reads the world's fixed parts at once, so the first tick comes after. The loop and the control outlive
-  /// the server; destroy it when the loop no longer runs and the tick thread no longer calls show(). A
-  /// control that is still given changes (Control::post) may carry them out later: they touch only the world.
-  WebServer(net::IoLoop& loop, WebOptions options, world::Control& control, const world::World& world);
+  /// Reads the world's fixed parts and `devices` at once, so the first tick comes after. The loop and the
+  /// control outlive the server; destroy it when the loop no longer runs and the tick thread no longer calls
+  /// show(). A control that is still given changes (Control::post) may carry them out later: they touch only
+  /// the world.
+  WebServer(net::IoLoop& loop, WebOptions options, world::Control& control, const world::World& world,
+            const replicate::DeviceNames& devices);
   ~WebServer();
   WebServer(const WebServer&) = delete;
   WebServer& operator=(const WebServer&) = delete;

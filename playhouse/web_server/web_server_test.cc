@@ -1,11 +1,11 @@
 #include "playhouse/web_server/web_server.h"
 
-#include <arpa/inet.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <poll.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
+#include <algorithm>
+#include <chrono>
 #include <functional>
 #include <future>
 #include <mutex>
@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "playhouse/base/limits.h"
+#include "playhouse/net/web_client.h"
 #include "playhouse/replicate/delta.h"
 #include "playhouse/replicate/small_world.h"
 
@@ -33,7 +34,10 @@ class Notes final : public world::Control {
   void resume() override { note("resume"); }
   void step_once() override { note("step"); }
   void set_speed(double speed) override { note("speed " + std::to_string(speed).substr(0, 3)); }
-  bool post(std::function<void(world::World&)> change) override {
+  void drive(world::PositionRow robot, const geom::Twist& velocity) override {
+    post([=](world::World& world) { world::command_velocity(world, robot, velocity); });
+  }
+  bool post(std::function<void(world::World&)> change, world::PositionRow = {}) override {
     const std::lock_guard lock(mutex_);
     changes_.push_back(std::move(change));
     return true;
@@ -45,6 +49,10 @@ class Notes final : public world::Control {
       changes.swap(changes_);
     }
     for (const auto& change : changes) change(world);
+  }
+  std::size_t posted() {
+    const std::lock_guard lock(mutex_);
+    return changes_.size();
   }
   std::string all() {
     const std::lock_guard lock(mutex_);
@@ -61,121 +69,25 @@ class Notes final : public world::Control {
   std::vector<std::function<void(world::World&)>> changes_;
 };
 
-/// A client's end of a connection, byte by byte.
-class Client {
- public:
-  explicit Client(std::uint16_t port) : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_port = htons(port);
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    EXPECT_EQ(::connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
-  }
-  ~Client() { ::close(socket_); }
-  Client(const Client&) = delete;
-  Client& operator=(const Client&) = delete;
-
-  /// The server has closed.
-  bool ended() const { return ended_; }
-  void send(const std::string& bytes) {
-    EXPECT_EQ(::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL), ssize_t(bytes.size()));
-  }
-
-  /// Reads until the predicate holds for what has come; false at the end of the stream or after five seconds.
-  bool read_until(
-      const std::function<bool(const std::string&)>& enough, const std::function<void()>& meanwhile = [] {}) {
-    for (int rounds = 0; rounds < 500 && !enough(in); ++rounds) {
-      meanwhile();
-      pollfd waiting{socket_, POLLIN, 0};
-      if (::poll(&waiting, 1, 10) <= 0) continue;
-      char buffer[4096];
-      const ssize_t count = ::recv(socket_, buffer, sizeof buffer, 0);
-      ended_ = count <= 0;
-      if (ended_) return enough(in);
-      in.append(buffer, static_cast<std::size_t>(count));
-    }
-    return enough(in);
-  }
-
-  /// The whole answer to one request; the server closes after it.
-  std::string ask(const std::string& request) {
-    send(request);
-    read_until([](const std::string&) { return false; });
-    return in;
-  }
-
-  bool upgrade(const std::string& more = "") {
-    ask_to_upgrade(more);
-    return upgraded();
-  }
-  /// As the browser of a page from `origin` that calls the program `host`.
-  bool upgrade_at(const std::string& host, const std::string& origin) {
-    ask_to_upgrade("Origin: " + origin + "\r\n", host);
-    return upgraded();
-  }
-  void ask_to_upgrade(const std::string& more = "", const std::string& host = "127.0.0.1") {
-    send("GET /live HTTP/1.1\r\nHost: " + host +
-         "\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
-         "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n" +
-         more + "\r\n");
-  }
-  bool upgraded() {
-    if (!read_until([](const std::string& text) { return text.find("\r\n\r\n") != std::string::npos; }))
-      return false;
-    const bool switched = in.starts_with("HTTP/1.1 101");
-    in.erase(0, in.find("\r\n\r\n") + 4);
-    return switched;
-  }
-
-  void send_text(const std::string& text) {
-    std::string frame = "\x81";
-    if (text.size() < 126) {
-      frame += static_cast<char>(0x80 | text.size());
-    } else {
-      frame += static_cast<char>(0x80 | 126);
-      frame += static_cast<char>(text.size() >> 8);
-      frame += static_cast<char>(text.size() & 0xFF);
-    }
-    send(frame + std::string(4, '\0') + text);  // masked with zeros
-  }
-
-  /// The next whole message; its first byte is the WebSocket opcode. Empty: none came.
-  std::string message(const std::function<void()>& meanwhile = [] {}) {
-    if (!read_until([this](const std::string&) { return message_bytes() != 0; }, meanwhile)) return {};
-    const std::size_t bytes = message_bytes();
-    std::string whole =
-        std::string(1, static_cast<char>(in[0] & 0x0F)) + in.substr(head_bytes(), bytes - head_bytes());
-    in.erase(0, bytes);
-    return whole;
-  }
-
-  std::string in;
-
- private:
-  std::size_t head_bytes() const {
-    const int length = in[1] & 0x7F;
-    return length < 126 ? 2 : length == 126 ? 4 : 10;
-  }
-  std::size_t message_bytes() const {
-    if (in.size() < 2 || in.size() < head_bytes()) return 0;
-    std::size_t length = in[1] & 0x7F;
-    if (length > 125) {
-      const std::size_t count = length == 126 ? 2 : 8;
-      length = 0;
-      for (std::size_t k = 0; k < count; ++k) length = length << 8 | static_cast<unsigned char>(in[2 + k]);
-    }
-    return in.size() < head_bytes() + length ? 0 : head_bytes() + length;
-  }
-
-  int socket_;
-  bool ended_ = false;
-};
+using net::WebClient;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
 
 class WebServerTest : public testing::Test {
  protected:
-  explicit WebServerTest(std::span<const PageFile> page = kPage, const std::string& bind = "127.0.0.1")
-      : server_(loop_, {.bind = bind, .port = 0, .page = page, .host_name = "robo.lab.example"}, notes_,
-                small_.world) {
+  explicit WebServerTest(std::span<const PageFile> page = kPage, const std::string& bind = "127.0.0.1",
+                         std::vector<std::string> further_names = {},
+                         std::chrono::milliseconds viewer_quiet = std::chrono::hours(1))
+      : server_(loop_,
+                {.bind = bind,
+                 .port = 0,
+                 .page = page,
+                 .host_name = "robo.lab.example",
+                 .viewer_quiet = viewer_quiet,
+                 .further_names = std::move(further_names)},
+                notes_, small_.world, {{}, {"position2d:0"}}) {
     const Result<std::uint16_t> port = server_.listen();
     EXPECT_TRUE(port.ok());
     port_ = *port;
@@ -187,8 +99,11 @@ class WebServerTest : public testing::Test {
   }
 
   std::string get(const std::string& path, const std::string& more = "") {
-    return Client(port_).ask("GET " + path + " HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: close\r\n" + more +
-                             "\r\n");
+    return get_of("127.0.0.1", path, more);
+  }
+  std::string get_of(const std::string& host, const std::string& path, const std::string& more = "") {
+    return WebClient(port_).ask("GET " + path + " HTTP/1.1\r\nHost: " + host + "\r\nConnection: close\r\n" +
+                                more + "\r\n");
   }
 
   /// One turn of the program: what viewers asked for, a tick, and a picture of it.
@@ -199,6 +114,11 @@ class WebServerTest : public testing::Test {
   }
   std::function<void()> turning() {
     return [this] { turn(); };
+  }
+  /// Without a turn meanwhile; gives up after five seconds.
+  bool eventually(const std::function<bool()>& done) {
+    for (int k = 0; k < 5000 && !done(); ++k) ::poll(nullptr, 0, 1);
+    return done();
   }
   bool turn_until(const std::function<bool()>& done) {
     for (int k = 0; k < 1000; ++k) {
@@ -233,6 +153,19 @@ TEST_F(WebServerTest, serves_the_page_with_its_type_and_tag) {
   EXPECT_TRUE(get("/?x=1").ends_with("<p>the page</p>"));
 }
 
+TEST_F(WebServerTest, the_page_is_shown_in_no_frame_and_loads_its_own_files_alone) {
+  for (const char* path : {"/", "/assets/main-1.js", "/nothing"}) {
+    const std::string answer = get(path);
+    EXPECT_THAT(answer, HasSubstr("Content-Security-Policy: default-src 'none'; ")) << path;
+    EXPECT_THAT(answer, HasSubstr("frame-ancestors 'none'\r\n")) << path;
+    EXPECT_THAT(answer, HasSubstr("X-Frame-Options: DENY\r\n")) << path;
+    EXPECT_THAT(answer, HasSubstr("X-Content-Type-Options: nosniff\r\n")) << path;
+    EXPECT_THAT(answer, HasSubstr("Cross-Origin-Resource-Policy: same-origin\r\n")) << path;
+  }
+  EXPECT_THAT(get("/"), HasSubstr("script-src 'self'; "));
+  EXPECT_THAT(get("/"), Not(HasSubstr("unsafe")));
+}
+
 TEST_F(WebServerTest, serves_the_compressed_form_to_who_takes_it) {
   EXPECT_TRUE(get("/assets/main-1.js").ends_with("let x = 1"));
   const std::string answer = get("/assets/main-1.js", "Accept-Encoding: br, gzip\r\n");
@@ -249,15 +182,15 @@ TEST_F(WebServerTest, what_is_not_in_the_page_is_not_there) {
 }
 
 TEST_F(WebServerTest, other_requests_are_refused_by_name) {
-  EXPECT_TRUE(Client(port_)
+  EXPECT_TRUE(WebClient(port_)
                   .ask("POST / HTTP/1.1\r\nHost: x\r\nContent-Length: 0\r\n\r\n")
                   .starts_with("HTTP/1.1 405"));
-  EXPECT_TRUE(Client(port_)
+  EXPECT_TRUE(WebClient(port_)
                   .ask("POST / HTTP/1.1\r\nHost: x\r\nContent-Length: 99\r\n\r\n")
                   .starts_with("HTTP/1.1 413"));
-  EXPECT_TRUE(Client(port_).ask("rubbish\r\n\r\n").starts_with("HTTP/1.1 400"));
+  EXPECT_TRUE(WebClient(port_).ask("rubbish\r\n\r\n").starts_with("HTTP/1.1 400"));
   EXPECT_TRUE(
-      Client(port_).ask("GET / HTTP/1.1\r\nX: " + std::string(20000, 'x')).starts_with("HTTP/1.1 431"));
+      WebClient(port_).ask("GET / HTTP/1.1\r\nX: " + std::string(20000, 'x')).starts_with("HTTP/1.1 431"));
 }
 
 TEST_F(NoPageTest, says_how_to_build_the_page_when_there_is_none) {
@@ -267,12 +200,13 @@ TEST_F(NoPageTest, says_how_to_build_the_page_when_there_is_none) {
 }
 
 TEST_F(WebServerTest, a_viewer_gets_the_scene_and_then_packets_that_make_the_world) {
-  Client viewer(port_);
+  WebClient viewer(port_);
   ASSERT_TRUE(viewer.upgrade());
   const std::string scene = viewer.message();
   ASSERT_FALSE(scene.empty());
   EXPECT_EQ(scene[0], 1);
   EXPECT_NE(scene.find("\"name\":\"small\""), std::string::npos);
+  EXPECT_NE(scene.find("\"devices\":[\"position2d:0\"]"), std::string::npos);
   const SmallWorld start(3);
   const replicate::Layout layout(start.world);
   replicate::Replica replica(layout);
@@ -290,7 +224,7 @@ TEST_F(WebServerTest, a_viewer_gets_the_scene_and_then_packets_that_make_the_wor
 }
 
 TEST_F(WebServerTest, commands_reach_the_simulation) {
-  Client viewer(port_);
+  WebClient viewer(port_);
   ASSERT_TRUE(viewer.upgrade());
   viewer.send_text(R"({"do":"pause"})");
   viewer.send_text(R"({"do":"step"})");
@@ -299,8 +233,28 @@ TEST_F(WebServerTest, commands_reach_the_simulation) {
   EXPECT_TRUE(turn_until([this] { return notes_.all() == "pause;step;speed 2.5;resume;"; })) << notes_.all();
 }
 
+TEST_F(WebServerTest, a_flood_of_commands_waits_for_its_turns_and_nobody_else_does) {
+  WebClient flooder(port_), other(port_);
+  ASSERT_TRUE(flooder.upgrade());
+  ASSERT_TRUE(other.upgrade());
+  for (int k = 1; k <= 1000; ++k)
+    flooder.send_text(R"({"do":"drag","model":1,"y":50,"a":1,"x":)" + std::to_string(k) + "}");
+  ASSERT_TRUE(eventually([this] { return notes_.posted() == limits::kViewerCommandsPerTurn; }))
+      << notes_.posted();
+  other.send_text(R"({"do":"pause"})");
+  ASSERT_TRUE(eventually([this] { return notes_.all() == "pause;"; }));
+  EXPECT_EQ(notes_.posted(), limits::kViewerCommandsPerTurn)
+      << "the rest is with the system until the next turn";
+  std::size_t most = 0;
+  EXPECT_TRUE(turn_until([&] {
+    most = std::max(most, notes_.posted());
+    return std::abs(small_.world.models.X_PM[1].x - 1000) < 5;
+  })) << "nothing is lost";
+  EXPECT_LE(most, limits::kViewerCommandsPerTurn);
+}
+
 TEST_F(WebServerTest, a_robot_is_dragged_and_a_wall_is_not) {
-  Client viewer(port_);
+  WebClient viewer(port_);
   ASSERT_TRUE(viewer.upgrade());
   viewer.message();
   viewer.send_text(R"({"do":"drag","model":1,"x":40,"y":50,"a":1})");
@@ -313,10 +267,36 @@ TEST_F(WebServerTest, a_robot_is_dragged_and_a_wall_is_not) {
   EXPECT_EQ(small_.world.models.X_PM[0].x, 0);
 }
 
+TEST_F(WebServerTest, a_robot_is_driven_until_its_viewer_leaves) {
+  const auto wheels = [this] { return small_.world.models.subscribers[SmallWorld::robot(1)]; };
+  {
+    WebClient viewer(port_);
+    ASSERT_TRUE(viewer.upgrade());
+    viewer.send_text("{\"do\":\"drive\",\"model\":" + std::to_string(SmallWorld::robot(1)) +
+                     ",\"forward\":0.4,\"sideways\":0,\"turn\":-0.5}");
+    EXPECT_TRUE(turn_until([&] { return small_.world.positions.command[1].a == -0.5; }));
+    EXPECT_EQ(small_.world.positions.command[1].x, 0.4);
+    EXPECT_EQ(wheels(), 1u);
+  }
+  EXPECT_TRUE(turn_until([&] { return wheels() == 0; }));
+  EXPECT_EQ(small_.world.positions.command[1], geom::Twist{});
+}
+
+TEST_F(WebServerTest, a_wall_is_not_driven) {
+  WebClient viewer(port_);
+  ASSERT_TRUE(viewer.upgrade());
+  viewer.message();
+  viewer.send_text(R"({"do":"drive","model":0,"forward":1,"sideways":0,"turn":0})");
+  std::string text;
+  while (!(text = viewer.message(turning())).empty() && text[0] != 1) {
+  }
+  EXPECT_NE(text.find("no such robot to drive"), std::string::npos);
+}
+
 TEST_F(WebServerTest, the_sensors_of_a_selected_robot_measure_until_its_viewer_leaves) {
   const auto subscribers = [this] { return small_.world.models.subscribers[SmallWorld::robot(1) + 1]; };
   {
-    Client viewer(port_);
+    WebClient viewer(port_);
     ASSERT_TRUE(viewer.upgrade());
     viewer.send_text("{\"do\":\"select\",\"model\":" + std::to_string(SmallWorld::robot(1)) + "}");
     EXPECT_TRUE(turn_until([&] { return subscribers() == 1; }));
@@ -327,26 +307,40 @@ TEST_F(WebServerTest, the_sensors_of_a_selected_robot_measure_until_its_viewer_l
 }
 
 TEST_F(WebServerTest, pages_of_other_sites_are_refused) {
-  EXPECT_TRUE(Client(port_).upgrade("Origin: http://localhost:5173\r\n"));
-  EXPECT_TRUE(Client(port_).upgrade("Origin: http://127.0.0.1\r\n"));
-  EXPECT_FALSE(Client(port_).upgrade("Origin: http://elsewhere.example\r\n"));
-  EXPECT_FALSE(Client(port_).upgrade("Origin: null\r\n"));
-  EXPECT_FALSE(Client(port_).upgrade("Origin: http://localhost.elsewhere.example\r\n"));
-  EXPECT_FALSE(Client(port_).upgrade_at("192.168.7.5:8080", "http://192.168.7.6:8080"));
+  const auto upgrades = [this](const std::string& origin, const std::string& host = "127.0.0.1:8080") {
+    return WebClient(port_).upgrade_at(host, origin);
+  };
+  EXPECT_TRUE(upgrades("http://127.0.0.1:8080"));
+  EXPECT_TRUE(upgrades("http://localhost:5173", "localhost:5173")) << "what `npm run dev` passes on";
+  EXPECT_TRUE(upgrades("http://[::1]:8080", "[::1]:8080"));
+  for (const char* origin :
+       {"http://127.0.0.1:3000", "http://127.0.0.1", "http://localhost:8080", "https://127.0.0.1:8080",
+        "127.0.0.1:8080", "ws://127.0.0.1:8080", "http://127.0.0.1:8080/", "http://127.0.0.1:80800",
+        "http://elsewhere.example", "null", "file://", "http://127.0.0.1:8080.elsewhere.example", "http://"})
+    EXPECT_FALSE(upgrades(origin)) << origin;
+  EXPECT_FALSE(upgrades("http://localhost:3000", "localhost:8080"))
+      << "a port of this machine may be anybody's";
+  EXPECT_FALSE(upgrades("http://192.168.7.6:8080", "192.168.7.5:8080"));
 }
 
-TEST_F(WebServerTest, a_page_is_known_by_its_address_or_the_name_of_the_machine) {
-  EXPECT_TRUE(Client(port_).upgrade_at("192.168.7.5:8080", "http://192.168.7.5:8080"));
-  EXPECT_TRUE(Client(port_).upgrade_at("[fd00::5]:8080", "http://[fd00::5]:8080"));
-  for (const std::string host : {"robo", "robo:8080", "robo.local:8080", "robo.lab.example:8080"})
-    EXPECT_TRUE(Client(port_).upgrade_at(host, "http://" + host)) << host;
+TEST_F(WebServerTest, the_page_is_known_by_its_address_or_the_name_of_the_machine) {
+  for (const std::string host : {"localhost", "localhost:8080", "192.168.7.5:8080", "[fd00::5]:8080", "robo",
+                                 "robo:8080", "Robo:8080", "robo.local:8080", "robo.lab.example:8080"}) {
+    EXPECT_TRUE(WebClient(port_).upgrade_at(host, "http://" + host)) << host;
+    EXPECT_THAT(get_of(host, "/"), StartsWith("HTTP/1.1 200")) << host;
+  }
 }
 
 TEST_F(WebServerTest, a_name_that_was_made_to_point_here_is_refused) {
   for (const std::string host :
        {"elsewhere.example", "elsewhere.example:8080", "192.168.7.5.elsewhere.example",
-        "[fd00::5].elsewhere.example", "robo.elsewhere.example", "robots", ""})
-    EXPECT_FALSE(Client(port_).upgrade_at(host, "http://" + host)) << host;
+        "robo.elsewhere.example", "robots", "localhost.elsewhere.example", "1.2.3"}) {
+    EXPECT_FALSE(WebClient(port_).upgrade_at(host, "http://" + host)) << host;
+    const std::string answer = get_of(host, "/");
+    EXPECT_THAT(answer, StartsWith("HTTP/1.1 421")) << host;
+    EXPECT_THAT(answer, HasSubstr("by its address or as robo.lab.example"));
+    EXPECT_THAT(answer, Not(HasSubstr("the page"))) << host;
+  }
 }
 
 class WideOpenTest : public WebServerTest {
@@ -355,32 +349,108 @@ class WideOpenTest : public WebServerTest {
 };
 
 TEST_F(WideOpenTest, a_name_that_was_made_to_point_here_is_refused) {
-  EXPECT_FALSE(Client(port_).upgrade_at("elsewhere.example:8080", "http://elsewhere.example:8080"));
-  EXPECT_TRUE(Client(port_).upgrade_at("192.168.7.5:8080", "http://192.168.7.5:8080"));
-  EXPECT_TRUE(Client(port_).upgrade_at("Robo:8080", "http://Robo:8080"));
-  EXPECT_TRUE(Client(port_).upgrade()) << "no browser, no origin";
+  EXPECT_FALSE(WebClient(port_).upgrade_at("elsewhere.example:8080", "http://elsewhere.example:8080"));
+  EXPECT_TRUE(WebClient(port_).upgrade_at("192.168.7.5:8080", "http://192.168.7.5:8080"));
+  EXPECT_TRUE(WebClient(port_).upgrade()) << "no browser, no origin";
+}
+
+class NamedTest : public WebServerTest {
+ protected:
+  NamedTest() : WebServerTest(kPage, "127.0.0.1", {"robots.example"}) {}
+};
+
+TEST_F(NamedTest, a_name_it_was_told_is_its_own_also_behind_a_proxy_that_speaks_tls) {
+  EXPECT_THAT(get_of("robots.example", "/"), StartsWith("HTTP/1.1 200"));
+  EXPECT_TRUE(WebClient(port_).upgrade_at("robots.example", "https://robots.example"));
+  EXPECT_TRUE(WebClient(port_).upgrade_at("Robots.example:8080", "http://Robots.example:8080"));
+  EXPECT_FALSE(WebClient(port_).upgrade_at("robots.example", "https://robots.example:444"));
+  EXPECT_FALSE(WebClient(port_).upgrade_at("127.0.0.1", "https://127.0.0.1"));
+  EXPECT_FALSE(WebClient(port_).upgrade_at("other.robots.example", "http://other.robots.example"));
+}
+
+/// The reason why the server closes the connection.
+std::string close_reason(WebClient& viewer) {
+  std::string last;
+  do last = viewer.message();
+  while (!last.empty() && last[0] != 8);
+  return last;
+}
+
+/// As many viewers as there may be.
+std::vector<std::unique_ptr<WebClient>> all_viewers(std::uint16_t port) {
+  std::vector<std::unique_ptr<WebClient>> viewers;
+  for (std::size_t k = 0; k < limits::kViewers; ++k) {
+    viewers.push_back(std::make_unique<WebClient>(port));
+    EXPECT_TRUE(viewers.back()->upgrade());
+    EXPECT_EQ(viewers.back()->message()[0], 1);
+  }
+  return viewers;
 }
 
 TEST_F(WebServerTest, a_viewer_over_the_limit_is_refused_until_another_leaves) {
-  std::vector<std::unique_ptr<Client>> viewers;
-  for (std::size_t k = 0; k < limits::kViewers; ++k) {
-    viewers.push_back(std::make_unique<Client>(port_));
-    ASSERT_TRUE(viewers.back()->upgrade());
-  }
-  Client late(port_);
-  EXPECT_FALSE(late.upgrade());
-  EXPECT_TRUE(late.ended() || late.in.find("as many viewers") != std::string::npos);
+  auto viewers = all_viewers(port_);
+  WebClient late(port_);
+  ASSERT_TRUE(late.upgrade());
+  EXPECT_THAT(close_reason(late), HasSubstr("as many viewers"));
   viewers.pop_back();
-  EXPECT_TRUE(turn_until([this] { return Client(port_).upgrade(); }));
+  EXPECT_TRUE(turn_until([this] {
+    WebClient next(port_);
+    return next.upgrade() && next.message()[0] == 1;
+  }));
+}
+
+TEST_F(WebServerTest, viewers_of_one_address_do_not_shut_out_another) {
+  const auto viewers = all_viewers(port_);
+  WebClient late(port_, "127.0.0.2");
+  ASSERT_TRUE(late.upgrade());
+  EXPECT_EQ(late.message()[0], 1);
+  EXPECT_THAT(close_reason(*viewers.front()), HasSubstr("gave way to another viewer"));
+  EXPECT_FALSE(viewers.back()->closed());
+}
+
+class HastyTest : public WebServerTest {
+ protected:
+  HastyTest() : WebServerTest(kPage, "127.0.0.1", {}, std::chrono::milliseconds(0)) {}
+};
+
+TEST_F(HastyTest, the_viewer_that_was_quiet_longest_gives_way) {
+  const auto viewers = all_viewers(port_);
+  ASSERT_EQ(viewers.front()->message(turning())[0], 2);
+  viewers.front()->send_text(R"({"do":"ack","frame":1})");
+  viewers.front()->send_text(R"({"do":"pause"})");
+  ASSERT_TRUE(turn_until([this] { return notes_.all() == "pause;"; }));
+  WebClient late(port_);
+  ASSERT_TRUE(late.upgrade());
+  EXPECT_EQ(late.message()[0], 1);
+  EXPECT_THAT(close_reason(*viewers[1]), HasSubstr("gave way to another viewer"));
+  EXPECT_FALSE(viewers.front()->closed());
+}
+
+TEST_F(WebServerTest, a_page_loads_and_watches_whatever_the_number_of_slow_connections) {
+  WebClient early(port_);
+  ASSERT_TRUE(early.upgrade());
+  std::vector<std::unique_ptr<WebClient>> slow;
+  for (int k = 0; k < 300; ++k) {
+    slow.push_back(std::make_unique<WebClient>(port_));
+    if (k % 3 == 0) slow.back()->send("GET / HTTP/1.1\r\nHost: 127.0.0.1\r\n");
+    if (k % 3 == 1) slow.back()->send("GET / HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n");
+  }
+  EXPECT_THAT(get("/"), EndsWith("<p>the page</p>"));
+  EXPECT_THAT(get("/assets/main-1.js"), EndsWith("let x = 1"));
+  WebClient viewer(port_);
+  ASSERT_TRUE(viewer.upgrade());
+  EXPECT_EQ(viewer.message()[0], 1);
+  EXPECT_EQ(early.message()[0], 1);
+  EXPECT_EQ(early.message(turning())[0], 2);
 }
 
 TEST_F(WebServerTest, viewers_who_come_all_at_once_are_no_more_than_the_limit) {
   constexpr std::size_t kCrowd = limits::kViewers + 20;
   std::promise<void> all_have_asked;
   loop_.post([asked = all_have_asked.get_future().share()] { asked.wait(); });
-  std::vector<std::unique_ptr<Client>> crowd;
+  std::vector<std::unique_ptr<WebClient>> crowd;
   for (std::size_t k = 0; k < kCrowd; ++k) {
-    crowd.push_back(std::make_unique<Client>(port_));
+    crowd.push_back(std::make_unique<WebClient>(port_));
     crowd.back()->ask_to_upgrade();
   }
   all_have_asked.set_value();
@@ -390,7 +460,7 @@ TEST_F(WebServerTest, viewers_who_come_all_at_once_are_no_more_than_the_limit) {
 }
 
 TEST_F(WebServerTest, a_viewer_that_does_not_acknowledge_gets_four_packets_and_others_go_on) {
-  Client silent(port_), keen(port_);
+  WebClient silent(port_), keen(port_);
   ASSERT_TRUE(silent.upgrade());
   ASSERT_TRUE(keen.upgrade());
   keen.message();
@@ -406,7 +476,7 @@ TEST_F(WebServerTest, a_viewer_that_does_not_acknowledge_gets_four_packets_and_o
 }
 
 TEST_F(WebServerTest, commands_that_cannot_be_are_told_and_then_end_the_connection) {
-  Client viewer(port_);
+  WebClient viewer(port_);
   ASSERT_TRUE(viewer.upgrade());
   viewer.message();
   for (std::size_t k = 0; k < limits::kViewerFaults; ++k) viewer.send_text(R"({"do":"pasue"})");
@@ -418,7 +488,7 @@ TEST_F(WebServerTest, commands_that_cannot_be_are_told_and_then_end_the_connecti
 }
 
 TEST_F(WebServerTest, a_message_over_the_limit_ends_the_connection) {
-  Client viewer(port_);
+  WebClient viewer(port_);
   ASSERT_TRUE(viewer.upgrade());
   viewer.message();
   viewer.send_text(std::string(limits::kViewerCommandBytes + 1, ' '));

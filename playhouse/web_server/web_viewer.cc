@@ -25,6 +25,11 @@ void WebViewer::offer(const replicate::Snapshot& snapshot) {
   send_frame();
 }
 
+void WebViewer::new_turn() {
+  commands_ = 0;
+  socket_->resume();
+}
+
 void WebViewer::notice(std::string_view text) {
   if (socket_->messages_in_flight() >= limits::kViewerTextMessages) return;
   const std::string quoted = boost::json::serialize(boost::json::string(text));
@@ -32,8 +37,10 @@ void WebViewer::notice(std::string_view text) {
 }
 
 void WebViewer::received(std::string_view text) {
+  // What comes over the budget of a turn waits with the system: nothing is lost, and only its sender notices.
+  if (++commands_ >= limits::kViewerCommandsPerTurn) socket_->pause();
   const Result<replicate::Command> command = replicate::parse_command(text);
-  const Result<void> done = command ? obey(*command) : Result<void>(command.error());
+  const Result<void> done = command ? execute(*command) : Result<void>(command.error());
   if (done) return;
   owner_.refused(*this, done.error().text);
   if (++faults_ < limits::kViewerFaults) return notice(done.error().text);
@@ -41,11 +48,13 @@ void WebViewer::received(std::string_view text) {
   owner_.left(*this, "too many commands that cannot be");
 }
 
-Result<void> WebViewer::obey(const replicate::Command& command) {
+Result<void> WebViewer::execute(const replicate::Command& command) {
   if (const auto* acknowledge = std::get_if<replicate::Acknowledge>(&command)) {
     const Result<void> known = viewer_.acknowledge(acknowledge->frame);
-    if (known) send_frame();
-    return known;
+    if (!known) return known;
+    quiet_since_ = std::chrono::steady_clock::now();
+    send_frame();
+    return {};
   }
   if (const auto* look = std::get_if<replicate::Look>(&command)) viewer_.look(*look);
   if (const auto* select = std::get_if<replicate::Select>(&command)) {

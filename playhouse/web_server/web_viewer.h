@@ -46,6 +46,15 @@ class WebViewer final : public net::WebSocketEvents {
   /// as it has caught up, from what is newest then.
   void offer(const replicate::Snapshot& snapshot);
 
+  /// The world has had time for what was asked of it: the page may ask for more.
+  void new_turn();
+
+  /// Tells the page why, and closes.
+  void close(std::string why) { socket_->close(std::move(why)); }
+
+  /// When the page last took a picture in, or came.
+  std::chrono::steady_clock::time_point quiet_since() const { return quiet_since_; }
+
   /// A line for the person at the page; dropped when many wait already.
   void notice(std::string_view text);
 
@@ -57,7 +66,7 @@ class WebViewer final : public net::WebSocketEvents {
   void drained() override { send_frame(); }
   void closed(const std::string& why) override { owner_.left(*this, why); }
 
-  Result<void> obey(const replicate::Command& command);
+  Result<void> execute(const replicate::Command& command);
   void send_frame();
 
   std::unique_ptr<net::WebSocket> socket_;
@@ -67,6 +76,8 @@ class WebViewer final : public net::WebSocketEvents {
   // With the socket while a frame is under way, else ours alone and reused.
   std::shared_ptr<std::vector<std::byte>> frame_ = std::make_shared<std::vector<std::byte>>();
   std::chrono::steady_clock::time_point frame_time_;
+  std::chrono::steady_clock::time_point quiet_since_ = std::chrono::steady_clock::now();
+  std::size_t commands_ = 0;  // of this turn
   std::size_t faults_ = 0;
 };
 

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "playhouse/base/testing_reference.h"
 #include "playhouse/wire/messages.h"
 
 namespace playhouse::wire {
@@ -16,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using Bytes = std::vector<std::byte>;
 
-const fs::path kFolder = fs::path(PLAYHOUSE_SOURCE_DIR) / "../shared/player/captures";
+const fs::path kFolder = reference() / "player/captures";
 
 Bytes read_file(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
@@ -85,7 +86,7 @@ void expect_exact(const Recorded& message) {
 }
 
 TEST(Captures, every_recorded_message_decodes_and_encodes_to_the_same_bytes) {
-  if (!fs::exists(kFolder)) GTEST_SKIP() << "the recorded sessions are not here: " << kFolder;
+  SKIP_WITHOUT_REFERENCE();
   std::size_t messages = 0;
   for (const fs::directory_entry& entry : fs::directory_iterator(kFolder)) {
     const std::string extension = entry.path().extension();

@@ -16,7 +16,7 @@ namespace {
 
 class Arbitrary {
  public:
-  Arbitrary(std::uint64_t seed, Floats floats) : rng_(seed, 0, 0, 0), floats_(floats) {}
+  Arbitrary(std::uint64_t seed, Floats floats) : rng_(seed), floats_(floats) {}
 
   template <typename T>
   void field(T& out) {

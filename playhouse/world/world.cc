@@ -1,15 +1,18 @@
 #include "playhouse/world/world.h"
 
 #include <cmath>
+#include <type_traits>
 
 #include "playhouse/base/assert.h"
 #include "playhouse/base/hash.h"
 #include "playhouse/base/rng.h"
+#include "playhouse/world/columns.h"
 
 namespace playhouse::world {
 namespace {
 
 constexpr std::uint32_t kNone = ModelRow::kNone;
+constexpr std::size_t kUsualHits = 32;  // of a fiducial finder; room for more is made once they are seen
 
 template <typename T>
 std::uint32_t count32(const std::vector<T>& column) {
@@ -28,6 +31,7 @@ void add_model(Models& models, const scene::ModelDesc& desc) {
   models.kind.push_back(desc.kind);
   models.part.push_back(kNone);
   models.subscribers.push_back(desc.alwayson ? 1 : 0);
+  models.controllers.push_back(0);
   models.fiducial_return.push_back(desc.fiducial_return);
   models.flags.push_back(0);
   models.color.push_back(desc.color);
@@ -35,7 +39,7 @@ void add_model(Models& models, const scene::ModelDesc& desc) {
 }
 
 geom::Twist draw_odometry_error(std::uint64_t seed, std::uint32_t model) {
-  Rng rng(seed, 0, model, static_cast<std::uint64_t>(Stream::kOdometryError));
+  Rng rng(seed, 0, {Purpose::kOdometryError, model});
   geom::Twist error;
   error.x = rng.uniform(-0.015, 0.015);
   error.y = rng.uniform(-0.015, 0.015);
@@ -76,57 +80,86 @@ void add_ranger(Rangers& rangers, Sensors& sensors, const scene::ModelDesc& desc
 
 void add_fiducial(Fiducials& fiducials, ModelRow model) {
   fiducials.model.push_back(model);
-  fiducials.hits.emplace_back();
+  fiducials.hits.emplace_back().reserve(kUsualHits);
   fiducials.measured_tick.push_back(0);
 }
 
+// Values of every type that columns have. Bindings name all parts of a value: one more does not compile.
+
+template <typename T>
+requires std::is_enum_v<T> || std::is_integral_v<T>
+void add(Hash& hash, T value) {
+  hash.add(static_cast<std::uint64_t>(value));
+}
+
+void add(Hash& hash, float value) {
+  hash.add(value);
+}
+
+template <typename Table>
+void add(Hash& hash, const Row<Table>& row) {
+  hash.add(std::uint64_t{row.index});
+}
+
 void add(Hash& hash, const geom::Pose& pose) {
-  for (const double value : {pose.x, pose.y, pose.z, pose.a}) hash.add(value);
+  const auto& [x, y, z, a] = pose;
+  for (const double value : {x, y, z, a}) hash.add(value);
 }
 
 void add(Hash& hash, const geom::Twist& twist) {
-  for (const double value : {twist.x, twist.y, twist.z, twist.a}) hash.add(value);
+  const auto& [x, y, z, a] = twist;
+  for (const double value : {x, y, z, a}) hash.add(value);
 }
 
-void add(Hash& hash, const Models& models) {
-  for (std::size_t row = 0; row < models.size(); ++row) {
-    add(hash, models.X_PM[row]);
-    add(hash, models.X_WM[row]);
-    hash.add(std::uint64_t{models.subscribers[row]});
-    hash.add(static_cast<std::uint64_t>(models.fiducial_return[row]));
-    hash.add(static_cast<std::uint64_t>(models.flags[row]));
-    for (const float part :
-         {models.color[row].r, models.color[row].g, models.color[row].b, models.color[row].a})
-      hash.add(part);
-    hash.add(std::uint64_t{models.say[row].size()});
-    for (const char letter : models.say[row]) hash.add(static_cast<std::uint64_t>(letter));
-  }
+void add(Hash& hash, const scene::Color& color) {
+  const auto& [r, g, b, a] = color;
+  for (const float value : {r, g, b, a}) hash.add(value);
 }
 
-void add(Hash& hash, const Positions& positions) {
-  for (std::size_t row = 0; row < positions.size(); ++row) {
-    hash.add(static_cast<std::uint64_t>(positions.mode[row]));
-    add(hash, positions.command[row]);
-    add(hash, positions.goal[row]);
-    add(hash, positions.velocity[row]);
-    add(hash, positions.X_OM[row]);
-    add(hash, positions.X_WO[row]);
-    add(hash, positions.odom_error[row]);
-    hash.add(std::uint64_t{positions.stall[row]});
-    hash.add(std::uint64_t{positions.motor_on[row]});
-  }
+void add(Hash& hash, const std::string& text) {
+  hash.add(std::uint64_t{text.size()});
+  for (const char letter : text) add(hash, letter);
 }
 
-void add(Hash& hash, const Fiducials& fiducials) {
-  hash.add(std::span<const std::uint64_t>(fiducials.measured_tick));
-  for (const std::vector<FiducialHit>& hits : fiducials.hits) {
-    hash.add(std::uint64_t{hits.size()});
-    for (const FiducialHit& hit : hits) {
-      hash.add(std::uint64_t{hit.target.index});
-      hash.add(static_cast<std::uint64_t>(hit.id));
-      for (const double value : {hit.range, hit.bearing, hit.heading}) hash.add(value);
-    }
-  }
+void add(Hash& hash, const FiducialHit& hit) {
+  const auto& [target, id, range, bearing, heading, size] = hit;
+  const auto& [x, y, z] = size;
+  add(hash, target);
+  add(hash, id);
+  for (const double value : {range, bearing, heading, x, y, z}) hash.add(value);
+}
+
+void add(Hash& hash, const std::vector<FiducialHit>& hits) {
+  hash.add(std::uint64_t{hits.size()});
+  for (const FiducialHit& hit : hits) add(hash, hit);
+}
+
+bool is_done(Role role) {
+  return role == Role::kFixed || role == Role::kMotion || role == Role::kMark;
+}
+
+/// What was measured, in rows [begin, end) of these columns.
+template <typename Table>
+void add_sensed(Hash& hash, const Table& table, std::size_t begin, std::size_t end) {
+  each_column_of<Table>([&](const auto& column) {
+    if (column.role != Role::kSensed) return;
+    for (std::size_t row = begin; row < end; ++row) add(hash, (table.*column.values)[row]);
+  });
+}
+
+// Memory that values of columns have elsewhere. [bytes]
+
+template <typename T>
+std::size_t bytes_of(const T&) {
+  return 0;
+}
+
+std::size_t bytes_of(const std::string& text) {
+  return text.capacity() > std::string().capacity() ? text.capacity() + 1 : 0;
+}
+
+std::size_t bytes_of(const std::vector<FiducialHit>& hits) {
+  return hits.capacity() * sizeof(FiducialHit);
 }
 
 bool finite(double x, double y, double z, double a) {
@@ -191,14 +224,48 @@ std::uint64_t World::hash() const {
   Hash hash;
   hash.add(seed_);
   hash.add(tick_);
-  add(hash, models);
-  add(hash, positions);
-  hash.add(std::span<const std::uint64_t>(rangers.measured_tick));
-  hash.add(std::span<const float>(sensors.ranges));
-  hash.add(std::span<const float>(sensors.intensities));
-  add(hash, fiducials);
+  each_column(
+      [&](const auto& column, const auto& values) {
+        if (!is_done(column.role)) return;
+        for (const auto& value : values) add(hash, value);
+      },
+      *this);
+  for (std::uint32_t row = 0; row < rangers.size(); ++row) {
+    if (models.controllers[rangers.model[row].index] == 0) continue;
+    add_sensed(hash, rangers, row, row + 1);
+    const std::uint32_t first = rangers.first_sensor[row], end = first + rangers.sensor_count[row];
+    for (std::uint32_t sensor = first; sensor < end; ++sensor) {
+      const std::uint32_t beam = sensors.first_beam[sensor];
+      add_sensed(hash, sensors, beam, beam + sensors.beam_count[sensor]);
+    }
+  }
+  for (std::uint32_t row = 0; row < fiducials.size(); ++row)
+    if (models.controllers[fiducials.model[row].index] > 0) add_sensed(hash, fiducials, row, row + 1);
   for (const std::unique_ptr<Decider>& decider : deciders) decider->hash(hash);
   return hash.value();
+}
+
+std::uint64_t World::sensed_hash() const {
+  Hash hash;
+  hash.add(tick_);
+  each_column(
+      [&](const auto& column, const auto& values) {
+        if (is_done(column.role)) return;
+        for (const auto& value : values) add(hash, value);
+      },
+      *this);
+  return hash.value();
+}
+
+std::size_t World::bytes() const {
+  std::size_t bytes = 0;
+  each_column(
+      [&](const auto&, const auto& values) {
+        bytes += values.capacity() * sizeof(values[0]);
+        for (const auto& value : values) bytes += bytes_of(value);
+      },
+      *this);
+  return bytes;
 }
 
 void place_tree(World& world, ModelRow model) {
@@ -267,9 +334,11 @@ void return_to_start(World& world) {
   for (std::uint32_t row = 0; row < world.models.size(); ++row) {
     if (world.models.X_PM[row] != start.models.X_PM[row]) world.teleported.push_back({row});
   }
-  world.models.X_PM = start.models.X_PM;
-  world.models.X_WM = start.models.X_WM;
-  world.positions = start.positions;
+  each_column(
+      [](const auto& column, auto& values, const auto& first_values) {
+        if (column.role == Role::kMotion) values = first_values;
+      },
+      world, start);
 }
 
 void set_fiducial_return(World& world, ModelRow model, std::int32_t id) {
@@ -282,6 +351,11 @@ void set_color(World& world, ModelRow model, const scene::Color& color) {
 
 void subscribe(World& world, ModelRow model) {
   ++world.models.subscribers[model.index];
+}
+
+void subscribe_controller(World& world, ModelRow model) {
+  subscribe(world, model);
+  ++world.models.controllers[model.index];
 }
 
 void unsubscribe(World& world, ModelRow model) {

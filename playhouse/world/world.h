@@ -37,6 +37,7 @@ struct Models {
   std::vector<std::uint32_t> part;              // row in the kind's own table, or Row::kNone
   std::vector<std::uint32_t> subscribers;       // open devices and controllers, and one for alwayson
                                                 //                                written by: subscribe, unsubscribe
+  std::vector<std::uint32_t> controllers;       // of the subscribers              written by: subscribe_controller
   std::vector<std::int32_t> fiducial_return;    // 0: unseen                      written by: set_fiducial_return
   std::vector<std::int32_t> flags;              // tokens carried (source, sink)  written by: controllers
   std::vector<scene::Color> color;              //                                written by: set_color
@@ -88,6 +89,7 @@ struct FiducialHit {
   double bearing = 0;        // rad, in the finder's frame
   double heading = 0;        // rad, target relative to the finder
   geom::Size size;           // m, of the target
+  friend bool operator==(const FiducialHit&, const FiducialHit&) = default;
 };
 
 struct Fiducials {
@@ -97,7 +99,16 @@ struct Fiducials {
   std::size_t size() const { return model.size(); }
 };
 
-class World {
+/// The state, in columns; columns.h lists them all, with what each is to a run.
+struct Tables {
+  Models models;
+  Positions positions;
+  Rangers rangers;
+  Sensors sensors;
+  Fiducials fiducials;
+};
+
+class World : public Tables {
  public:
   /// Allocates every column for the scene and computes poses. The scene must outlive the world.
   World(const scene::SceneDesc& scene, std::uint64_t seed);
@@ -115,17 +126,16 @@ class World {
   ModelRow find(std::string_view name) const;
   std::span<const std::uint32_t> children(ModelRow row) const;
 
-  /// Hash of the whole state: every column that a later tick depends on, the deciders', and the tick.
+  /// Hash of what robots do: every column that a later tick depends on, what controllers sense and remember, and
+  /// the tick. What is only measured for people and clients is no part of it: whoever watches changes nothing.
   std::uint64_t hash() const;
+  /// Hash of what all sensors measured, and of who had them measure.
+  std::uint64_t sensed_hash() const;
+  /// Memory of all columns. [bytes]
+  std::size_t bytes() const;
 
   /// In-process controllers, in the order in which they decide (see controllers::attach).
   std::vector<std::unique_ptr<Decider>> deciders;
-
-  Models models;
-  Positions positions;
-  Rangers rangers;
-  Sensors sensors;
-  Fiducials fiducials;
 
   /// Set by set_pose(); the engine re-indexes what moved before its next tick and clears it.
   std::vector<ModelRow> teleported;
@@ -136,13 +146,6 @@ class World {
   std::uint64_t seed_;
   std::map<std::string, ModelRow, std::less<>> by_name_;
   std::vector<std::uint32_t> first_child_, child_rows_;  // children of row r: child_rows_[first_child_[r] .. first_child_[r+1])
-};
-
-/// Streams of random numbers: Rng(seed, tick, entity, stream).
-enum class Stream : std::uint64_t {
-  kOdometryError = 1,  // entity: model row, tick 0
-  kRangeNoise = 2,     // entity: sensor row
-  kController = 3,     // entity: model row
 };
 
 /// Recomputes X_WM of a model and everything attached to it from X_PM; what robots with gps believe follows.
@@ -171,6 +174,8 @@ void set_fiducial_return(World& world, ModelRow model, std::int32_t id);
 void set_color(World& world, ModelRow model, const scene::Color& color);
 /// Sensors measure and robots move only while subscribed (or alwayson). Calls are counted.
 void subscribe(World& world, ModelRow model);
+/// The same for a controller, which stays: from then on what the sensor measures is part of hash().
+void subscribe_controller(World& world, ModelRow model);
 /// The last unsubscribe of a robot stops it: its command and velocity become zero.
 void unsubscribe(World& world, ModelRow model);
 

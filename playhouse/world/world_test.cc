@@ -6,7 +6,11 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
+#include <string>
+#include <type_traits>
 
+#include "playhouse/world/columns.h"
 #include "playhouse/world/workers.h"
 
 namespace playhouse::world {
@@ -161,22 +165,146 @@ TEST(World, the_odometry_error_is_drawn_per_robot_from_the_seed) {
   EXPECT_LE(std::fabs(first.a), 0.025);
 }
 
-TEST(World, the_hash_sees_every_kind_of_column) {
-  const scene::SceneDesc scene = small_scene();
-  const std::uint64_t before = World(scene, 1).hash();
-  EXPECT_EQ(before, World(scene, 1).hash());
-  const auto changed = [&](auto change) {
-    World world(scene, 1);
-    change(world);
-    return world.hash() != before;
+// Each changes one part of a value; false: it has no such part.
+
+template <typename T>
+requires std::is_arithmetic_v<T> || std::is_enum_v<T>
+bool change(T& value, int part) {
+  value = static_cast<T>(static_cast<int>(value) ^ 1);
+  return part == 0;
+}
+
+template <typename Table>
+bool change(Row<Table>& row, int part) {
+  return change(row.index, part);
+}
+
+bool change_one(std::initializer_list<double*> numbers, int part) {
+  if (part >= static_cast<int>(numbers.size())) return false;
+  *numbers.begin()[part] += 1;
+  return true;
+}
+
+bool change(geom::Pose& p, int part) {
+  return change_one({&p.x, &p.y, &p.z, &p.a}, part);
+}
+
+bool change(geom::Twist& t, int part) {
+  return change_one({&t.x, &t.y, &t.z, &t.a}, part);
+}
+
+bool change(scene::Color& color, int part) {
+  float* const parts[] = {&color.r, &color.g, &color.b, &color.a};
+  if (part < 4) *parts[part] += 0.5f;
+  return part < 4;
+}
+
+bool change(std::string& text, int part) {
+  text += '!';
+  return part == 0;
+}
+
+bool change(FiducialHit& hit, int part) {
+  if (part == 0) return change(hit.target, 0);
+  if (part == 1) return change(hit.id, 0);
+  geom::Size& size = hit.size;
+  return change_one({&hit.range, &hit.bearing, &hit.heading, &size.x, &size.y, &size.z}, part - 2);
+}
+
+bool change(std::vector<FiducialHit>& hits, int part) {
+  if (part > 0) return change(hits[0], part - 1);
+  hits.emplace_back();
+  return true;
+}
+
+/// small_scene() with a fiducial finder on the robot, which sees one thing.
+class EveryColumn : public ::testing::Test {
+ protected:
+  EveryColumn() { world.fiducials.hits[0].emplace_back(); }
+
+  static scene::SceneDesc make_scene() {
+    scene::SceneDesc scene = small_scene();
+    scene::ModelDesc finder;
+    finder.kind = scene::ModelKind::kFiducial;
+    finder.parent = 0;
+    scene.models.push_back(finder);
+    return scene;
+  }
+
+  static constexpr ModelRow kRanger{1}, kFinder{3};
+  const scene::SceneDesc scene = make_scene();
+  World world{scene, 1};
+};
+
+TEST_F(EveryColumn, has_a_row_to_change_and_a_name_of_its_own) {
+  std::set<std::string> names;
+  each_column(
+      [&](const auto& column, const auto& values) {
+        EXPECT_FALSE(values.empty()) << column.name;
+        EXPECT_TRUE(names.insert(column.name).second) << column.name;
+      },
+      world);
+}
+
+TEST_F(EveryColumn, is_seen_by_the_hash_that_its_role_names) {
+  const auto expect_seen = [&](bool controlled) {
+    const std::uint64_t done = world.hash(), sensed = world.sensed_hash();
+    each_column(
+        [&](const auto& column, auto& values) {
+          if (controlled && column.role == Role::kFixed) return;  // rows that then point beyond the tables
+          const bool in_done = column.role != Role::kUse && (column.role != Role::kSensed || controlled);
+          const bool in_sensed = column.role == Role::kSensed || column.role == Role::kUse;
+          const auto before = values;
+          for (int part = 0; change(values[0], part); ++part, values = before) {
+            EXPECT_EQ(world.hash() != done, in_done) << column.name << ", part " << part;
+            EXPECT_EQ(world.sensed_hash() != sensed, in_sensed) << column.name << ", part " << part;
+          }
+          values = before;
+        },
+        world);
   };
-  EXPECT_TRUE(changed([](World& w) { w.sensors.ranges[1] = 4; }));
-  EXPECT_TRUE(changed([](World& w) { w.models.flags[2] = 1; }));
-  EXPECT_TRUE(changed([](World& w) { w.positions.stall[0] = 1; }));
-  EXPECT_TRUE(changed([](World& w) { set_color(w, {2}, {0, 0, 1, 1}); }));
-  EXPECT_TRUE(changed([](World& w) { set_fiducial_return(w, {2}, 3); }));
-  EXPECT_TRUE(changed([](World& w) { w.models.say[0] = "hello"; }));
-  EXPECT_TRUE(changed([](World& w) { w.tick_ = 1; }));
+  expect_seen(false);
+  for (const ModelRow model : {kRanger, kFinder}) subscribe_controller(world, model);
+  expect_seen(true);
+  const std::uint64_t before = world.hash();
+  world.tick_ = 1;
+  EXPECT_NE(world.hash(), before);
+}
+
+TEST_F(EveryColumn, returns_to_the_start_if_it_says_how_things_move) {
+  const World start(scene, 1);
+  each_column([](const auto&, auto& values) { change(values[0], 0); }, world);
+  return_to_start(world);
+  each_column(
+      [](const auto& column, const auto& values, const auto& first_values) {
+        EXPECT_EQ(values == first_values, column.role == Role::kMotion) << column.name;
+      },
+      world, start);
+}
+
+TEST_F(EveryColumn, counts_as_memory) {
+  each_column(
+      [&](const auto& column, auto& values) {
+        const std::size_t before = world.bytes(), more = 1000;
+        values.reserve(values.capacity() + more);
+        EXPECT_EQ(world.bytes(), before + more * sizeof(values[0])) << column.name;
+      },
+      world);
+  std::vector<FiducialHit>& hits = world.fiducials.hits[0];
+  const std::size_t before = world.bytes(), room = hits.capacity();
+  world.models.say[0].assign(99, 'x');
+  hits.reserve(room + 50);
+  EXPECT_EQ(world.bytes(), before + world.models.say[0].capacity() + 1 + 50 * sizeof(FiducialHit));
+}
+
+TEST(World, whoever_watches_changes_the_hash_of_what_is_sensed_alone) {
+  const scene::SceneDesc scene = small_scene();
+  World watched(scene, 1), alone(scene, 1);
+  for (const std::uint32_t model : {0u, 1u}) subscribe(watched, {model});
+  watched.sensors.ranges[0] = 2;
+  watched.rangers.measured_tick[0] = 1;
+  EXPECT_EQ(watched.hash(), alone.hash());
+  EXPECT_NE(watched.sensed_hash(), alone.sensed_hash());
 }
 
 TEST(Workers, cover_every_row_once) {

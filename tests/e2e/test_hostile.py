@@ -2,17 +2,20 @@
 others, answer every request once, and end cleanly: the sanitizers of the dev build look for the rest."""
 
 import random
+import resource
 import signal
 import socket
 import struct
 import time
 import unittest
+from pathlib import Path
 
-from house import (ACK, CMD, DATA, LASER, NACK, PATIENCE, PLAYER, POSITION2D, RANGER, REQ, SIMULATION, SONAR, Client,
-                   HouseTest, frame, text)
+from house import (ACK, CMD, DATA, LASER, NACK, PATIENCE, PLAYER, POSITION2D, PROGRAM, RANGER, REQ, SIMULATION, SONAR,
+                   Client, House, HouseTest, frame, text)
 
 DEVICES = [(SIMULATION, 0), (POSITION2D, 0), (RANGER, 0), (LASER, 0), (RANGER, 1), (SONAR, 0), (POSITION2D, 1)]
 GET_GEOM = frame(POSITION2D, 0, REQ, 1)
+SESSIONS = 4096     # kSessions of base/limits.h
 
 
 def open_frame(interf, index, access=1) -> bytes:
@@ -184,6 +187,73 @@ class Hostile(HouseTest):
         while not answers or answers[-1].seq != 99:
             answers.append(client.receive())
         self.assertEqual(len([a for a in answers if a.type in (ACK, NACK)]), len(DEVICES) * 22 + 1)
+
+
+def shell_limited(limit: str, *arguments) -> House:
+    """The program under a limit of the shell's `ulimit`."""
+    return House("-c", f'ulimit {limit} && exec "$0" "$@"', PROGRAM, *arguments, program="sh")
+
+
+class Crowds(HouseTest):
+    """Many clients at once."""
+
+    def setUp(self):
+        super().setUp()
+        soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
+        self.assertGreater(hard, 8500, "this test needs descriptors: raise the hard limit (ulimit -Hn)")
+        resource.setrlimit(resource.RLIMIT_NOFILE, (hard, hard))
+        self.addCleanup(resource.setrlimit, resource.RLIMIT_NOFILE, (soft, hard))
+
+    def crowd(self, port: int, count: int) -> list[Client]:
+        clients = []
+        for _ in range(count):
+            clients.append(Client(port))
+            self.addCleanup(clients[-1].close)
+        return clients
+
+    def many_devices(self, robots: int = 200) -> Path:
+        return self.world("interval_sim 100\ndefine robot position( size [0.4 0.4 0.2] ranger( sensor( samples 1 ) ) )\n"
+                          + "\n".join(f'robot( name "r{i}" pose [{i} 0 0 0] )' for i in range(robots)))
+
+    def test_clients_that_ask_for_much_and_leave_hold_up_neither_the_others_nor_the_end(self):
+        with self.run_house(world=self.many_devices()) as house:
+            witness = Client(house.port())
+            self.addCleanup(witness.close)
+            for client in self.crowd(house.port(), 300):
+                client.socket.setblocking(False)
+                client.socket.send(frame(PLAYER, 0, REQ, 1) * 3000)
+                client.close()
+            self.assertEqual(len(witness.devices()), 401)
+            for client in self.crowd(house.port(), 300):
+                client.socket.setblocking(False)
+                client.socket.send(frame(PLAYER, 0, REQ, 1) * 3000)
+            self.assertEqual(house.end(), 128 + signal.SIGTERM, house.log())
+
+    def test_answers_that_nobody_reads_do_not_fill_the_memory(self):
+        if b"__asan_init" in Path(PROGRAM).read_bytes() or b"__tsan_init" in Path(PROGRAM).read_bytes():
+            self.skipTest("a program with sanitizers needs more address space than this limit")
+        with shell_limited("-v 500000", "run", self.many_devices(), "--port", 0, "--headless") as house:
+            witness = Client(house.port())
+            self.addCleanup(witness.close)
+            for client in self.crowd(house.port(), 600):
+                client.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+                client.socket.setblocking(False)
+                client.socket.send(frame(PLAYER, 0, REQ, 1) * 3000)
+            self.assertEqual(len(witness.devices()), 401)
+            house.wait_for_line("closed: what all clients have not read takes")
+            self.assertEqual(len(witness.devices()), 401)
+            self.assertEqual(house.end(), 128 + signal.SIGTERM, house.log())
+
+    def test_as_many_clients_as_the_limit_says_are_served_although_the_shell_allows_fewer_descriptors(self):
+        with shell_limited("-S -n 1024", "run", self.world(), "--port", 0, "--headless") as house:
+            clients = self.crowd(house.port(), SESSIONS)
+            for client in clients:
+                client.socket.sendall(GET_GEOM)
+            for client in clients:
+                self.assertEqual(client.receive().type, ACK)
+            with socket.create_connection(("127.0.0.1", house.port()), PATIENCE) as refused:
+                self.assertEqual(refused.recv(1), b"", "one more than the limit")
+            self.assertEqual(house.end(), 128 + signal.SIGTERM, house.log())
 
 
 if __name__ == "__main__":

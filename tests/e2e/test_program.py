@@ -16,7 +16,7 @@ import time
 import unittest
 from pathlib import Path
 
-from house import (PATIENCE, POSITION2D, PROGRAM, WORLD, Client, House, HouseTest, finish)
+from house import (PATIENCE, POSITION2D, PROGRAM, ROOT, WORLD, Client, House, HouseTest, finish)
 
 
 class Faults(HouseTest):
@@ -64,8 +64,13 @@ class Faults(HouseTest):
             taken.bind(("127.0.0.1", 0))
             taken.listen()
             port = str(taken.getsockname()[1])
-            self.check_fault(1, port, "run", self.world(), "--headless", "--port", port)
-            self.check_fault(1, port, "run", self.world(), "--port", "0", "--web", port)
+            self.check_fault(1, f"{port}: cannot listen: Address already in use; --port takes another port", "run",
+                             self.world(), "--headless", "--port", port)
+            self.check_fault(1, "--web takes another port", "run", self.world(), "--port", "0", "--web", port)
+            self.world()
+            cfg = self.write("taken.cfg", 'driver( name "stage" provides ["simulation:0"] worldfile "test.world" )\n'
+                                          f'driver( name "stage" provides ["{port}:position2d:0"] model "r0" )\n')
+            self.check_fault(1, "the configuration file names this port", "serve", cfg, "--headless", "--port", "0")
 
     def test_a_server_that_is_not_there_is_one_clear_line(self):
         with socket.socket() as taken:
@@ -88,9 +93,44 @@ class Faults(HouseTest):
         self.check_fault(2, "playhouse serve", "run", cfg, "--headless", "--port", "0")
         self.check_fault(2, "playhouse run", "serve", self.world(), "--headless", "--port", "0")
 
+    def test_a_world_for_serve_is_told_what_runs_it(self):
+        world = self.world('define wall model( )\nwall( )\nposition( name "r0" )\n')
+        done = finish("serve", world, "--headless", "--port", "0")
+        self.assertEqual(done.returncode, 2)
+        self.assertEqual(done.stderr, f"{world}: error: is a world file, not a configuration: playhouse run {world} "
+                                      "serves its robots\n")
+
+    def test_errors_of_files_begin_with_their_place_and_all_others_with_one_word(self):
+        world = self.world('model( pose [0 0] )\nmodle( )\n')
+        for command in (["run", world, "--headless", "--port", "0"], ["check", world]):
+            done = finish(*command)
+            self.assertEqual(done.returncode, 2)
+            lines = (done.stdout + done.stderr).splitlines()
+            self.assertEqual(len(lines), 2, lines)
+            self.assertTrue(lines[0].startswith(f"{world}:1: error: "), lines)
+            self.assertTrue(lines[1].startswith(f"{world}:2: error: "), lines)
+        for command in (["rnu"], ["run"], ["devices", "localhost:port"], ["watch", "localhost", "lazer:0"], ["bench", "x"],
+                        ["drive", "localhost", "laser:0"]):
+            done = finish(*command)
+            self.assertTrue(done.stderr.startswith("error: "), done.stderr)
+
+    def test_no_name_of_a_file_reaches_the_terminal_with_its_escape_codes(self):
+        evil = "\x1b]0;title\x07\x1b[31m"
+        cfg = self.write("evil.cfg", f'driver( name "stage" provides ["simulation:0"] worldfile "{evil}.world" )\n')
+        named = self.folder / f"{evil}.world"
+        named.write_text(f'position( name "{evil}" ctrl "{evil}" )\nmodel( bitmap "{evil}" )\n')
+        other = self.write("other.cfg", f'driver( name "{evil}" provides ["{evil}:0"] {"x"} "{evil}" )\n')
+        for file in (cfg, named, other, self.folder / f"{evil}gone.world"):
+            for command in (["check", file], ["run", file, "--headless", "--port", "0"],
+                            ["serve", file, "--headless", "--port", "0"]):
+                done = finish(*command)
+                self.assertEqual(done.returncode, 2, command)
+                self.assertNotIn("\x1b", done.stdout + done.stderr)
+                self.assertNotIn("\x07", done.stdout + done.stderr)
+
     def test_a_world_that_a_configuration_misses_is_named_with_the_line(self):
         cfg = self.write("test.cfg", '\ndriver( name "stage" provides ["simulation:0"] worldfile "gone.world" )\n')
-        self.check_fault(2, "test.cfg:2: world file", "serve", cfg, "--headless", "--port", "0")
+        self.check_fault(2, "test.cfg:2: error: world file", "serve", cfg, "--headless", "--port", "0")
 
 
 class StandardStreams(HouseTest):
@@ -136,7 +176,71 @@ class Texts(unittest.TestCase):
         self.assertIn("playhouse run", done.stdout)
         done = finish("--version")
         self.assertEqual(done.returncode, 0)
-        self.assertRegex(done.stdout, r"^playhouse \d+\.\d+\.\d+\n$")
+        self.assertRegex(done.stdout,
+                         r"^playhouse \d+\.\d+\.\d+ \(commit ([0-9a-f]{7,}|unknown), Player protocol 3\.1\)\n$")
+        self.assertEqual(finish("-V").stdout, done.stdout)
+
+
+class Examples(HouseTest):
+    """Every example of a command's --help is run, with free ports, in a folder with the files they name."""
+
+    def setUp(self):
+        super().setUp()
+        (self.folder / "worlds").symlink_to(ROOT / "worlds")
+        self.write("my.world", WORLD.replace('"r0"', '"guest"'))
+        self.write("my.cfg", 'driver( name "stage" provides ["simulation:0"] worldfile "my.world" )\n'
+                             'driver( name "stage" provides ["position2d:0" "laser:0"] model "guest" )\n')
+
+    def examples(self, command: str) -> list[str]:
+        lines = [line.strip() for line in finish(command, "--help").stdout.splitlines()]
+        found = [line for line in lines[lines.index("Examples:"):] if line.startswith("playhouse ")]
+        self.assertGreaterEqual(len(found), 2, command)
+        return found
+
+    def shell(self, line: str) -> subprocess.CompletedProcess:
+        return subprocess.run(["bash", "-c", line.replace("playhouse", f'"{PROGRAM}"', 1)], cwd=self.folder,
+                              stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=PATIENCE)
+
+    def test_those_of_servers_listen(self):
+        for command in ("run", "serve"):
+            for line in self.examples(command):
+                with self.subTest(line):
+                    words = line.replace("0.0.0.0", "127.0.0.1").replace("--port 7000", "").split()[1:]
+                    page = [] if "--web" in words or "--headless" in words else ["--web", 0]
+                    words = [str(self.folder / word) if word.startswith(("worlds/", "my.")) else word for word in words]
+                    with House(*words, "--port", 0, *page) as house:
+                        house.port()
+                        if "--duration" in words:
+                            self.assertEqual(house.wait(), 0, house.log())
+                            self.assertEqual(json.loads(house.output())["sim_time"], 60)
+                        else:
+                            self.assertEqual(house.end(), 143, house.log())
+
+    def test_those_of_clients_find_their_server(self):
+        with self.run_house(world=self.folder / "my.world") as house:
+            for command in ("devices", "watch", "drive"):
+                for line in self.examples(command):
+                    with self.subTest(line):
+                        words = line.split()
+                        here = f"127.0.0.1:{house.port()}"
+                        words = [here if word.startswith("127.0.0.1") else word for word in words]
+                        done = self.shell(" ".join(words if here in words else [*words, here]))
+                        self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
+                        self.assertNotEqual(done.stdout, "")
+
+    def test_those_of_check_and_bench_end_well(self):
+        for command in ("check", "bench"):
+            for line in self.examples(command):
+                with self.subTest(line):
+                    done = self.shell(line)
+                    self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def test_the_tool_that_makes_the_swarm_has_help(self):
+        tool = ROOT / "tools" / "make_swarm_world.py"
+        done = subprocess.run(["python3", tool, "--help"], capture_output=True, text=True, timeout=PATIENCE)
+        self.assertIn("example: tools/make_swarm_world.py > worlds/swarm.world", done.stdout)
+        made = subprocess.run(["python3", tool], capture_output=True, text=True, timeout=PATIENCE).stdout
+        self.assertEqual(made, (ROOT / "worlds" / "swarm.world").read_text())
 
 
 class Ending(HouseTest):
@@ -183,10 +287,12 @@ class Ending(HouseTest):
         done = finish("run", self.world(), "--port", 0, "--headless", "--fast", "--duration", "2.5", "--json")
         self.assertEqual(done.returncode, 0, done.stderr)
         result = json.loads(done.stdout.splitlines()[-1])
-        self.assertEqual(set(result), {"sim_time", "wall_time", "real_time_factor", "ticks", "robots", "rays", "hash"})
+        self.assertEqual(set(result), {"sim_time", "wall_time", "real_time_factor", "ticks", "robots", "rays", "hash",
+                                       "sensed_hash"})
         self.assertEqual((result["ticks"], result["robots"]), (25, 2))
         self.assertAlmostEqual(result["sim_time"], 2.5)
-        self.assertRegex(result["hash"], r"^[0-9a-f]{16}$")
+        for name in ("hash", "sensed_hash"):
+            self.assertRegex(result[name], r"^[0-9a-f]{16}$")
 
     def test_the_files_quit_time_ends_a_run(self):
         world = self.world("quit_time 1\nposition( name \"r0\" )\n")
@@ -205,6 +311,18 @@ class Ending(HouseTest):
 
 class Terminal(HouseTest):
     """The progress line, and log lines in between."""
+
+    def test_colors_are_for_terminals_whose_user_wants_them(self):
+        for environment, colored in (({}, True), ({"NO_COLOR": ""}, True), ({"NO_COLOR": "1"}, False)):
+            ours, its = pty.openpty()
+            subprocess.run([PROGRAM, "run", str(self.folder / "gone.world")], stdin=its, stdout=its, stderr=its,
+                           timeout=PATIENCE, env={**os.environ, "TERM": "xterm", **environment})
+            os.close(its)
+            shown = os.read(ours, 4096)
+            os.close(ours)
+            self.assertIn(b"error", shown)
+            self.assertEqual(b"\x1b[1;31m" in shown, colored, shown)
+        self.assertNotIn("\x1b", finish("run", self.folder / "gone.world").stderr)
 
     def start_on_terminal(self) -> tuple[subprocess.Popen, int]:
         """The program, and our end of its terminal."""
@@ -296,7 +414,29 @@ class Tools(HouseTest):
     def test_devices_lists_names_and_drivers(self):
         done = finish("devices", self.server)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn(["position2d:0", "stage"], [line.split() for line in done.stdout.splitlines()])
+        lines = [line.split() for line in done.stdout.splitlines()]
+        self.assertIn(["position2d:0", "r0", "stage"], lines)
+        self.assertIn(["laser:0", "r0.ranger:0", "stage"], lines)
+        self.assertIn(["simulation:0", "-", "stage"], lines)
+
+    def test_devices_are_json_objects_with_their_model_and_robot(self):
+        done = finish("devices", self.server, "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        devices = {device["device"]: device for device in map(json.loads, done.stdout.splitlines())}
+        self.assertEqual(devices["laser:0"], {"device": "laser:0", "interface": "laser", "index": 0, "port": self.house.port(),
+                                              "driver": "stage", "model": "r0.ranger:0", "robot": "r0"})
+        self.assertIsNone(devices["simulation:0"]["model"])
+
+    def test_robots_are_watched_and_driven_by_their_names(self):
+        done = finish("watch", self.server, "r1", "--count", 1)
+        self.assertEqual((done.returncode, json.loads(done.stdout)["index"]), (0, 1), done.stderr)
+        done = finish("watch", self.server, "r1.ranger:0", "--count", 1)
+        self.assertEqual((done.returncode, json.loads(done.stdout)["index"]), (0, 2), done.stderr)
+        self.assertEqual(finish("drive", self.server, "r1").returncode, 0)      # the end of its keys ends it
+        for command, name, expected in (("drive", "r3", "r3"), ("drive", "wall", "wall"), ("watch", "r", "\"r\"")):
+            done = finish(command, self.server, name)
+            self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
+            self.assertIn(expected, done.stderr)
 
     def test_a_number_alone_is_a_port_of_this_machine(self):
         done = finish("devices", self.house.port())
@@ -411,6 +551,36 @@ class Check(HouseTest):
         self.assertEqual(done.returncode, 0, done.stdout)
         self.assertIn("test.world:2", done.stdout)
 
+    def test_several_files_are_checked_and_one_bad_one_is_two(self):
+        good, bad = self.world(), self.write("bad.world", "modle( )\n")
+        self.assertEqual(finish("check", good, good).returncode, 0)
+        done = finish("check", bad, good)
+        self.assertEqual((done.returncode, done.stderr), (2, ""))
+        self.assertIn("bad.world:1: error: ", done.stdout)
+        self.assertIn("test.world: ", done.stdout)
+
+    def test_no_code_is_loaded(self):
+        mark = self.folder / "loaded"
+        source = self.write("evil.cc", f"""#include <cstdio>
+            static const int at_once = (std::fopen("{mark}", "w"), 0);""")
+        library = self.folder / "evil.so"
+        subprocess.run(["g++", "-shared", "-fPIC", "-o", library, source], check=True)
+        away = self.folder / "away"
+        away.mkdir()
+        world = self.write("away/test.world", f'position( ctrl "{self.folder}/evil" )\n')
+        done = finish("check", world)
+        self.assertEqual(done.returncode, 0, done.stdout)
+        self.assertIn(f"warning: controller \"{self.folder}/evil\" is {library}, which is there and not checked", done.stdout)
+        run = ["run", world, "--headless", "--port", 0]
+        done = finish(*run)
+        self.assertEqual((done.returncode, len(done.stderr.splitlines())), (2, 1), done.stderr)
+        self.assertIn(f"run with --allow-library {library}", done.stderr)
+        self.assertFalse(mark.exists())
+        done = finish(*run, "--allow-library", library)
+        self.assertIn(f"loads {library}", done.stderr)
+        self.assertIn("is no controller", done.stderr)
+        self.assertTrue(mark.exists())
+
     def test_a_pipe_is_read_once(self):
         pipe = os.path.join(self.folder, "pipe.world")
         os.mkfifo(pipe)
@@ -446,7 +616,7 @@ class PlayerLink(HouseTest):
             self.assertRegex(line, r"^Listening on ports: \d+ $")
             with Client(int(line.split()[3])) as client:
                 self.assertIn((POSITION2D, 0), client.devices())
-            self.assertEqual(house.end(), 143)
+            self.assertEqual(house.end(), 0)
             self.assertIn("Quitting.", house.output())
 
     def test_the_log_file_gets_the_lines_too(self):
@@ -454,24 +624,33 @@ class PlayerLink(HouseTest):
         log.write_text("before\n")
         with House("-p", 0, "-l", log, self.cfg, program=str(self.player)) as house:
             house.process.stdout.readline()
-            self.assertEqual(house.end(), 143)
+            self.assertEqual(house.end(), 0)
             self.assertRegex(log.read_text(), r"\Abefore\n\[[-0-9: .]+\] info: simulated .*\n\Z")
 
     def test_a_log_file_whose_folder_is_not_there_is_refused(self):
         folder = self.folder / "none"
         done = finish("-l", folder / "log", self.cfg, program=str(self.player))
-        self.assertEqual((done.returncode, len(done.stderr.splitlines())), (255, 1), done.stderr)
+        self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
         self.assertFalse(folder.exists())
 
     def test_help_and_faults_end_with_players_code(self):
-        for arguments in (["-h"], [], ["-x", self.cfg], ["-p"], [self.folder / "nosuch.cfg"]):
+        bad = self.write("bad.cfg", "driver(")
+        for arguments in (["-h"], [], ["-x", self.cfg], ["-p"], ["-p", "0", bad]):
             self.assertEqual(finish(*arguments, program=str(self.player)).returncode, 255, arguments)
+        done = finish(self.folder / "nosuch.cfg", program=str(self.player))
+        self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
+
+    def test_odd_arguments_are_taken_as_players_server_takes_them(self):
+        for arguments in (["-qp0", self.cfg], [self.cfg, "-d", "10", "-p", "0"], ["-d", "x", "-p0", self.cfg, "second.cfg"]):
+            with House(*arguments, program=str(self.player)) as house:
+                self.assertRegex(house.process.stdout.readline(), r"^Listening on ports: \d+ $")
+                self.assertEqual(house.end(signal.SIGINT), 0, house.log())
 
     def test_what_it_cannot_do_it_says(self):
-        for arguments, expected in ((["-s", self.cfg], "-s is not supported"), (["-d", 10, self.cfg], "from 0 to 9"),
-                                    (["-l", "/proc/none/log", self.cfg], "/proc/none/log")):
+        for arguments, code, expected in ((["-s", self.cfg], 255, "-s is not supported"),
+                                          (["-l", "/proc/none/log", self.cfg], 1, "/proc/none/log")):
             done = finish(*arguments, program=str(self.player))
-            self.assertEqual(done.returncode, 255, arguments)
+            self.assertEqual(done.returncode, code, arguments)
             self.assertIn(expected, done.stderr)
 
     def test_the_program_has_a_player_link_beside_it(self):

@@ -3,8 +3,11 @@
 import json
 import os
 import unittest
+from pathlib import Path
+from unittest import mock
 
-from house import RELEASE, ROOT, HouseTest, finish
+from house import (ACK, FIDUCIAL, POSITION2D, PROGRAM, RANGER, RELEASE, ROOT, SONAR, Client, House, HouseTest,
+                   finish)
 
 SWARM = """
 interval_sim 100
@@ -19,33 +22,88 @@ def swarm() -> str:
     return SWARM + "\n".join(robots)
 
 
+# A robot with a controller, which reads its scanner, and sensors that only clients read.
+WATCHED = """
+interval_sim 100
+position( name "r0" size [0.44 0.38 0.22] fiducial_return 1 ctrl "wander"
+  ranger( size [0.1 0.1 0.1] sensor( range [0 8] fov 180 samples 60 noise [0.01 0.01 0] ) )
+  ranger( size [0.1 0.1 0.1] sensor( range [0 5] fov 10 noise [0 0.05 0.1] ) sensor( pose [0 0 0 90] range [0 5] fov 10 ) )
+  fiducial( range_max 8 fov 360 ) )
+model( name "beacon" pose [3 1 0 0] size [0.2 0.2 1] fiducial_return 7 )
+model( name "walls" size [10 10 1] boundary 1 noblocks 1 )
+"""
+
+
 class Reproducible(HouseTest):
-    def hash_of(self, *arguments, world=None, program=None) -> str:
+    def result_of(self, *arguments, world=None, program=None) -> dict:
         done = finish("run", world or self.world(swarm()), "--port", 0, "--headless", "--fast", "--duration", 10,
                       "--json", *arguments, program=program)
         self.assertEqual(done.returncode, 0, done.stderr)
-        return json.loads(done.stdout)["hash"]
+        return json.loads(done.stdout)
+
+    def hashes_of(self, *arguments, **more) -> tuple[str, str]:
+        result = self.result_of(*arguments, **more)
+        return result["hash"], result["sensed_hash"]
 
     def test_twice_the_same(self):
-        self.assertEqual(self.hash_of(), self.hash_of())
+        self.assertEqual(self.hashes_of(), self.hashes_of())
 
     def test_the_same_with_one_two_and_four_workers(self):
-        self.assertEqual({self.hash_of("--workers", workers) for workers in (1, 2, 4)}, {self.hash_of()})
+        self.assertEqual({self.hashes_of("--workers", workers) for workers in (1, 2, 4)}, {self.hashes_of()})
 
     def test_another_seed_is_another_run(self):
-        self.assertNotEqual(self.hash_of("--seed", 1), self.hash_of("--seed", 2))
+        for first, second in zip(self.hashes_of("--seed", 1), self.hashes_of("--seed", 2)):
+            self.assertNotEqual(first, second)
+
+    def test_whoever_watches_changes_what_is_sensed_and_nothing_that_robots_do(self):
+        world = self.world(WATCHED)
+        alone = self.result_of(world=world)
+        with House("run", world, "--port", 0, "--headless", "--speed", 5, "--duration", 10, "--json") as house, \
+                Client(house.port()) as client:
+            for interf, index in ((POSITION2D, 0), (RANGER, 0), (RANGER, 1), (SONAR, 0), (FIDUCIAL, 0)):
+                self.assertEqual(client.open(interf, index).type, ACK)
+                client.next_data(interf, index)
+            self.assertEqual(house.wait(), 0, house.log())
+            watched = json.loads(house.output())
+        self.assertEqual((watched["ticks"], watched["hash"]), (alone["ticks"], alone["hash"]))
+        self.assertNotEqual(watched["sensed_hash"], alone["sensed_hash"])
 
     def test_the_release_program_computes_the_same_bits(self):
         if not os.path.exists(RELEASE):
             self.skipTest("there is no release program; `make build` makes it")
-        self.assertEqual(self.hash_of(), self.hash_of(program=RELEASE))
+        self.assertEqual(self.hashes_of(), self.hashes_of(program=RELEASE))
+
+    def bench(self, program, instruction_set):
+        with mock.patch.dict(os.environ, PLAYHOUSE_INSTRUCTION_SET=instruction_set):
+            return finish("bench", "laser", "--robots", 50, "--duration", 5, program=program)
+
+    def test_avx2_and_plain_instructions_compute_the_same_bits(self):
+        if "avx2" not in Path("/proc/cpuinfo").read_text():
+            self.skipTest("this processor has no AVX2: THE AVX2 VERSIONS ARE NOT TESTED HERE")
+        if not os.path.exists(RELEASE):
+            self.skipTest("there is no release program; `make build` makes it")
+        hashes = set()
+        for program in (PROGRAM, RELEASE):
+            for instruction_set in ("plain", "avx2"):
+                done = self.bench(program, instruction_set)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                result = json.loads(done.stdout)
+                self.assertEqual(result["instruction_set"], instruction_set)
+                hashes.add((result["hash"], result["sensed_hash"]))
+        self.assertEqual(len(hashes), 1)
+
+    def test_an_instruction_set_that_nobody_has_is_an_error(self):
+        done = self.bench(PROGRAM, "avx3")
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertEqual(done.stderr, 'error: PLAYHOUSE_INSTRUCTION_SET: there is no instruction set "avx3" '
+                                      '(did you mean "avx2"?)\n')
 
     def test_the_worlds_of_this_tree_run_alike(self):
         worlds = sorted((ROOT / "worlds").glob("*.world"))
         self.assertTrue(worlds)
         for world in worlds:
             with self.subTest(world=world.name):
-                self.assertEqual(self.hash_of("--workers", 1, world=world), self.hash_of("--workers", 4, world=world))
+                self.assertEqual(self.hashes_of("--workers", 1, world=world), self.hashes_of("--workers", 4, world=world))
 
 
 if __name__ == "__main__":

@@ -81,9 +81,8 @@ lsr::Data laser_scan(const rng::Config& config, const rng::DataRange& ranges,
   return scan;
 }
 
-Result<void> RangerToLaser::start(device::DeviceId, device::Receipt receipt) {
-  if (const Result<void> held = surroundings_.hold(ranger_.id, std::move(receipt)); !held)
-    return held.error();
+Result<void> RangerToLaser::start(device::DeviceId) {
+  if (const Result<void> held = surroundings_.hold(ranger_.id); !held) return held.error();
   ask_ranger(rng::kReqGetConfig, {}, [this](std::optional<std::vector<std::byte>> body) {
     const Result<rng::Config> config = wire::decode<rng::Config>(body.value_or(std::vector<std::byte>()));
     if (!config) return;
@@ -93,12 +92,12 @@ Result<void> RangerToLaser::start(device::DeviceId, device::Receipt receipt) {
   return {};
 }
 
-void RangerToLaser::stop(device::DeviceId, device::Receipt receipt) {
+void RangerToLaser::stop(device::DeviceId) {
   {
     const std::lock_guard lock(mutex_);
     config_.reset();
   }
-  surroundings_.release(ranger_.id, std::move(receipt));
+  surroundings_.release(ranger_.id);
 }
 
 void RangerToLaser::request(const device::Message& message, device::Replier replier) {
@@ -192,10 +191,18 @@ Result<std::unique_ptr<device::Driver>> make_ranger_to_laser(const scene::CfgSec
   if (!id) return Error{section.at("provides"), id.error().text};
   driver->set_laser(*id);
   site.when_all_made([&site, where = section.at("requires"), text = needs.front().text(), address = *ranger,
-                      converter = driver.get()]() -> Result<void> {
+                      shown = *laser, converter = driver.get()]() -> Result<void> {
     const auto neighbour = site.find(address);
     if (!neighbour) return Error{where, fmt::format("nothing provides {}", in_quotes(text))};
     converter->set_ranger(*neighbour);
+    Simulation* const simulation = site.simulation();
+    if (simulation == nullptr) return {};
+    const world::ModelRow model = simulation->directory().model_of(address);
+    const std::size_t sensors = model ? simulation->world().desc(model).sensors.size() : 1;
+    if (sensors != 1)
+      return Error{where, fmt::format("{} has {} sensors, and a laser shows the scan of one", in_quotes(text),
+                                      sensors)};
+    simulation->directory().add(model, shown);
     return {};
   });
   return std::unique_ptr<device::Driver>(std::move(driver));

@@ -38,11 +38,12 @@ class RangerToLaser final : public device::Driver, private device::Outlet, priva
   void set_ranger(Site::Neighbour ranger) { ranger_ = ranger; }
 
   std::string_view name() const override { return "rangertolaser"; }
-  Result<void> start(device::DeviceId device, device::Receipt receipt) override;
-  void stop(device::DeviceId device, device::Receipt receipt) override;
-  bool command(const device::Message&) override { return false; }
+  Result<void> start(device::DeviceId device) override;
+  void stop(device::DeviceId device) override;
+  device::Taken command(const device::Message&) override { return device::Taken::kNo; }
   void request(const device::Message& message, device::Replier replier) override;
   bool capable(device::DeviceId device, std::uint8_t type, std::uint8_t subtype) const override;
+  void barrier(device::Replier replier) override { ranger_.driver->barrier(std::move(replier)); }
 
  private:
   /// Called with the ranger's answer; nothing for NACK.

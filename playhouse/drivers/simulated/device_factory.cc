@@ -67,4 +67,13 @@ std::unique_ptr<SimulatedDevice> make_device(Simulation& simulation, std::uint16
   }
 }
 
+Result<void> add_simulated_device(Site& site, SimulatedDriver& driver, device::Address address,
+                                  world::ModelRow model) {
+  const Result<device::DeviceId> id = site.add_device(address, driver);
+  if (!id) return id.error();
+  driver.add(*id, make_device(*site.simulation(), address.interf, model));
+  site.simulation()->directory().add(model, address);
+  return {};
+}
+
 }  // namespace playhouse::drivers

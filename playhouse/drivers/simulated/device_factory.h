@@ -5,7 +5,11 @@
 #include <cstdint>
 #include <memory>
 
+#include "playhouse/base/result.h"
+#include "playhouse/device/address.h"
 #include "playhouse/drivers/simulated/simulated_device.h"
+#include "playhouse/drivers/simulated/simulated_driver.h"
+#include "playhouse/drivers/site.h"
 
 namespace playhouse::drivers {
 
@@ -19,5 +23,10 @@ bool fits(const world::World& world, world::ModelRow model, std::uint16_t interf
 /// The device; `model` fits the interface (asserted), or is none for the interface simulation.
 std::unique_ptr<SimulatedDevice> make_device(Simulation& simulation, std::uint16_t interf,
                                              world::ModelRow model);
+
+/// Makes the device of a model, or of the world, known under an address: to clients, to its driver and to the
+/// directory. Fails if the address is taken.
+Result<void> add_simulated_device(Site& site, SimulatedDriver& driver, device::Address address,
+                                  world::ModelRow model);
 
 }  // namespace playhouse::drivers

@@ -1,5 +1,6 @@
 // What simulated devices answer and publish, checked against the world's columns.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -46,29 +47,30 @@ class Device : public ::testing::Test {
     const world::ModelRow row =
         interf == wire::simulation::kCode ? world::ModelRow{} : still_.world().find(model);
     driver_.add(kId, make_device(still_.simulation, interf, row));
-    ASSERT_TRUE(driver_.start(kId, {}));
+    ASSERT_TRUE(driver_.start(kId));
     still_.run(0);
   }
   template <typename Payload>
   void command(std::uint8_t subtype, const Payload& payload) {
     const std::vector<std::byte> body = wire::encode(payload);
-    EXPECT_TRUE(driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), subtype, body}));
+    EXPECT_EQ(driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), subtype, body}),
+              device::Taken::kLatest);
     still_.run(0);
   }
   /// The answer to a request, which must have come by the next moment between ticks.
-  testing::Notebook::Answer ask(std::uint8_t subtype, std::span<const std::byte> body = {}) {
+  testing::Recorder::Answer ask(std::uint8_t subtype, std::span<const std::byte> body = {}) {
     driver_.request({kId, static_cast<std::uint8_t>(MessageType::kReq), subtype, body},
-                    device::Replier(still_.notebook, ++ticket_));
+                    device::Replier(still_.recorder, ++ticket_));
     still_.run(0);
-    EXPECT_TRUE(still_.notebook.answers.contains(ticket_));
-    return still_.notebook.answers[ticket_];
+    EXPECT_TRUE(still_.recorder.answers.contains(ticket_));
+    return still_.recorder.answers[ticket_];
   }
   template <typename Payload>
-  testing::Notebook::Answer ask_with(std::uint8_t subtype, const Payload& payload) {
+  testing::Recorder::Answer ask_with(std::uint8_t subtype, const Payload& payload) {
     return ask(subtype, wire::encode(payload));
   }
   template <typename Reply>
-  Reply reply(const testing::Notebook::Answer& answer) {
+  Reply reply(const testing::Recorder::Answer& answer) {
     EXPECT_TRUE(answer.ack);
     const Result<Reply> value = wire::decode<Reply>(answer.body);
     EXPECT_TRUE(value);
@@ -76,7 +78,7 @@ class Device : public ::testing::Test {
   }
   template <typename T>
   T last(std::uint8_t subtype) {
-    for (auto it = still_.notebook.published.rbegin(); it != still_.notebook.published.rend(); ++it) {
+    for (auto it = still_.recorder.published.rbegin(); it != still_.recorder.published.rend(); ++it) {
       if (it->subtype != subtype) continue;
       EXPECT_EQ(it->device, kId);
       return *wire::decode<T>(it->body);
@@ -97,7 +99,7 @@ class Device : public ::testing::Test {
   }
 
   static constexpr device::DeviceId kId{3};
-  testing::Stillness still_;
+  testing::StillSimulation still_;
   SimulatedDriver driver_;
   std::uint64_t ticket_ = 0;
 };
@@ -115,10 +117,10 @@ TEST_F(Position2dDevice, opening_subscribes_the_model_and_closing_ends_that) {
   open(p2d::kCode, "r0");
   const world::ModelRow robot = still_.world().find("r0");
   EXPECT_EQ(still_.world().models.subscribers[robot.index], 1u);
-  driver_.stop(kId, {});
+  driver_.stop(kId);
   still_.run(5);
   EXPECT_EQ(still_.world().models.subscribers[robot.index], 0u);
-  EXPECT_TRUE(still_.notebook.published.empty());
+  EXPECT_TRUE(still_.recorder.published.empty());
 }
 
 TEST_F(Position2dDevice, publishes_what_the_robot_believes_at_its_own_interval) {
@@ -128,8 +130,8 @@ TEST_F(Position2dDevice, publishes_what_the_robot_believes_at_its_own_interval) 
   positions.velocity[0] = {0.3, 0, 0, 0.2};
   positions.stall[0] = 1;
   still_.run(5);
-  ASSERT_EQ(still_.notebook.published.size(), 2u) << "every 200 ms of 100 ms ticks";
-  EXPECT_DOUBLE_EQ(still_.notebook.published[0].timestamp, 0.2);
+  ASSERT_EQ(still_.recorder.published.size(), 2u) << "every 200 ms of 100 ms ticks";
+  EXPECT_DOUBLE_EQ(still_.recorder.published[0].timestamp, 0.2);
   EXPECT_EQ(last<p2d::Data>(p2d::kDataState), (p2d::Data{{0.5, -0.25, 1}, {0.3, 0, 0.2}, 1}));
 }
 
@@ -154,10 +156,12 @@ TEST_F(Position2dDevice, refuses_commands_that_are_no_numbers) {
   command(p2d::kCmdVel, p2d::CmdVel{{0.3, 0, 0}, 1});
   for (const double nothing : {std::nan(""), std::numeric_limits<double>::infinity()}) {
     const std::vector<std::byte> body = wire::encode(p2d::CmdVel{{nothing, 0, 0}, 1});
-    EXPECT_FALSE(driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), p2d::kCmdVel, body}));
+    EXPECT_EQ(driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), p2d::kCmdVel, body}),
+              device::Taken::kNo);
   }
   const std::vector<std::byte> nowhere = wire::encode(p2d::CmdPos{{-1e308, -1e308, 0}, {}, 1});
-  EXPECT_FALSE(driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), p2d::kCmdPos, nowhere}));
+  EXPECT_EQ(driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), p2d::kCmdPos, nowhere}),
+            device::Taken::kNo);
   still_.run(1);
   EXPECT_EQ(still_.world().positions.command[0].x, 0.3);
 }
@@ -168,13 +172,24 @@ TEST_F(Position2dDevice,
   const std::vector<std::byte> ahead = wire::encode(p2d::CmdVel{{0.3, 0, 0}, 1});
   const auto cmd = static_cast<std::uint8_t>(MessageType::kCmd);
   driver_.command({kId, cmd, p2d::kCmdVel, ahead});
-  driver_.stop(kId, {});
+  driver_.stop(kId);
   still_.run(0);
   EXPECT_EQ(still_.world().positions.command[0], geom::Twist{});
-  ASSERT_TRUE(driver_.start(kId, {}));
+  ASSERT_TRUE(driver_.start(kId));
   driver_.command({kId, cmd, p2d::kCmdVel, ahead});
   still_.run(0);
   EXPECT_EQ(still_.world().positions.command[0].x, 0.3);
+}
+
+TEST_F(Position2dDevice,
+       cannot_start_while_the_tick_has_too_much_to_do_but_starts_in_vain_at_the_end_of_the_run) {
+  open(p2d::kCode, "r0");
+  driver_.stop(kId);
+  while (still_.simulation.post([](world::World&) {})) continue;
+  ASSERT_FALSE(driver_.start(kId));
+  still_.simulation.discard();
+  EXPECT_TRUE(driver_.start(kId));
+  driver_.stop(kId);
 }
 
 TEST_F(Position2dDevice, geometry_is_the_models_origin_and_size_with_width_across) {
@@ -200,7 +215,7 @@ TEST_F(Position2dDevice, motors_go_off_and_on_and_are_on_again_for_the_next_user
   open(p2d::kCode, "r0");
   EXPECT_TRUE(ask_with(p2d::kReqMotorPower, p2d::PowerConfig{0}).ack);
   EXPECT_EQ(still_.world().positions.motor_on[0], 0);
-  driver_.stop(kId, {});
+  driver_.stop(kId);
   still_.run(0);
   EXPECT_EQ(still_.world().positions.motor_on[0], 1);
 }
@@ -208,7 +223,8 @@ TEST_F(Position2dDevice, motors_go_off_and_on_and_are_on_again_for_the_next_user
 TEST_F(Position2dDevice, refuses_what_it_cannot_do_and_says_what_it_can) {
   open(p2d::kCode, "r0");
   EXPECT_FALSE(ask_with(p2d::kReqSpeedPid, p2d::SpeedPidReq{}).ack);
-  EXPECT_FALSE(driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), p2d::kCmdVelHead, {}}));
+  EXPECT_EQ(driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), p2d::kCmdVelHead, {}}),
+            device::Taken::kNo);
   EXPECT_TRUE(driver_.capable(kId, static_cast<std::uint8_t>(MessageType::kReq), p2d::kReqGetGeom));
   EXPECT_FALSE(driver_.capable(kId, static_cast<std::uint8_t>(MessageType::kReq), p2d::kReqSpeedPid));
 }
@@ -220,7 +236,7 @@ TEST_F(RangerDevice, a_scanner_publishes_all_its_samples) {
   EXPECT_EQ(last<wire::ranger::DataRange>(wire::ranger::kDataRange).ranges, (std::vector<double>{1, 2, 8}));
   EXPECT_EQ(last<wire::ranger::DataIntns>(wire::ranger::kDataIntns).intensities,
             (std::vector<double>{1, 0.5, 0}));
-  EXPECT_EQ(still_.notebook.batches, 1);
+  EXPECT_EQ(still_.recorder.batches, 1);
 }
 
 TEST_F(RangerDevice, an_array_publishes_the_nearest_echo_of_each_sensor) {
@@ -341,6 +357,20 @@ TEST_F(SimulationInterface, tells_and_sets_poses_by_name_in_the_parents_frame) {
   EXPECT_NEAR(pose3.simtime, 300000, 1e-3) << "microseconds";
 }
 
+TEST_F(SimulationInterface, tells_and_sets_the_height_of_what_stands_on_its_parent_from_its_top) {
+  open(sim::kCode, "");
+  const std::string name = wire::c_string("r0.scanner");  // pose [0.1 0 -0.2 0], on a body 0.22 m high
+  const auto height = [&] {
+    return reply<sim::Pose3dReq>(ask_with(sim::kReqGetPose3d, sim::Pose3dReq{name, {}, 0})).pose.pz;
+  };
+  EXPECT_NEAR(height(), -0.2, 1e-12);
+  EXPECT_TRUE(ask_with(sim::kReqSetPose2d, sim::Pose2dReq{name, {0, 0, 0}}).ack);
+  EXPECT_NEAR(height(), -0.2, 1e-12) << "a pose without z keeps the height";
+  EXPECT_TRUE(ask_with(sim::kReqSetPose3d, sim::Pose3dReq{name, {0, 0, -0.1, 0, 0, 0}, 0}).ack);
+  EXPECT_NEAR(height(), -0.1, 1e-12);
+  EXPECT_NEAR(still_.world().models.X_WM[still_.world().find("r0.scanner").index].z, 0.12, 1e-12);
+}
+
 TEST_F(SimulationInterface, refuses_unknown_models_and_poses_that_are_no_numbers) {
   open(sim::kCode, "");
   EXPECT_FALSE(ask_with(sim::kReqGetPose2d, sim::Pose2dReq{wire::c_string("nosuch"), {}}).ack);
@@ -393,6 +423,30 @@ TEST_F(SimulationInterface, properties_are_colour_time_name_and_model) {
           .ack);
 }
 
+TEST_F(SimulationInterface, lists_models_with_the_devices_that_show_them) {
+  open(sim::kCode, "");
+  world::World& world = still_.world();
+  still_.simulation.directory().add(world.find("r0"), {6665, p2d::kCode, 12});
+  still_.simulation.directory().add(world.find("r0.scanner"), {6666, wire::ranger::kCode, 0});
+  still_.simulation.directory().add(world.find("r0.scanner"), {6666, wire::laser::kCode, 0});
+  const auto list = [&](std::uint32_t first) {
+    return reply<sim::PropertyReq>(ask_with(
+        sim::kReqGetProperty, sim::PropertyReq{wire::c_string(""), wire::c_string("models"), first, ""}));
+  };
+  const std::string robot = std::to_string(world.find("r0").index);
+  EXPECT_THAT(list(0).value, ::testing::HasSubstr(robot + "\tr0\tposition\t\t6665:position2d:12\n"));
+  EXPECT_THAT(list(0).value, ::testing::HasSubstr("\tr0.scanner\tranger\tr0\t6666:ranger:0 6666:laser:0\n"));
+  EXPECT_THAT(list(0).value, ::testing::HasSubstr("\tr0.sonars\tranger\tr0\t\n")) << "without a device";
+  EXPECT_EQ(list(0).index, 0u) << "complete";
+  EXPECT_EQ(wire::text(list(0).prop), "models");
+  const std::string all = list(0).value;
+  EXPECT_EQ(list(1).value, all.substr(all.find('\n') + 1));
+  EXPECT_EQ(list(1000000).value, "");
+  EXPECT_FALSE(
+      ask_with(sim::kReqGetProperty, sim::PropertyReq{wire::c_string("r0"), wire::c_string("models"), 0, ""})
+          .ack);
+}
+
 TEST_F(SimulationInterface, reset_puts_everything_back_to_the_start) {
   open(sim::kCode, "");
   const world::ModelRow robot = still_.world().find("r0");
@@ -400,11 +454,13 @@ TEST_F(SimulationInterface, reset_puts_everything_back_to_the_start) {
   EXPECT_TRUE(
       ask_with(sim::kReqSetPose2d, sim::Pose2dReq{wire::c_string("r0"), wire::Pose2d{-6, -5, 0.5}}).ack);
   still_.run(3);
-  EXPECT_TRUE(driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), sim::kCmdReset, {}}));
+  EXPECT_EQ(driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), sim::kCmdReset, {}}),
+            device::Taken::kQueued);
   still_.run(1);
   EXPECT_EQ(still_.world().models.X_WM[robot.index], start);
   EXPECT_EQ(still_.world().tick(), 4u) << "clients want times that grow";
-  EXPECT_FALSE(driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), sim::kCmdSave, {}}));
+  EXPECT_EQ(driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), sim::kCmdSave, {}}),
+            device::Taken::kNo);
 }
 
 TEST_F(SimulationInterface, of_many_resets_before_one_tick_only_the_last_is_carried_out) {
@@ -414,8 +470,9 @@ TEST_F(SimulationInterface, of_many_resets_before_one_tick_only_the_last_is_carr
   const auto away = wire::encode(sim::Pose2dReq{wire::c_string("r0"), wire::Pose2d{-6, -5, 0.5}});
   for (int i = 0; i < 3; ++i) {
     driver_.request({kId, static_cast<std::uint8_t>(MessageType::kReq), sim::kReqSetPose2d, away},
-                    device::Replier(still_.notebook, ++ticket_));
-    EXPECT_TRUE(driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), sim::kCmdReset, {}}));
+                    device::Replier(still_.recorder, ++ticket_));
+    EXPECT_EQ(driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), sim::kCmdReset, {}}),
+              device::Taken::kQueued);
   }
   still_.world().teleported.clear();
   still_.run(0);

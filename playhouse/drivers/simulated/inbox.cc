@@ -11,6 +11,7 @@ namespace playhouse::drivers {
 void Inbox::command(const PositionCommand& command) {
   const std::lock_guard lock(mutex_);
   PLAYHOUSE_ASSERT(command.robot.index < slots_.size());
+  if (closed_) return;
   std::size_t& slot = slots_[command.robot.index];
   if (slot != kNoEntry) {
     entries_[slot] = command;
@@ -22,14 +23,14 @@ void Inbox::command(const PositionCommand& command) {
 
 bool Inbox::post(Change change, world::PositionRow robot) {
   const std::lock_guard lock(mutex_);
-  if (changes_ >= limits::kRequestQueue) return false;
+  if (closed_ || changes_ >= limits::kRequestQueue) return false;
   append(std::move(change), robot);
   return true;
 }
 
 bool Inbox::post_to_all(Change change) {
   const std::lock_guard lock(mutex_);
-  if (changes_ >= limits::kRequestQueue) return false;
+  if (closed_ || changes_ >= limits::kRequestQueue) return false;
   append(std::move(change), {});
   std::ranges::fill(slots_, kNoEntry);
   return true;
@@ -37,7 +38,7 @@ bool Inbox::post_to_all(Change change) {
 
 void Inbox::post_always(Change change, world::PositionRow robot) {
   const std::lock_guard lock(mutex_);
-  append(std::move(change), robot);
+  if (!closed_) append(std::move(change), robot);
 }
 
 void Inbox::append(Change change, world::PositionRow robot) {
@@ -54,6 +55,16 @@ void Inbox::take(std::vector<Entry>& out) {
   }
   std::swap(entries_, out);
   changes_ = 0;
+}
+
+void Inbox::close() {
+  const std::lock_guard lock(mutex_);
+  closed_ = true;
+}
+
+bool Inbox::closed() const {
+  const std::lock_guard lock(mutex_);
+  return closed_;
 }
 
 bool Inbox::empty() const {

@@ -37,21 +37,25 @@ class Inbox {
   /// Replaces the robot's waiting command, or waits as a new one.
   void command(const PositionCommand& command);
 
-  /// False when limits::kRequestQueue changes are waiting; nothing is taken then. `robot`, if any, is whom
-  /// the change concerns.
+  /// False when limits::kRequestQueue changes are waiting, or after close(); nothing is taken then. `robot`,
+  /// if any, is whom the change concerns.
   bool post(Change change, world::PositionRow robot = {});
 
   /// As post(), for a change that concerns every robot.
   bool post_to_all(Change change);
 
-  /// As post(), and never refused: for what must not be lost and is bounded by its sender (the close of a
-  /// device).
+  /// As post(), and refused after close() only: for what must not be lost and is bounded by its sender (the
+  /// close of a device).
   void post_always(Change change, world::PositionRow robot = {});
 
   /// Moves everything that waits to `out` (cleared first), in order.
   void take(std::vector<Entry>& out);
 
   bool empty() const;
+
+  /// Nobody will take what is posted from now on: it is refused. What waits stays for take().
+  void close();
+  bool closed() const;
 
  private:
   static constexpr std::size_t kNoEntry = static_cast<std::size_t>(-1);
@@ -61,6 +65,7 @@ class Inbox {
   std::vector<Entry> entries_;
   std::vector<std::size_t> slots_;  // per robot: its open command in entries_, or kNoEntry
   std::size_t changes_ = 0;
+  bool closed_ = false;
 };
 
 }  // namespace playhouse::drivers

@@ -1,13 +1,29 @@
 #include "playhouse/drivers/simulated/pacer.h"
 
+#include <algorithm>
+
 #include "playhouse/base/assert.h"
 
 namespace playhouse::drivers {
 
-void Pacer::restart(double now, double speed) {
+void Pacer::start(double now, double speed, bool paused) {
   PLAYHOUSE_ASSERT(interval_ > 0 && speed >= 0);
   speed_ = speed;
+  paused_ = paused;
   due_ = now;
+  left_ = 0;
+  mark_ = now;
+  ticks_since_mark_ = 0;
+}
+
+void Pacer::change(double now, double speed, bool paused) {
+  PLAYHOUSE_ASSERT(speed >= 0);
+  if (speed == speed_ && paused == paused_) return;
+  const bool overdue = keeps_time() && due_ <= now;
+  if (keeps_time()) left_ = std::max(0.0, due_ - now) * speed_;
+  speed_ = speed;
+  paused_ = paused;
+  if (keeps_time() && !overdue) due_ = now + left_ / speed_;
   mark_ = now;
   ticks_since_mark_ = 0;
 }
@@ -18,9 +34,11 @@ std::optional<double> Pacer::due() const {
 }
 
 void Pacer::ticked(double now) {
-  if (speed_ > 0) {
+  if (keeps_time()) {
     due_ += interval_ / speed_;
     if (due_ < now - kLag) due_ = now;
+  } else {
+    left_ = interval_;
   }
   measure(now);
 }

@@ -31,14 +31,15 @@ std::span<const Served> Position2d::served() const {
   return kServed;
 }
 
-bool Position2d::command(const device::Message& message) {
+device::Taken Position2d::command(const device::Message& message) {
   const std::optional<PositionCommand> command = meaning(message);
   if (!command || !std::ranges::all_of(command->value, [](double part) { return std::isfinite(part); }))
-    return false;
+    return device::Taken::kNo;
   const auto& [x, y, a] = command->value;
-  if (command->kind == PositionCommand::Kind::kGoal && !world::is_place({x, y, 0, a})) return false;
+  if (command->kind == PositionCommand::Kind::kGoal && !world::is_place({x, y, 0, a}))
+    return device::Taken::kNo;
   simulation().command(*command);
-  return true;
+  return device::Taken::kLatest;
 }
 
 std::optional<PositionCommand> Position2d::meaning(const device::Message& message) const {

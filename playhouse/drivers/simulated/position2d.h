@@ -13,7 +13,7 @@ class Position2d final : public SimulatedDevice {
 
   world::PositionRow robot() const override { return robot_; }
   std::span<const Served> served() const override;
-  bool command(const device::Message& message) override;
+  device::Taken command(const device::Message& message) override;
   void request(const device::Message& message, device::Replier replier) override;
   void emit(const world::World& world, std::vector<device::Publication>& out) override;
   void closed(world::World& world) override;

@@ -42,8 +42,9 @@ class SimulatedDevice : public Source {
 
   // Io thread. Only messages of served() arrive.
   virtual std::span<const Served> served() const = 0;
-  /// False: it can't be carried out.
-  virtual bool command(const device::Message& message) { return static_cast<void>(message), false; }
+  virtual device::Taken command(const device::Message& message) {
+    return static_cast<void>(message), device::Taken::kNo;
+  }
   virtual void request(const device::Message& message, device::Replier replier) = 0;
 
   void emit(const world::World& world, std::vector<device::Publication>& out) override {

@@ -18,20 +18,22 @@ SimulatedDevice& SimulatedDriver::at(device::DeviceId id) const {
   return *found->second;
 }
 
-Result<void> SimulatedDriver::start(device::DeviceId id, device::Receipt receipt) {
+Result<void> SimulatedDriver::start(device::DeviceId id) {
   SimulatedDevice& device = at(id);
-  const auto open = [&device, &simulation = simulation_, receipt = std::move(receipt)](world::World& world) {
+  const auto open = [&device, &simulation = simulation_](world::World& world) {
     simulation.add_source(device);
     if (device.model()) world::subscribe(world, device.model());
   };
-  if (!simulation_.post(open, device.robot())) return Error{"", "too many requests are waiting for the tick"};
+  // A device opened as the run ends is no failure: its client is told of the end next.
+  if (!simulation_.post(open, device.robot()) && !simulation_.discarded())
+    return Error{"", "too many requests are waiting for the tick"};
   return {};
 }
 
-void SimulatedDriver::stop(device::DeviceId id, device::Receipt receipt) {
+void SimulatedDriver::stop(device::DeviceId id) {
   SimulatedDevice& device = at(id);
   simulation_.post_always(
-      [&device, &simulation = simulation_, receipt = std::move(receipt)](world::World& world) {
+      [&device, &simulation = simulation_](world::World& world) {
         simulation.remove_source(device);
         if (device.model()) world::unsubscribe(world, device.model());
         device.closed(world);
@@ -39,8 +41,8 @@ void SimulatedDriver::stop(device::DeviceId id, device::Receipt receipt) {
       device.robot());
 }
 
-bool SimulatedDriver::command(const device::Message& message) {
-  if (!capable(message.device, message.type, message.subtype)) return false;
+device::Taken SimulatedDriver::command(const device::Message& message) {
+  if (!capable(message.device, message.type, message.subtype)) return device::Taken::kNo;
   return at(message.device).command(message);
 }
 
@@ -53,6 +55,11 @@ bool SimulatedDriver::capable(device::DeviceId id, std::uint8_t type, std::uint8
   return std::ranges::any_of(at(id).served(), [=](const Served& served) {
     return static_cast<std::uint8_t>(served.type) == type && served.subtype == subtype;
   });
+}
+
+void SimulatedDriver::barrier(device::Replier replier) {
+  auto shared = std::make_shared<device::Replier>(std::move(replier));  // std::function wants to be copied
+  simulation_.post_always([shared](world::World&) { shared->ack(); }, {});
 }
 
 }  // namespace playhouse::drivers

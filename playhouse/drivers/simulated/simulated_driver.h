@@ -23,11 +23,12 @@ class SimulatedDriver final : public device::Driver {
   void add(device::DeviceId id, std::unique_ptr<SimulatedDevice> device);
 
   std::string_view name() const override { return name_; }
-  Result<void> start(device::DeviceId id, device::Receipt receipt) override;
-  void stop(device::DeviceId id, device::Receipt receipt) override;
-  bool command(const device::Message& message) override;
+  Result<void> start(device::DeviceId id) override;
+  void stop(device::DeviceId id) override;
+  device::Taken command(const device::Message& message) override;
   void request(const device::Message& message, device::Replier replier) override;
   bool capable(device::DeviceId id, std::uint8_t type, std::uint8_t subtype) const override;
+  void barrier(device::Replier replier) override;
 
  private:
   SimulatedDevice& at(device::DeviceId id) const;

@@ -56,6 +56,7 @@ Simulation::Simulation(std::unique_ptr<world::Engine> engine, Options options)
       end_tick_(ticks_in(options.duration, engine_->world().scene().interval)),
       inbox_(engine_->world().positions.size()),
       time_(engine_->world().time()),
+      clock_(options.clock ? std::move(options.clock) : wall_now),
       pacer_(engine_->world().scene().interval) {
   wanted_.speed = std::max(0.0, options.speed);
   wanted_.paused = options.paused;
@@ -63,10 +64,10 @@ Simulation::Simulation(std::unique_ptr<world::Engine> engine, Options options)
 
 void Simulation::run() {
   const world::World& world = engine_->world();
-  pacer_.restart(wall_now(), wanted_.speed);
+  pacer_.start(clock_(), wanted_.speed, wanted_.paused);
   for (;;) {
-    if (rung_.exchange(false)) {
-      take_wishes();
+    if (woken_.exchange(false)) {
+      take_wanted();
       take_inbox();
     }
     if (now_.stop || world.tick() >= end_tick_) return;
@@ -74,26 +75,27 @@ void Simulation::run() {
   }
 }
 
-/// True when a tick is due; false when the bell rang first, or a paused world should be shown again.
+/// True when a tick is due; else waits until it is, somebody wakes this thread, or a paused world should be
+/// shown again.
 bool Simulation::wait_for_tick() {
   const bool waits_for_resume = now_.paused && now_.steps == 0;
-  const double now = wall_now();
+  const double now = clock_();
   const double due = waits_for_resume ? now + kPausedShow : now_.steps > 0 ? now : pacer_.due().value_or(now);
   if (due <= now) return true;
   const double until = std::min(due, now + kLongestWait);
-  bool rang = false;
+  bool woken = false;
   {
     std::unique_lock lock(mutex_);
-    rang = bell_.wait_until(lock, wall_time(until), [this] { return rung_.load(); });
+    woken = changed_.wait_until(lock, wall_time(until), [this] { return woken_.load(); });
   }
-  if (waits_for_resume && !rang) tell_listeners();
-  return !rang && !waits_for_resume && until == due;
+  if (waits_for_resume && !woken) tell_listeners();
+  return false;
 }
 
 void Simulation::tick() {
   engine_->step();
   if (now_.steps > 0) --now_.steps;
-  pacer_.ticked(wall_now());
+  pacer_.ticked(clock_());
   factor_.store(pacer_.real_time_factor(), std::memory_order_relaxed);
 
   const world::World& world = engine_->world();
@@ -112,7 +114,7 @@ void Simulation::tell_listeners() {
   for (const Listener& listener : listeners_) listener(engine_->world(), pace);
 }
 
-void Simulation::take_wishes() {
+void Simulation::take_wanted() {
   {
     const std::lock_guard lock(mutex_);
     const int steps = now_.steps + std::exchange(wanted_.steps, 0);
@@ -121,7 +123,7 @@ void Simulation::take_wishes() {
     wanted_.pace_changed = false;
   }
   if (!now_.pace_changed) return;
-  pacer_.restart(wall_now(), now_.speed);
+  pacer_.change(clock_(), now_.speed, now_.paused);
   tell_listeners();
 }
 
@@ -140,12 +142,12 @@ void Simulation::take_inbox() {
   tell_listeners();
 }
 
-void Simulation::ring() {
+void Simulation::wake() {
   {
     const std::lock_guard lock(mutex_);
-    rung_.store(true);
+    woken_.store(true);
   }
-  bell_.notify_one();
+  changed_.notify_one();
 }
 
 template <typename Edit>
@@ -154,12 +156,13 @@ void Simulation::want(Edit edit) {
     const std::lock_guard lock(mutex_);
     edit(wanted_);
     wanted_.pace_changed = true;
-    rung_.store(true);
+    woken_.store(true);
   }
-  bell_.notify_one();
+  changed_.notify_one();
 }
 
 void Simulation::discard() {
+  inbox_.close();
   inbox_.take(taken_);
   taken_.clear();
 }
@@ -188,30 +191,30 @@ void Simulation::set_speed(double times_real_time) {
   want([=](Wanted& wanted) { wanted.speed = times_real_time; });
 }
 
-bool Simulation::post(std::function<void(world::World&)> change) {
-  return post(std::move(change), {});
+void Simulation::drive(world::PositionRow robot, const geom::Twist& velocity) {
+  command({.robot = robot, .value = {velocity.x, velocity.y, velocity.a}});
 }
 
 bool Simulation::post(Change change, world::PositionRow robot) {
   if (!inbox_.post(std::move(change), robot)) return false;
-  ring();
+  wake();
   return true;
 }
 
 bool Simulation::post_to_all(Change change) {
   if (!inbox_.post_to_all(std::move(change))) return false;
-  ring();
+  wake();
   return true;
 }
 
 void Simulation::post_always(Change change, world::PositionRow robot) {
   inbox_.post_always(std::move(change), robot);
-  ring();
+  wake();
 }
 
 void Simulation::command(const PositionCommand& command) {
   inbox_.command(command);
-  ring();
+  wake();
 }
 
 world::Pace Simulation::pace() const {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "playhouse/device/driver.h"
+#include "playhouse/drivers/simulated/directory.h"
 #include "playhouse/drivers/simulated/inbox.h"
 #include "playhouse/drivers/simulated/pacer.h"
 #include "playhouse/world/control.h"
@@ -35,6 +36,7 @@ class Simulation final : public world::Control {
     double speed = 1;  // times real time; 0: as fast as possible
     bool paused = false;
     double duration = std::numeric_limits<double>::infinity();  // simulated seconds until run() returns
+    std::function<double()> clock = {};  // s; steady, called on the tick thread; by default, the system's
   };
   /// Called after every tick, after changes made between ticks, and ten times a second while paused, on the
   /// tick thread.
@@ -45,6 +47,8 @@ class Simulation final : public world::Control {
   // Before run().
   void publish_to(device::Publisher& publisher) { publisher_ = &publisher; }
   void add_listener(Listener listener) { listeners_.push_back(std::move(listener)); }
+  /// Which devices show which model.
+  Directory& directory() { return directory_; }
 
   /// Ticks until the duration is over or stop() is called. The calling thread is the tick thread; with no
   /// wall clock to keep (speed 0) and nothing posted, no lock is taken and no other thread is involved.
@@ -53,19 +57,21 @@ class Simulation final : public world::Control {
   void stop();
   /// Before run(), or between two: lets it do `ticks` more than it did so far.
   void extend(std::uint64_t ticks) { end_tick_ = engine_->world().tick() + ticks; }
-  /// After run(): refuses what is still waiting, while those who would hear the answers live.
+  /// After the last run(): refuses what is still waiting and whatever comes, while those who would hear the
+  /// answers live. The calling thread is the tick thread.
   void discard();
+  bool discarded() const { return inbox_.closed(); }  // any thread
 
   // Control; any thread.
   void pause() override;
   void resume() override;
   void step_once() override;
   void set_speed(double times_real_time) override;
-  bool post(std::function<void(world::World&)> change) override;
+  void drive(world::PositionRow robot, const geom::Twist& velocity) override;
+  bool post(Change change, world::PositionRow robot = {}) override;
 
   // For devices; any thread.
   void command(const PositionCommand& command);
-  bool post(Change change, world::PositionRow robot);
   bool post_to_all(Change change);
   void post_always(Change change, world::PositionRow robot);
   /// Simulated time of the newest tick. [s]
@@ -79,7 +85,7 @@ class Simulation final : public world::Control {
   const world::World& world() const { return engine_->world(); }
 
  private:
-  /// What the people at the controls want; read by the tick thread when the bell rings.
+  /// What was asked for; read by the tick thread when it is woken.
   struct Wanted {
     double speed = 1;
     bool paused = false;
@@ -88,10 +94,10 @@ class Simulation final : public world::Control {
     int steps = 0;  // single steps to do although paused
   };
 
-  void ring();
+  void wake();
   template <typename Edit>
   void want(Edit edit);
-  void take_wishes();
+  void take_wanted();
   void take_inbox();
   bool wait_for_tick();
   void tick();
@@ -100,19 +106,21 @@ class Simulation final : public world::Control {
   std::unique_ptr<world::Engine> engine_;
   device::Publisher* publisher_ = nullptr;
   std::vector<Listener> listeners_;
+  Directory directory_;
   std::uint64_t end_tick_;
 
   // Shared between threads.
   Inbox inbox_;
-  mutable std::mutex mutex_;  // guards wanted_ and, with bell_, the sleep of the tick thread
-  std::condition_variable bell_;
-  std::atomic<bool> rung_ = true;
+  mutable std::mutex mutex_;  // guards wanted_ and, with changed_, the sleep of the tick thread
+  std::condition_variable changed_;
+  std::atomic<bool> woken_ = true;  // something was asked for that the tick thread has not looked at
   Wanted wanted_;
   std::atomic<double> time_ = 0;
   std::atomic<double> factor_ = 0;
 
   // Tick thread.
   Wanted now_;
+  std::function<double()> clock_;
   Pacer pacer_;
   std::vector<Inbox::Entry> taken_;
   std::vector<Source*> sources_;

@@ -3,7 +3,9 @@
 #include <string_view>
 
 #include "playhouse/base/in_quotes.h"
+#include "playhouse/base/limits.h"
 #include "playhouse/base/log.h"
+#include "playhouse/drivers/simulated/directory.h"
 #include "playhouse/drivers/simulated/properties.h"
 #include "playhouse/drivers/simulated/shapes.h"
 #include "playhouse/wire/generated/simulation.h"
@@ -16,6 +18,8 @@ using wire::MessageType;
 namespace {
 
 constexpr std::size_t kUnknownNames = 100;  // a client may make names up for ever
+constexpr std::size_t kLongestList =
+    limits::kBodyBytes - 64;  // what else an answer holds has room in 64 bytes
 
 }  // namespace
 
@@ -29,12 +33,14 @@ world::ModelRow SimulationDevice::find_or_warn(const world::World& world, const 
   return row;
 }
 
-/// Poses in requests are in the parent's frame. Without a z the model keeps its height.
+/// Poses in requests are in the parent's frame, with z from the top of a parent that stacks, as in world
+/// files. Without a z the model keeps its height.
 bool SimulationDevice::move(world::World& world, const std::string& name, geom::Vec2 p,
                             std::optional<double> z, double a) {
   const world::ModelRow row = find_or_warn(world, name);
   if (!row) return false;
-  return world::set_pose(world, row, {p.x, p.y, z.value_or(world.models.X_PM[row.index].z), a});
+  const double z_P = z ? *z + world.desc(row).stacked : world.models.X_PM[row.index].z;
+  return world::set_pose(world, row, {p.x, p.y, z_P, a});
 }
 
 std::span<const Served> SimulationDevice::served() const {
@@ -48,24 +54,25 @@ std::span<const Served> SimulationDevice::served() const {
 }
 
 /// PAUSE has no payload: it pauses a running world and resumes a paused one.
-bool SimulationDevice::command(const device::Message& message) {
-  if (message.subtype == sim::kCmdReset) return reset(message.receipt());
+device::Taken SimulationDevice::command(const device::Message& message) {
+  if (message.subtype == sim::kCmdReset) return reset();
   if (simulation().pace().paused) {
     simulation().resume();
   } else {
     simulation().pause();
   }
-  return true;
+  return device::Taken::kLatest;
 }
 
 /// One that a newer one follows before it is carried out would be for nothing, and it is dear.
-bool SimulationDevice::reset(device::Receipt receipt) {
+device::Taken SimulationDevice::reset() {
   const std::uint64_t number = newest_reset_ + 1;
-  const bool posted = simulation().post_to_all([=, this, receipt = std::move(receipt)](world::World& world) {
+  const bool posted = simulation().post_to_all([=, this](world::World& world) {
     if (number >= newest_reset_) world::return_to_start(world);
   });
-  if (posted) newest_reset_ = number;
-  return posted;
+  if (!posted) return device::Taken::kNo;
+  newest_reset_ = number;
+  return device::Taken::kQueued;
 }
 
 void SimulationDevice::request(const device::Message& message, device::Replier replier) {
@@ -119,6 +126,7 @@ void SimulationDevice::pose_3d(const device::Message& message, device::Replier r
     const world::ModelRow row = find_or_warn(world, r.name);
     if (!row) return std::nullopt;
     r.pose = pose3d(world.models.X_PM[row.index]);
+    r.pose.pz -= world.desc(row).stacked;
     r.simtime = world.time() * 1e6;  // Stage's clients know microseconds here
     return wire::encode(r);
   });
@@ -134,12 +142,24 @@ void SimulationDevice::property(const device::Message& message, device::Replier 
     });
     return;
   }
+  if (wire::text(request->name).empty() && wire::text(request->prop) == "models") {
+    list_models(request->index, std::move(replier));
+    return;
+  }
   ask_world(std::move(replier), [r = *request](world::World& world) mutable -> std::optional<Bytes> {
     std::optional<std::string> value = get_property(world, wire::text(r.name), wire::text(r.prop));
     if (!value) return std::nullopt;
     r.value = std::move(*value);
     return wire::encode(r);
   });
+}
+
+/// Names and devices never change: answered at once.
+void SimulationDevice::list_models(std::uint32_t first, device::Replier replier) const {
+  ModelList list = drivers::list_models(simulation().world(), simulation().directory(), first);
+  if (list.text.size() > kLongestList) return;  // NACK: one name alone is as long as a message
+  replier.ack(wire::encode(
+      sim::PropertyReq{wire::c_string(""), wire::c_string("models"), list.next, std::move(list.text)}));
 }
 
 }  // namespace playhouse::drivers

@@ -19,14 +19,15 @@ class SimulationDevice final : public SimulatedDevice {
   explicit SimulationDevice(Simulation& simulation) : SimulatedDevice(simulation, {}) {}
 
   std::span<const Served> served() const override;
-  bool command(const device::Message& message) override;
+  device::Taken command(const device::Message& message) override;
   void request(const device::Message& message, device::Replier replier) override;
 
  private:
-  bool reset(device::Receipt receipt);
+  device::Taken reset();
   void pose_2d(const device::Message& message, device::Replier replier);
   void pose_3d(const device::Message& message, device::Replier replier);
   void property(const device::Message& message, device::Replier replier);
+  void list_models(std::uint32_t first, device::Replier replier) const;
 
   std::atomic<std::uint64_t> newest_reset_ = 0;  // that was posted; io thread writes
 

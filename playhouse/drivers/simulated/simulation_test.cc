@@ -12,7 +12,7 @@ namespace playhouse::drivers {
 namespace {
 
 using testing::StillEngine;
-using testing::Stillness;
+using testing::StillSimulation;
 
 constexpr const char* kRobot = "interval_sim 100\nposition( name \"r0\" )\n";
 
@@ -26,7 +26,7 @@ TEST(Simulation, ends_at_the_first_tick_at_or_after_the_duration) {
 }
 
 TEST(Simulation, carries_out_what_was_posted_before_the_next_tick) {
-  Stillness still(kRobot);
+  StillSimulation still(kRobot);
   std::uint64_t seen_at = 99;
   ASSERT_TRUE(still.simulation.post([&](world::World& world) { seen_at = world.tick(); }));
   still.run(3);
@@ -34,14 +34,22 @@ TEST(Simulation, carries_out_what_was_posted_before_the_next_tick) {
 }
 
 TEST(Simulation, a_command_reaches_its_robot) {
-  Stillness still(kRobot);
+  StillSimulation still(kRobot);
   still.simulation.command({.robot = {0}, .value = {0.3, 0, 0.2}});
   still.run(1);
   EXPECT_EQ(still.world().positions.command[0], (geom::Twist{0.3, 0, 0, 0.2}));
 }
 
+TEST(Simulation, a_viewer_who_drives_is_one_more_who_commands) {
+  StillSimulation still(kRobot);
+  still.simulation.command({.robot = {0}, .value = {0.3, 0, 0.2}});
+  still.simulation.drive({0}, {0.5, 0.1, 0, -1});
+  still.run(1);
+  EXPECT_EQ(still.world().positions.command[0], (geom::Twist{0.5, 0.1, 0, -1}));
+}
+
 TEST(Simulation, shows_every_tick_to_its_listeners_with_the_time) {
-  Stillness still(kRobot);
+  StillSimulation still(kRobot);
   std::vector<std::uint64_t> seen;
   still.simulation.add_listener(
       [&](const world::World& world, const world::Pace&) { seen.push_back(world.tick()); });
@@ -73,7 +81,7 @@ TEST(Simulation, a_paused_world_does_what_is_posted_and_single_steps_only) {
 }
 
 TEST(Simulation, refuses_speeds_that_make_no_sense) {
-  Stillness still(kRobot);
+  StillSimulation still(kRobot);
   still.simulation.set_speed(-1);
   still.simulation.set_speed(std::nan(""));
   EXPECT_EQ(still.simulation.pace().speed, 0);
@@ -102,16 +110,49 @@ TEST(Simulation, a_tiny_speed_is_slow_and_not_fast) {
   EXPECT_LE(simulation.world().tick(), 1u) << "the first is due at once";
 }
 
+TEST(Simulation, a_flood_of_pauses_and_speeds_runs_no_tick_ahead_of_its_time) {
+  const scene::SceneDesc scene = testing::scene_of(kRobot);
+  std::atomic<double> now = 0;
+  Simulation simulation(std::make_unique<StillEngine>(scene),
+                        {.speed = 1, .clock = [&] { return now.load(); }});
+  std::thread ticks([&] { simulation.run(); });
+  const auto carry_out = [&] {
+    std::atomic<bool> done = false;
+    simulation.post([&](world::World&) { done = true; });
+    while (!done) std::this_thread::yield();
+  };
+  for (int step = 0; step <= 20; ++step) {
+    now = step * 0.0505;
+    for (int i = 0; i < 5; ++i) {
+      simulation.pause();
+      carry_out();
+      simulation.set_speed(2);
+      carry_out();
+      simulation.set_speed(1);
+      simulation.resume();
+      carry_out();
+    }
+  }
+  simulation.stop();
+  ticks.join();
+  EXPECT_EQ(simulation.world().tick(), 11u) << "one at once and then ten in 1.01 s";
+}
+
 TEST(Simulation, what_still_waits_at_the_end_is_refused) {
-  Stillness still(kRobot);
+  StillSimulation still(kRobot);
   {
-    auto replier = std::make_shared<device::Replier>(still.notebook, 7);
+    auto replier = std::make_shared<device::Replier>(still.recorder, 7);
     still.simulation.post([replier](world::World&) { replier->ack(); });
   }
-  EXPECT_TRUE(still.notebook.answers.empty());
+  EXPECT_TRUE(still.recorder.answers.empty());
   still.simulation.discard();
-  ASSERT_TRUE(still.notebook.answers.contains(7));
-  EXPECT_FALSE(still.notebook.answers[7].ack);
+  ASSERT_TRUE(still.recorder.answers.contains(7));
+  EXPECT_FALSE(still.recorder.answers[7].ack);
+  EXPECT_FALSE(still.simulation.post([](world::World&) {})) << "nobody would carry it out";
+  still.simulation.post_always(
+      [replier = std::make_shared<device::Replier>(still.recorder, 8)](world::World&) { replier->ack(); },
+      {});
+  EXPECT_FALSE(still.recorder.answers.at(8).ack);
 }
 
 }  // namespace

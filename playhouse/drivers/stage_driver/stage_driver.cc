@@ -37,7 +37,7 @@ Result<void> open_world(const scene::CfgSection& section, Site& site) {
   // A fault inside the world has its own line; one of the whole world is where the world is named.
   const Error& fault = opened.error();
   if (fault.where.empty()) return Error{section.at("worldfile"), fault.text};
-  return fault.where == path ? Error{section.at("worldfile"), "world file " + fault.line()} : fault;
+  return fault.where == escaped(path) ? Error{section.at("worldfile"), "world file " + fault.line()} : fault;
 }
 
 /// The model that the section's devices belong to; none when it names none.
@@ -85,10 +85,8 @@ Result<void> add_device(const scene::CfgSection& section, const scene::DeviceAdd
   }
   const Result<world::ModelRow> model = choose_model(section, provided, address->interf, top, site);
   if (!model) return model.error();
-  const Result<device::DeviceId> id = site.add_device(*address, driver);
-  if (!id) return Error{section.at("provides"), id.error().text};
-  driver.add(*id, make_device(*site.simulation(), address->interf, *model));
-  return {};
+  const Result<void> added = add_simulated_device(site, driver, *address, *model);
+  return added ? added : Error{section.at("provides"), added.error().text};
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ class StillEngine final : public world::Engine {
 };
 
 /// Remembers what drivers answer and publish.
-class Notebook final : public device::Outlet, public device::Publisher {
+class Recorder final : public device::Outlet, public device::Publisher {
  public:
   struct Answer {
     bool ack = false;
@@ -59,10 +59,10 @@ class Notebook final : public device::Outlet, public device::Publisher {
 };
 
 /// A world, its simulation, and single steps of it.
-struct Stillness {
-  explicit Stillness(const std::string& text)
+struct StillSimulation {
+  explicit StillSimulation(const std::string& text)
       : scene(scene_of(text)), simulation(std::make_unique<StillEngine>(scene), {.speed = 0, .duration = 0}) {
-    simulation.publish_to(notebook);
+    simulation.publish_to(recorder);
   }
   /// Does what was posted, then so many ticks.
   void run(int ticks) {
@@ -72,7 +72,7 @@ struct Stillness {
   world::World& world() { return simulation.engine().world(); }
 
   scene::SceneDesc scene;
-  Notebook notebook;
+  Recorder recorder;
   Simulation simulation;
 };
 

@@ -27,7 +27,8 @@ inline constexpr std::uint8_t kReqSetPose2d = 2;
 inline constexpr std::uint8_t kReqGetPose3d = 3;
 /// Moves a model by name.
 inline constexpr std::uint8_t kReqSetPose3d = 4;
-/// Asks for a property of a model by name.
+/// Asks for a property of a model by name; without a name, for "models", the list of all with their devices
+/// (docs/drivers.md).
 inline constexpr std::uint8_t kReqGetProperty = 5;
 /// Sets a property of a model by name.
 inline constexpr std::uint8_t kReqSetProperty = 6;
@@ -74,11 +75,12 @@ struct Pose3dReq {
 
 /// A property of a model.
 struct PropertyReq {
-  /// Of the model, with its final NUL.
+  /// Of the model, with its final NUL; empty for a property of the whole world.
   std::string name{};
   /// Name of the property, with its final NUL.
   std::string prop{};
-  /// Which element, if the property is a list.
+  /// Which element, if the property is a list: the first that is wanted; in an answer the one to ask from
+  /// next, 0 when there are no more.
   std::uint32_t index = 0;
   /// The property's bytes, in a form given by the simulator; empty in a question.
   std::string value{};

@@ -18,6 +18,7 @@ class Probe : public pc::Controller {
     if (what_ == "go") robot.go_to({1, 2, 0, 3});
     if (what_ == "speak")
       robot.say = "t=" + std::to_string(robot.time) + (robot.rangers[0].fresh ? " fresh" : "");
+    if (what_ == "deaf") robot.say = std::to_string(robot.rangers[0].ranges.size());
     if (what_ == "carry") ++robot.flags;
     if (what_ == "random") robot.drive(robot.random.uniform(), 0);
     if (what_ == "nan") robot.drive(0.0 / zero_, 0);

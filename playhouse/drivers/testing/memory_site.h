@@ -15,12 +15,12 @@
 
 namespace playhouse::drivers::testing {
 
-class SmallTown final : public Surroundings {
+class MemorySite final : public Surroundings {
  public:
-  explicit SmallTown(std::string world) : world_text_(std::move(world)), site_(*this, 6665) {
-    site_.tap().pass_to(notebook);
+  explicit MemorySite(std::string world) : world_text_(std::move(world)), site_(*this, 6665) {
+    site_.tap().pass_to(recorder);
   }
-  ~SmallTown() override {
+  ~MemorySite() override {
     if (site_.simulation() != nullptr) site_.simulation()->discard();
   }
 
@@ -58,12 +58,12 @@ class SmallTown final : public Surroundings {
     added_.emplace_back(address, &driver);
     return device::DeviceId{static_cast<std::uint32_t>(added_.size() - 1)};
   }
-  Result<void> hold(device::DeviceId device, device::Receipt receipt) override {
-    if (held[device.row]++ == 0) return added_[device.row].second->start(device, std::move(receipt));
+  Result<void> hold(device::DeviceId device) override {
+    if (held[device.row]++ == 0) return added_[device.row].second->start(device);
     return {};
   }
-  void release(device::DeviceId device, device::Receipt receipt) override {
-    if (--held[device.row] == 0) added_[device.row].second->stop(device, std::move(receipt));
+  void release(device::DeviceId device) override {
+    if (--held[device.row] == 0) added_[device.row].second->stop(device);
   }
   Result<std::unique_ptr<Simulation>> open_world(const std::string& path) override {
     opened.push_back(path);
@@ -72,7 +72,7 @@ class SmallTown final : public Surroundings {
                                         Simulation::Options{.speed = 0, .paused = false, .duration = 0});
   }
 
-  Notebook notebook;
+  Recorder recorder;
   std::map<std::uint32_t, int> held;
   std::vector<std::string> opened;
 

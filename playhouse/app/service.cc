@@ -1,4 +1,4 @@
-#include "playhouse/app/house.h"
+#include "playhouse/app/service.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -11,6 +11,7 @@
 #include <thread>
 #include <utility>
 
+#include "playhouse/app/fail.h"
 #include "playhouse/app/interrupt.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/log_output.h"
@@ -46,52 +47,56 @@ std::set<std::uint16_t> ports_of(const scene::CfgFile& file) {
 
 std::string Outcome::json() const {
   return fmt::format(
-      R"({{"sim_time":{},"wall_time":{:.6f},"real_time_factor":{:.3f},"ticks":{},"robots":{},"rays":{},"hash":"{:016x}"}})",
-      sim_time, wall_time, real_time_factor, ticks, robots, rays, hash);
+      R"({{"sim_time":{},"wall_time":{:.6f},"real_time_factor":{:.3f},"ticks":{},"robots":{},"rays":{},"hash":"{:016x}","sensed_hash":"{:016x}"}})",
+      sim_time, wall_time, real_time_factor, ticks, robots, rays, hash, sensed_hash);
 }
 
-House::House(Serving serving, Running running, QuitTime quit_time)
+Service::Service(Serving serving, Running running, QuitTime quit_time)
     : serving_(std::move(serving)),
       running_(running),
       quit_time_(quit_time),
-      warn_([](const std::string& line) { log::warn("{}", line); }),
+      warn_(&warn),
       server_(std::make_unique<server::Server>(loop_, server::ServerOptions{.bind = serving_.bind})) {
   server_->set_clock([this] { return simulation().time(); });
 }
 
-House::~House() {
+Service::~Service() {
   // Nobody may be left who answers a request when the server, who sends the answers, goes.
   if (site_ != nullptr && site_->simulation() != nullptr) site_->simulation()->discard();
 }
 
-Result<void> House::read_world(const std::string& path) {
-  Result<scene::SceneDesc> scene = scene::load_world(path);
+Result<void> Service::read_world(const std::string& path, scene::NamedBy by) {
+  Result<scene::SceneDesc> scene = scene::load_world(path, by, &other_errors_);
   if (!scene) return scene.error();
   scene_ = std::move(*scene);
   for (const std::string& warning : scene_.warnings) warn_(warning);
   return {};
 }
 
-Result<void> House::read_cfg(const std::string& path) {
-  Result<scene::CfgFile> file = scene::load_cfg(path, serving_.port);
+Result<void> Service::read_cfg(const std::string& path) {
+  Result<scene::CfgFile> file = scene::load_cfg(path, serving_.port, &other_errors_);
   if (!file) return file.error();
   cfg_ = std::move(*file);
   for (const std::string& warning : cfg_->warnings) warn_(warning);
   return {};
 }
 
-Result<void> House::open_ports() {
+Result<void> Service::open_ports() {
   const std::set<std::uint16_t> wanted = cfg_ ? ports_of(*cfg_) : std::set<std::uint16_t>{0};
   for (const std::uint16_t port : wanted) {
     const Result<std::uint16_t> opened = server_->listen(port == 0 ? serving_.port : port);
-    if (!opened) return opened.error();
+    if (!opened) {
+      return Error{opened.error().where,
+                   opened.error().text + (port == 0 ? "; " + serving_.port_option + " takes another port"
+                                                    : "; the configuration file names this port")};
+    }
     if (port == 0) serving_.port = *opened;
     player_ports_.push_back(*opened);
   }
   return {};
 }
 
-Result<void> House::furnish() {
+Result<void> Service::make_devices() {
   drivers::Surroundings& surroundings = *this;  // a private base, which make_unique cannot see
   site_ = std::make_unique<drivers::Site>(surroundings, serving_.port);
   site_->tap().pass_to(*server_);
@@ -101,7 +106,7 @@ Result<void> House::furnish() {
   return made;
 }
 
-Result<void> House::make_drivers() {
+Result<void> Service::make_drivers() {
   drivers::Registry registry;
   drivers::register_drivers(registry);
   Result<std::vector<std::unique_ptr<device::Driver>>> made = drivers::make_drivers(registry, *cfg_, *site_);
@@ -111,7 +116,7 @@ Result<void> House::make_drivers() {
   return {};
 }
 
-Result<void> House::add_robots() {
+Result<void> Service::add_robots() {
   if (const Result<void> opened = site_->open_world(scene_.path); !opened) return opened.error();
   drivers::Simulation& world = simulation();
   const drivers::AutoMap map = drivers::auto_map(world.world());
@@ -119,47 +124,53 @@ Result<void> House::add_robots() {
   drivers::SimulatedDriver& stage = *driver;
   drivers_.push_back(std::move(driver));
   for (const drivers::MappedDevice& mapped : map.devices) {
-    const Result<device::DeviceId> id =
-        site_->add_device({serving_.port, mapped.interf, mapped.index}, stage);
-    if (!id) return id.error();
-    stage.add(*id, drivers::make_device(world, mapped.interf, mapped.model));
+    const Result<void> added = drivers::add_simulated_device(
+        *site_, stage, {serving_.port, mapped.interf, mapped.index}, mapped.model);
+    if (!added) return added.error();
   }
-  if (map.left_out > 0) log::warn("{} devices are left out: an interface has 65536 indices", map.left_out);
+  if (map.left_out > 0)
+    warn_(fmt::format("{} devices are left out: an interface has 65536 indices", map.left_out));
   if (map.devices.size() > limits::kDevices) {
-    log::warn("{} devices: a client's list shows the first {}, and all can be opened", map.devices.size(),
-              limits::kDevices);
+    warn_(fmt::format("{} devices: a client's list shows the first {}, and all can be opened",
+                      map.devices.size(), limits::kDevices));
   }
   return {};
 }
 
-Result<std::unique_ptr<drivers::Simulation>> House::open_world(const std::string& path) {
+Result<std::unique_ptr<drivers::Simulation>> Service::open_world(const std::string& path) {
   if (cfg_) {
-    if (const Result<void> read = read_world(path); !read) return read.error();
+    if (const Result<void> read = read_world(path, scene::NamedBy::kFile); !read) return read.error();
   }
-  Result<std::unique_ptr<world::Engine>> engine = make_engine(scene_, running_.seed, running_.workers);
+  Result<std::unique_ptr<world::Engine>> engine = make_engine(scene_, running_, libraries_, warn_);
   if (!engine) return engine.error();
   return std::make_unique<drivers::Simulation>(std::move(*engine),
                                                pace_of(scene_, serving_, running_, quit_time_));
 }
 
-Result<device::DeviceId> House::add_device(device::Address address, device::Driver& driver) {
+Result<device::DeviceId> Service::add_device(device::Address address, device::Driver& driver) {
   return server_->add_device(address, driver);
 }
 
-Result<void> House::open_page() {
+Result<void> Service::open_page() {
   if (!serving_.web) return {};
-  const web_server::WebOptions options{
-      .bind = serving_.bind, .port = *serving_.web, .page = web_server::page_files(), .host_name = {}};
-  web_ = std::make_unique<web_server::WebServer>(web_loop_, options, simulation(), simulation().world());
+  const web_server::WebOptions options{.bind = serving_.bind,
+                                       .port = *serving_.web,
+                                       .page = web_server::page_files(),
+                                       .host_name = {},
+                                       .further_names = serving_.web_hosts};
+  const world::World& world = simulation().world();
+  web_ = std::make_unique<web_server::WebServer>(
+      web_loop_, options, simulation(), world,
+      drivers::device_names(world, simulation().directory(), player_ports_.front()));
   const Result<std::uint16_t> port = web_->listen();
-  if (!port) return port.error();
+  if (!port) return Error{port.error().where, port.error().text + "; --web takes another port, or off"};
   web_port_ = *port;
   simulation().add_listener(
       [this](const world::World& world, const world::Pace& pace) { web_->show(world, pace); });
   return {};
 }
 
-std::vector<std::string> House::places() const {
+std::vector<std::string> Service::places() const {
   std::vector<std::string> lines;
   const std::string host = shown_host(serving_.bind);
   for (const std::uint16_t port : player_ports_)
@@ -168,7 +179,7 @@ std::vector<std::string> House::places() const {
   return lines;
 }
 
-void House::catch_signals() {
+void Service::catch_signals() {
   const auto end = [this](int signal) {
     int none = 0;
     if (signal_.compare_exchange_strong(none, signal)) return stop();
@@ -176,13 +187,13 @@ void House::catch_signals() {
       std::_Exit(128 + signal);  // asked twice: at once; a closed terminal may say so twice
   };
   if (ends_on_hangup()) {
-    loop_.on_signal({SIGINT, SIGTERM, SIGHUP}, end);
+    signal_loop_.on_signal({SIGINT, SIGTERM, SIGHUP}, end);
   } else {
-    loop_.on_signal({SIGINT, SIGTERM}, end);
+    signal_loop_.on_signal({SIGINT, SIGTERM}, end);
   }
 }
 
-void House::show_progress() {
+void Service::show_progress() {
   const world::Pace pace = simulation().pace();
   // The factor is measured over a second: at first there is none to show.
   const bool measured = pace.paused || pace.real_time_factor > 0;
@@ -192,24 +203,29 @@ void House::show_progress() {
   progress_ = loop_.after(kProgressSeconds, [this] { show_progress(); });
 }
 
-Outcome House::run() {
+Outcome Service::run(const std::function<void(int signal)>& ended) {
   const bool shows_progress = isatty(STDERR_FILENO) == 1;
   if (shows_progress) progress_ = loop_.after(kProgressSeconds, [this] { show_progress(); });
   std::thread io([this] { loop_.run(); });
   std::thread web([this] { web_loop_.run(); });
+  std::thread signals([this] { signal_loop_.run(); });
   const auto start = std::chrono::steady_clock::now();
   simulation().run();
   const double wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  loop_.stop();
+  if (ended) ended(signal_.load());
+  simulation().discard();  // nobody would answer what is asked from now on
+  loop_.post([this] { server_->finish([this] { loop_.stop(); }); });
   web_loop_.stop();
   io.join();
   web.join();
+  signal_loop_.stop();
+  signals.join();
   end_at_once_on_signals();  // the loop takes them no more
   if (shows_progress) log::show_progress("");
   return outcome(wall_time);
 }
 
-Outcome House::outcome(double wall_time) {
+Outcome Service::outcome(double wall_time) {
   world::Engine& engine = simulation().engine();
   const world::World& world = engine.world();
   Outcome outcome;
@@ -220,6 +236,7 @@ Outcome House::outcome(double wall_time) {
   outcome.robots = count_robots(world);
   outcome.rays = engine.rays();
   outcome.hash = world.hash();
+  outcome.sensed_hash = world.sensed_hash();
   outcome.signal = signal_.load();
   return outcome;
 }

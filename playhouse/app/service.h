@@ -1,8 +1,9 @@
 #pragma once
 
-/// House: one simulated world with its devices on Player's ports and a page on the web. Builds the object
+/// Service: one simulated world with its devices on Player's ports and a page on the web. Builds the object
 /// tree from a world file or a .cfg file, runs it until it ends, and says how it went. Threads: the caller of
-/// run() is the tick thread; the io thread and the web thread live inside run().
+/// run() is the tick thread; the io thread, the web thread and the one that waits for signals live inside
+/// run().
 
 #include <atomic>
 #include <functional>
@@ -19,6 +20,7 @@
 #include "playhouse/net/io_loop.h"
 #include "playhouse/scene/cfg.h"
 #include "playhouse/scene/scene_desc.h"
+#include "playhouse/scene/source_text.h"
 #include "playhouse/server/server.h"
 #include "playhouse/web_server/web_server.h"
 
@@ -32,33 +34,38 @@ struct Outcome {
   std::uint64_t ticks = 0;
   std::size_t robots = 0;  // top-level position models
   std::uint64_t rays = 0;
-  std::uint64_t hash = 0;  // of the whole state
-  int signal = 0;          // that ended the run; 0: none
+  std::uint64_t hash = 0;         // of what robots did
+  std::uint64_t sensed_hash = 0;  // of what sensors measured, for whomever
+  int signal = 0;                 // that ended the run; 0: none
 
   /// One JSON object, for --json.
   std::string json() const;
 };
 
-class House final : private drivers::Surroundings {
+class Service final : private drivers::Surroundings {
  public:
-  House(Serving serving, Running running, QuitTime quit_time);
-  ~House() override;
+  Service(Serving serving, Running running, QuitTime quit_time);
+  ~Service() override;
 
   /// Where lines about odd things in the files go; by default, to the log. Before the first step.
-  void on_warning(std::function<void(const std::string&)> warn) { warn_ = std::move(warn); }
+  void on_warning(Warn warn) { warn_ = std::move(warn); }
+  /// Finds libraries of controllers without loading them: nothing can run then. Before the first step.
+  void load_no_code() { libraries_ = controllers::Libraries::Use::kFind; }
 
   // Steps, in this order; each fails with one line for a person.
 
   /// A world file: every robot of it becomes a set of devices. Or a configuration file, which names the
   /// devices.
-  Result<void> read_world(const std::string& path);
+  Result<void> read_world(const std::string& path, scene::NamedBy by = scene::NamedBy::kPerson);
   Result<void> read_cfg(const std::string& path);
   /// A scene made in memory, in place of a file.
   void take_scene(scene::SceneDesc scene) { scene_ = std::move(scene); }
   /// Opens the ports for Player clients; they are served once run() is called.
   Result<void> open_ports();
   /// Makes the engine and the devices.
-  Result<void> furnish();
+  Result<void> make_devices();
+  /// What else is wrong with the file that a step failed for.
+  const std::vector<Error>& other_errors() const { return other_errors_; }
   /// Opens the web page, if one is wanted.
   Result<void> open_page();
 
@@ -67,8 +74,9 @@ class House final : private drivers::Surroundings {
   /// "Player clients: ..." and "web page: ...", one line each.
   std::vector<std::string> places() const;
 
-  /// Until the duration is over, the file says so, or a signal comes.
-  Outcome run();
+  /// Until the duration is over, the file says so, or a signal comes. `ended` is called with that signal, or
+  /// 0, before the clients are disconnected.
+  Outcome run(const std::function<void(int signal)>& ended = {});
   /// Ends run(). Any thread.
   void stop() { simulation().stop(); }
 
@@ -77,12 +85,8 @@ class House final : private drivers::Surroundings {
 
  private:
   Result<device::DeviceId> add_device(device::Address address, device::Driver& driver) override;
-  Result<void> hold(device::DeviceId device, device::Receipt receipt) override {
-    return server_->hold(device, std::move(receipt));
-  }
-  void release(device::DeviceId device, device::Receipt receipt) override {
-    server_->release(device, std::move(receipt));
-  }
+  Result<void> hold(device::DeviceId device) override { return server_->hold(device); }
+  void release(device::DeviceId device) override { server_->release(device); }
   Result<std::unique_ptr<drivers::Simulation>> open_world(const std::string& path) override;
 
   Result<void> add_robots();
@@ -94,7 +98,9 @@ class House final : private drivers::Surroundings {
   Serving serving_;
   Running running_;
   QuitTime quit_time_;
-  std::function<void(const std::string&)> warn_;
+  Warn warn_;
+  std::vector<Error> other_errors_;
+  controllers::Libraries::Use libraries_ = controllers::Libraries::Use::kLoad;
 
   // In order of construction; what is below uses what is above.
   std::optional<scene::CfgFile> cfg_;
@@ -102,6 +108,7 @@ class House final : private drivers::Surroundings {
   net::IoLoop loop_;
   net::IoLoop
       web_loop_;  // of its own, so that drawing a large world for many viewers delays no Player client
+  net::IoLoop signal_loop_;              // of its own: a signal waits for no client
   std::unique_ptr<drivers::Site> site_;  // with the simulation
   std::vector<std::unique_ptr<device::Driver>> drivers_;
   std::unique_ptr<server::Server> server_;

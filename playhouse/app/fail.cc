@@ -1,0 +1,24 @@
+#include "playhouse/app/fail.h"
+
+#include "playhouse/base/finding.h"
+#include "playhouse/base/log.h"
+#include "playhouse/base/log_output.h"
+
+namespace playhouse::app {
+
+int fail(const Error& error, Exit code) {
+  log::error("{}", error.line());
+  return code;
+}
+
+int fail_in_file(const Error& error, const std::vector<Error>& others) {
+  log::tell(spdlog::level::err, error);
+  for (const Error& other : others) log::tell(spdlog::level::err, other);
+  return kUsage;
+}
+
+void warn(const std::string& line) {
+  log::tell(spdlog::level::warn, placed(line));
+}
+
+}  // namespace playhouse::app

@@ -1,0 +1,29 @@
+#include "playhouse/app/run_service.h"
+
+#include <fmt/format.h>
+
+#include "playhouse/app/fail.h"
+#include "playhouse/base/log.h"
+#include "playhouse/base/log_output.h"
+
+namespace playhouse::app {
+
+int run_service(Service& service, const std::function<Result<void>()>& read, const Running& running,
+                const std::function<void()>& opened) {
+  if (const Result<void> step = read(); !step) return fail_in_file(step.error(), service.other_errors());
+  if (const Result<void> step = service.open_ports(); !step) return fail(step.error());
+  if (const Result<void> step = service.make_devices(); !step)
+    return fail_in_file(step.error(), service.other_errors());
+  if (const Result<void> step = service.open_page(); !step) return fail(step.error());
+
+  for (const std::string& place : service.places()) log::say(place);
+  if (opened) opened();
+  const Outcome outcome = service.run();
+  log::info("simulated {:.1f} s in {:.2f} s, {:.2f} times real time", outcome.sim_time, outcome.wall_time,
+            outcome.real_time_factor);
+  log::flush();  // the result is the last that a terminal shows
+  if (running.json) fmt::print("{}\n", outcome.json());
+  return outcome.signal != 0 ? 128 + outcome.signal : kDone;
+}
+
+}  // namespace playhouse::app

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <functional>
+
+#include "playhouse/app/service.h"
+
+namespace playhouse::app {
+
+/// Takes a service through all its steps, beginning with `read`, runs it, prints where it is and how it went,
+/// and returns the program's exit code. `opened` is called when clients can connect.
+int run_service(Service& service, const std::function<Result<void>()>& read, const Running& running,
+                const std::function<void()>& opened = {});
+
+}  // namespace playhouse::app

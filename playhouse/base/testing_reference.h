@@ -1,0 +1,21 @@
+#pragma once
+
+/// The reference material beside the checkout (../shared): files and recordings of the original programs.
+/// Tests that read it are skipped, by name, where all of it is absent; where it is there, a file that is not,
+/// or that does not load, is a failure.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace playhouse {
+
+inline std::filesystem::path reference() {
+  return std::filesystem::path(PLAYHOUSE_SOURCE_DIR).parent_path() / "shared";
+}
+
+}  // namespace playhouse
+
+#define SKIP_WITHOUT_REFERENCE()                          \
+  if (!std::filesystem::exists(::playhouse::reference())) \
+  GTEST_SKIP() << "no reference material at " << ::playhouse::reference()

@@ -1,0 +1,98 @@
+#include "playhouse/drivers/simulated/directory.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "playhouse/base/assert.h"
+#include "playhouse/base/limits.h"
+#include "playhouse/wire/messages.h"
+
+namespace playhouse::drivers {
+namespace {
+
+/// "position2d:0".
+std::string name_within_port(device::Address address) {
+  const wire::InterfaceDef* interf = wire::find_interface(address.interf);
+  PLAYHOUSE_ASSERT(interf != nullptr);
+  return fmt::format("{}:{}", interf->name, address.index);
+}
+
+/// A name from a file, so that tabs and ends of lines are those of the list.
+std::string escaped_field(std::string_view name) {
+  std::string text;
+  for (const char c : name) {
+    if (c == '\\') {
+      text += "\\\\";
+    } else if (c == '\t') {
+      text += "\\t";
+    } else if (c == '\n') {
+      text += "\\n";
+    } else {
+      text += c;
+    }
+  }
+  return text;
+}
+
+std::string line_of(const world::World& world, const Directory& directory, world::ModelRow row) {
+  const scene::ModelDesc& desc = world.desc(row);
+  const std::string parent =
+      desc.parent < 0 ? "" : world.desc({static_cast<std::uint32_t>(desc.parent)}).name;
+  std::string line = fmt::format("{}\t{}\t{}\t{}\t", row.index, escaped_field(desc.name),
+                                 escaped_field(desc.type), escaped_field(parent));
+  const char* separator = "";
+  for (const device::Address& address : directory.devices_of(row)) {
+    fmt::format_to(std::back_inserter(line), "{}{}:{}", separator, address.robot, name_within_port(address));
+    separator = " ";
+  }
+  return line += '\n';
+}
+
+}  // namespace
+
+void Directory::add(world::ModelRow model, device::Address address) {
+  if (!model) return;
+  devices_[model].push_back(address);
+  models_[address] = model;
+}
+
+std::span<const device::Address> Directory::devices_of(world::ModelRow model) const {
+  const auto found = devices_.find(model);
+  return found == devices_.end() ? std::span<const device::Address>() : found->second;
+}
+
+world::ModelRow Directory::model_of(device::Address address) const {
+  const auto found = models_.find(address);
+  return found == models_.end() ? world::ModelRow{} : found->second;
+}
+
+std::vector<std::vector<std::string>> device_names(const world::World& world, const Directory& directory,
+                                                   std::uint32_t port) {
+  std::vector<std::vector<std::string>> names(world.scene().models.size());
+  for (std::uint32_t row = 0; row < names.size(); ++row) {
+    for (const device::Address& address : directory.devices_of({row})) {
+      const std::string name = name_within_port(address);
+      names[row].push_back(address.robot == port ? name : fmt::format("{}:{}", address.robot, name));
+    }
+  }
+  return names;
+}
+
+ModelList list_models(const world::World& world, const Directory& directory, std::uint32_t first) {
+  ModelList list;
+  const std::size_t count = world.scene().models.size();
+  for (std::size_t row = first; row < count; ++row) {
+    const std::string line = line_of(world, directory, {static_cast<std::uint32_t>(row)});
+    const bool full = row - first >= limits::kListedModels ||
+                      (row > first && list.text.size() + line.size() > limits::kModelListBytes);
+    if (full) {
+      list.next = static_cast<std::uint32_t>(row);
+      break;
+    }
+    list.text += line;
+  }
+  return list;
+}
+
+}  // namespace playhouse::drivers

@@ -1,0 +1,170 @@
+/// A tick allocates nothing once it has run for a while: all memory that the allocator of the C library hands
+/// out is counted, whichever thread asks for it.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstddef>
+#include <string>
+
+#include "playhouse/scenarios/scenario.h"
+#include "playhouse/scenarios/testing_simulation.h"
+#include "playhouse/stage/testing_scenes.h"
+
+namespace {
+
+std::atomic<std::size_t> allocations = 0;
+
+}  // namespace
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define PLAYHOUSE_SANITIZER_ALLOCATES
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define PLAYHOUSE_SANITIZER_ALLOCATES
+#endif
+#endif
+
+#ifdef PLAYHOUSE_SANITIZER_ALLOCATES
+
+// As in <sanitizer/allocator_interface.h>, which gcc does not have.
+extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*)(const volatile void*, std::size_t),
+                                                         void (*)(const volatile void*));
+
+namespace {
+
+const int hooks = __sanitizer_install_malloc_and_free_hooks(
+    [](const volatile void*, std::size_t) { ++allocations; }, [](const volatile void*) {});
+
+}  // namespace
+
+#else
+
+// glibc's functions under the names that stay when a program has its own.
+extern "C" {
+void* __libc_malloc(std::size_t size);
+void* __libc_calloc(std::size_t count, std::size_t size);
+void* __libc_realloc(void* memory, std::size_t size);
+void* __libc_memalign(std::size_t alignment, std::size_t size);
+
+void* malloc(std::size_t size) {
+  ++allocations;
+  return __libc_malloc(size);
+}
+void* calloc(std::size_t count, std::size_t size) {
+  ++allocations;
+  return __libc_calloc(count, size);
+}
+void* realloc(void* memory, std::size_t size) {
+  ++allocations;
+  return __libc_realloc(memory, size);
+}
+void* memalign(std::size_t alignment, std::size_t size) {
+  ++allocations;
+  return __libc_memalign(alignment, size);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t size) {
+  return memalign(alignment, size);
+}
+int posix_memalign(void** memory, std::size_t alignment, std::size_t size) {
+  *memory = memalign(alignment, size);
+  return *memory == nullptr ? ENOMEM : 0;
+}
+}
+
+#endif
+
+namespace playhouse::scenarios {
+namespace {
+
+using testing::load;
+using testing::Simulation;
+
+/// Ticks after which scratch memory has its size, and those that are counted.
+constexpr int kWarmUp = 150, kCounted = 50;
+
+std::size_t allocations_of(Simulation& run) {
+  world::World& world = run.world();
+  for (std::uint32_t row = 0; row < world.models.size(); ++row) world::subscribe(world, {row});
+  run.step(kWarmUp);
+  const std::size_t before = allocations;
+  run.step(kCounted);
+  return allocations - before;
+}
+
+TEST(Allocation, is_counted_here) {
+  const std::size_t before = allocations;
+  const std::string text(1000, 'x');
+  EXPECT_STRNE(text.c_str(), "");
+  EXPECT_GE(allocations - before, 1u);
+}
+
+TEST(Allocation, there_is_none_in_the_ticks_of_any_scenario) {
+  for (const unsigned workers : {1u, 2u, 4u}) {
+    for (const Scenario& scenario : kScenarios) {
+      Simulation run(make(scenario.name, 30), workers);
+      EXPECT_EQ(allocations_of(run), 0u) << scenario.name << ", " << workers << " workers";
+    }
+  }
+}
+
+TEST(Allocation, there_is_none_in_the_ticks_of_our_worlds) {
+  for (const unsigned workers : {1u, 4u}) {
+    for (const char* file : {"worlds/simple.world", "worlds/cave.world", "worlds/fiducial.world",
+                             "examples/controller/shy.world"}) {
+      Simulation run(load(file), workers);
+      EXPECT_EQ(allocations_of(run), 0u) << file << ", " << workers << " workers";
+    }
+  }
+}
+
+/// Every kind of sensor with every kind of noise, every controller, and bodies that are not convex.
+Result<scene::SceneDesc> everything() {
+  std::string text = R"(
+    interval_sim 100
+    define robot position( size [0.3 0.3 0.2] localization "odom" fiducial_return 5
+      block( points 5 point[0] [0 0] point[1] [3 0] point[2] [3 3] point[3] [1.5 1] point[4] [0 3] z [0 1] )
+      ranger( sensor( range [0.1 8] fov 270 samples 61 noise [0.01 0.02 0] ) )
+      ranger( sensor( range [0 5] fov 20 samples 9 noise [0 0.01 0.05] ) sensor( pose [0 0 0 90] range [0 5] fov 10 ) )
+      ranger( sensor( pose [0 0 0 -40] range [0 5] fov 10 samples 3 ) sensor( pose [0 0 0 40] range [0 5] ) )
+      fiducial( range_max 5 range_max_id 3 fov 200 ) )
+    model( name "walls" size [8 8 1] boundary 1 noblocks 1 )
+    model( name "depot" pose [3.5 3.5 0 0] size [0.2 0.2 0.2] fiducial_return 9 )
+    robot( name "stuck" pose [4 0 0 0] velocity [0.3 0 0 0.1] )
+  )";
+  const char* controllers[] = {"wander", "expand_swarm", "expand_pioneer", "shy 0.3"};
+  for (int k = 0; k < 36; ++k)
+    text += fmt::format("robot( pose [{} {} 0 {}] ctrl \"{}\" )\n", -2.5 + k % 6, -2.5 + k / 6, 77 * k % 360,
+                        controllers[k % 4]);
+  scene::MemoryFiles none({});
+  Result<scene::SceneDesc> scene = scene::load_world_text(text, "everything.world", none);
+  if (!scene) return scene;
+  for (scene::ModelDesc& model : scene->models)
+    if (model.name == "depot") model.ctrl = {"source 3000000", "sink"};
+  return scene;
+}
+
+TEST(Allocation, there_is_none_with_every_sensor_and_controller) {
+  for (const unsigned workers : {1u, 4u}) {
+    Simulation run(everything(), workers);
+    run.world().models.flags[run.world().find("depot").index] = 2000000;
+    EXPECT_EQ(allocations_of(run), 0u) << workers << " workers";
+    EXPECT_GT(run.world().models.say[run.world().find("depot").index].size(), 15u)
+        << "more than a short string holds";
+  }
+}
+
+TEST(Allocation, there_is_none_where_robots_are_in_each_others_way) {
+  for (const unsigned workers : {1u, 4u}) {
+    scene::SceneDesc scene = stage::testing::throng(100, 1);
+    for (scene::ModelDesc& model : scene.models)  // a corner of each body is cut out
+      if (model.position) model.blocks[0].points.push_back({0, 0});
+    Simulation run(std::move(scene), workers);
+    EXPECT_EQ(allocations_of(run), 0u) << workers << " workers";
+  }
+}
+
+}  // namespace
+}  // namespace playhouse::scenarios

@@ -1,0 +1,90 @@
+#include "playhouse/stage/instruction_set.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <vector>
+
+#include "playhouse/base/rng.h"
+#include "playhouse/stage/engine.h"
+#include "playhouse/stage/polygon_hit.h"
+#include "playhouse/stage/testing_instruction_sets.h"
+#include "playhouse/stage/testing_scenes.h"
+
+namespace playhouse::stage {
+namespace {
+
+TEST(InstructionSets, are_all_tested_here) {
+  if (!is_available(InstructionSet::kAvx2))
+    GTEST_SKIP()
+        << "this processor has no AVX2: THE AVX2 VERSION OF EVERY VECTOR FUNCTION IS NOT TESTED HERE";
+  EXPECT_EQ(instruction_set(), InstructionSet::kAvx2) << "what is used where nothing else was chosen";
+}
+
+TEST(InstructionSets, are_chosen_by_name) {
+  ASSERT_TRUE(parse_instruction_set("plain"));
+  EXPECT_EQ(*parse_instruction_set("plain"), InstructionSet::kPlain);
+  EXPECT_EQ(parse_instruction_set("avx").error().text,
+            "there is no instruction set \"avx\" (did you mean \"avx2\"?)");
+  EXPECT_EQ(parse_instruction_set("").error().text, "there is no instruction set \"\"");
+  const testing::WithInstructionSet plain(InstructionSet::kPlain);
+  EXPECT_EQ(instruction_set(), InstructionSet::kPlain);
+}
+
+/// The hash of a run and the bits of all that was measured in it.
+std::vector<std::uint64_t> outcome(const scene::SceneDesc& scene, int ticks) {
+  const auto engine = std::move(*make_engine(scene, {.seed = 5, .workers = 2}));
+  std::vector<std::uint64_t> all;
+  for (int tick = 0; tick < ticks; ++tick) engine->step();
+  all.push_back(engine->world().hash());
+  for (const float range : engine->world().sensors.ranges) all.push_back(std::bit_cast<std::uint32_t>(range));
+  for (const float seen : engine->world().sensors.intensities)
+    all.push_back(std::bit_cast<std::uint32_t>(seen));
+  return all;
+}
+
+/// Robots in a room with more edges than a scanner looks at one by one, so that rays march too.
+scene::SceneDesc among_posts(testing::Sensing sensing) {
+  scene::SceneDesc scene = testing::crowd(40, sensing);
+  Rng rng(3);
+  for (int i = 0; i < 400; ++i)
+    scene.models.push_back(testing::box("post" + std::to_string(i),
+                                        {rng.uniform(-9, 9), rng.uniform(-9, 9), 0, rng.uniform(-3, 3)},
+                                        {0.03, 0.03, 1}));
+  return scene;
+}
+
+TEST(InstructionSets, give_the_same_bits) {
+  const std::vector<scene::SceneDesc> scenes = {
+      testing::crowd(60, testing::Sensing::kLaser), testing::crowd(60, testing::Sensing::kSonar),
+      among_posts(testing::Sensing::kLaser), among_posts(testing::Sensing::kSonar)};
+  for (const scene::SceneDesc& scene : scenes) {
+    std::vector<std::vector<std::uint64_t>> outcomes;
+    testing::with_every_instruction_set([&] { outcomes.push_back(outcome(scene, 30)); });
+    for (const std::vector<std::uint64_t>& other : outcomes) EXPECT_TRUE(other == outcomes.front());
+  }
+}
+
+TEST(InstructionSets, find_where_a_ray_meets_a_polygon_as_edge_by_edge) {
+  for (std::uint64_t i = 0; i < 2000; ++i) {
+    Rng rng(i);
+    const std::size_t corners = 3 + i % 9;
+    std::vector<Vec2> polygon;
+    for (std::size_t k = 0; k < corners; ++k) polygon.push_back({rng.uniform(-2, 2), rng.uniform(-2, 2)});
+    const geom::SinCos sc = geom::sincos(rng.uniform(-3, 3));
+    const Vec2 p{rng.uniform(-3, 3), rng.uniform(-3, 3)}, d{sc.cos, sc.sin};
+    double nearest = kMiss;
+    for (std::size_t k = 0; k < corners; ++k)
+      nearest = std::min(nearest, edge_hit(polygon[k] - p, polygon[(k + 1) % corners] - p, d));
+    polygon.push_back(polygon.front());
+    polygon.resize(polygon.size() + Solids::kSpare);
+    testing::with_every_instruction_set([&] {
+      const double hit = polygon_hit(polygon.data(), corners, p, d);
+      EXPECT_TRUE(hit == nearest || std::fabs(hit - nearest) < 1e-9) << hit << " not " << nearest;
+    });
+  }
+}
+
+}  // namespace
+}  // namespace playhouse::stage

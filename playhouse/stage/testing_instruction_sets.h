@@ -1,0 +1,37 @@
+#pragma once
+
+/// For tests of what vector functions compute.
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "playhouse/stage/instruction_set.h"
+
+namespace playhouse::stage::testing {
+
+/// Chooses one for a block.
+class WithInstructionSet {
+ public:
+  explicit WithInstructionSet(InstructionSet set) { choose_instruction_set(set); }
+  ~WithInstructionSet() { choose_instruction_set(before_); }
+  WithInstructionSet(const WithInstructionSet&) = delete;
+  WithInstructionSet& operator=(const WithInstructionSet&) = delete;
+
+ private:
+  InstructionSet before_ = instruction_set();
+};
+
+/// Runs `body` once with each set that this processor has; InstructionSets.are_all_tested_here tells of the
+/// others.
+template <typename Body>
+void with_every_instruction_set(const Body& body) {
+  for (const InstructionSet set : {InstructionSet::kPlain, InstructionSet::kAvx2}) {
+    if (!is_available(set)) continue;
+    const WithInstructionSet chosen(set);
+    SCOPED_TRACE(std::string(kInstructionSetNames[static_cast<std::size_t>(set)]));
+    body();
+  }
+}
+
+}  // namespace playhouse::stage::testing

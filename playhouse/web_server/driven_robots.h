@@ -1,0 +1,51 @@
+#pragma once
+
+/// DrivenRobots: the robots that viewers drive by hand. A robot's wheels are open, as for a client that opens
+/// its device, from the first velocity until the viewer lets go, leaves, or sends nothing for
+/// limits::kViewerDriveSeconds; then they stop. Nothing is locked: the newest command counts, whoever gave
+/// it. Thread: web.
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "playhouse/base/result.h"
+#include "playhouse/net/network.h"
+#include "playhouse/replicate/command.h"
+#include "playhouse/world/control.h"
+
+namespace playhouse::web_server {
+
+class DrivenRobots {
+ public:
+  /// Who drives; only compared.
+  using Driver = const void*;
+
+  /// Reads the world's fixed parts at once.
+  DrivenRobots(net::Network& network, world::Control& control, const world::World& world);
+
+  /// Fails for a model without wheels.
+  Result<void> drive(const replicate::Drive& drive, Driver driver);
+
+  /// Stops what this driver was the last to drive.
+  void left(Driver driver);
+
+ private:
+  struct Held {
+    world::ModelRow model;
+    Driver driver = nullptr;
+    bool open = false;  // the world knows; else its queue was full
+    std::unique_ptr<net::Timer> deadline;
+  };
+
+  void hold_until_deadline(world::PositionRow robot, Held& held);
+  void let_go(world::PositionRow robot);
+
+  net::Network& network_;
+  world::Control& control_;
+  std::vector<world::PositionRow> wheels_;  // per model row; none without
+  std::map<std::uint32_t, Held> held_;      // by position row
+};
+
+}  // namespace playhouse::web_server
