@@ -72,6 +72,7 @@ class Stream : public std::enable_shared_from_this<Stream> {
   const std::string& peer() const { return peer_; }
 
   void close(std::string reason) {
+    if (closing_ || failed_) return;
     events_ = nullptr;
     closing_ = true;
     if (place_) place_->gives_way([this] { end(); });

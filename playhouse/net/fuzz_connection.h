@@ -1,0 +1,82 @@
+#pragma once
+
+/// For the fuzzers of net: both ends of a connection to an HTTP server in one thread, without a port.
+
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <cerrno>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "playhouse/base/assert.h"
+#include "playhouse/net/asio_http.h"
+#include "playhouse/net/http_places.h"
+
+namespace playhouse::net {
+
+class FuzzConnection {
+ public:
+  explicit FuzzConnection(HttpService& service) {
+    int ends[2];
+    PLAYHOUSE_ASSERT(socketpair(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK, 0, ends) == 0);
+    peer_ = ends[0];
+    boost::asio::ip::tcp::socket socket(context_);
+    socket.assign(boost::asio::ip::tcp::v4(), ends[1]);
+    serve_http(std::move(socket), "192.0.2.1:1", service, {}, std::make_shared<HttpPlaces>());
+  }
+  ~FuzzConnection() { hang_up(); }
+  FuzzConnection(const FuzzConnection&) = delete;
+  FuzzConnection& operator=(const FuzzConnection&) = delete;
+
+  /// The server does what it can do without waiting; the peer reads, unless it stalls.
+  void turn() {
+    context_.restart();
+    context_.poll();
+    if (!stalled) read();
+  }
+
+  /// What the server does not take, because it paused or closed, is lost.
+  void send(std::span<const std::byte> bytes) {
+    for (int idle_turns = 0; !bytes.empty() && idle_turns < 2;) {
+      const ssize_t count = ::send(peer_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+      if (count < 0 && errno != EAGAIN) return;
+      bytes = bytes.subspan(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+      idle_turns = count > 0 ? 0 : idle_turns + 1;
+      turn();
+    }
+  }
+
+  /// The peer sends nothing more.
+  void finish() { ::shutdown(peer_, SHUT_WR); }
+  void hang_up() {
+    if (peer_ >= 0) ::close(peer_);
+    peer_ = -1;
+  }
+  /// The server has closed the connection, or nothing of the connection is left: no operation, no timer.
+  bool closed() const { return closed_; }
+  bool forgotten() const { return context_.stopped(); }
+
+  std::string received;
+  bool stalled = false;  // the peer reads nothing
+
+ private:
+  void read() {
+    char buffer[65536];
+    ssize_t count = 0;
+    while (peer_ >= 0 && (count = ::recv(peer_, buffer, sizeof buffer, 0)) > 0)
+      received.append(buffer, static_cast<std::size_t>(count));
+    if (count == 0) closed_ = true;
+  }
+
+  boost::asio::io_context context_{1};
+  int peer_;
+  bool closed_ = false;
+};
+
+}  // namespace playhouse::net
