@@ -54,13 +54,14 @@ Error unknown(const std::string& where, const std::string& name,
   const std::vector<std::string_view> candidates(words.begin(), words.end());
   const std::string nearest = did_you_mean(name, candidates);
   if (std::filesystem::path(name).is_absolute())
-    return {where, "no controller " + in_quotes(name) + ": there is no file " + in_quotes(name + ".so")};
+    return {where,
+            "no controller " + in_quotes(name) + ": there is no file " + in_quotes(library_file(name))};
   if (!nearest.empty()) return {where, "no controller " + in_quotes(name) + nearest};
   std::string places;
   for (const std::filesystem::path& folder : folders)
     places += (places.empty() ? "" : ", ") + escaped(folder.string());
-  return {where, "no controller " + in_quotes(name) + ": it is not built in, and " + in_quotes(name + ".so") +
-                     " is not in " + places};
+  return {where, "no controller " + in_quotes(name) + ": it is not built in, and " +
+                     in_quotes(library_file(name)) + " is not in " + places};
 }
 
 std::vector<std::string> split(const std::string& line) {

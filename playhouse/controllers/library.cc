@@ -73,9 +73,13 @@ Result<std::unique_ptr<Controller>> Library::make() const {
   }
 }
 
+std::string library_file(std::string_view name) {
+  return std::string(name) + (name.ends_with(".so") ? "" : ".so");
+}
+
 std::filesystem::path find_library(std::string_view name, std::span<const std::filesystem::path> folders) {
   for (const std::filesystem::path& folder : folders) {
-    std::filesystem::path file = folder / (std::string(name) + ".so");
+    std::filesystem::path file = folder / library_file(name);
     std::error_code ignored;
     if (std::filesystem::is_regular_file(file, ignored)) return file;
   }

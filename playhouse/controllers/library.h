@@ -35,7 +35,10 @@ class Library {
   std::string file_;
 };
 
-/// The first NAME.so in the folders; empty if there is none.
+/// The file of a controller's library: NAME.so. The name may have the ending already, as in Stage.
+std::string library_file(std::string_view name);
+
+/// The first library_file() in the folders; empty if there is none.
 std::filesystem::path find_library(std::string_view name, std::span<const std::filesystem::path> folders);
 
 }  // namespace playhouse::controllers

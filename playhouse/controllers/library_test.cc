@@ -202,6 +202,7 @@ TEST(Library, outside_the_folders_is_loaded_only_if_it_is_allowed) {
     EXPECT_EQ(Fixture(name, {.folders = {elsewhere}, .allowed = {"/none.so", kProbe + ".so"}}).error, "");
   }
   EXPECT_EQ(Fixture("sub/../probe").error, "") << "stays inside";
+  EXPECT_EQ(Fixture("probe.so").error, "") << "as Stage takes it";
   EXPECT_EQ(Fixture("/none/probe").error,
             "test.world:1: no controller \"/none/probe\": there is no file \"/none/probe.so\"");
 }
