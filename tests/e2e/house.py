@@ -217,6 +217,12 @@ class HouseTest(unittest.TestCase):
     def world(self, content: str = WORLD) -> Path:
         return self.write("test.world", content)
 
+    def release(self) -> str:
+        """The program as users have it, without sanitizers; `make test` builds it first."""
+        if not os.path.exists(RELEASE):
+            self.skipTest("there is no release program; `make build` makes it")
+        return RELEASE
+
     def run_house(self, *arguments, world=None) -> House:
         """`playhouse run` on a free port, without a page."""
         return House("run", world or self.world(), "--port", 0, "--headless", *arguments)

@@ -6,7 +6,7 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from house import (ACK, FIDUCIAL, POSITION2D, PROGRAM, RANGER, RELEASE, ROOT, SONAR, Client, House, HouseTest,
+from house import (ACK, FIDUCIAL, POSITION2D, PROGRAM, RANGER, ROOT, SONAR, Client, House, HouseTest,
                    finish)
 
 SWARM = """
@@ -69,9 +69,7 @@ class Reproducible(HouseTest):
         self.assertNotEqual(watched["sensed_hash"], alone["sensed_hash"])
 
     def test_the_release_program_computes_the_same_bits(self):
-        if not os.path.exists(RELEASE):
-            self.skipTest("there is no release program; `make build` makes it")
-        self.assertEqual(self.hashes_of(), self.hashes_of(program=RELEASE))
+        self.assertEqual(self.hashes_of(), self.hashes_of(program=self.release()))
 
     def bench(self, program, instruction_set):
         with mock.patch.dict(os.environ, PLAYHOUSE_INSTRUCTION_SET=instruction_set):
@@ -80,10 +78,8 @@ class Reproducible(HouseTest):
     def test_avx2_and_plain_instructions_compute_the_same_bits(self):
         if "avx2" not in Path("/proc/cpuinfo").read_text():
             self.skipTest("this processor has no AVX2: THE AVX2 VERSIONS ARE NOT TESTED HERE")
-        if not os.path.exists(RELEASE):
-            self.skipTest("there is no release program; `make build` makes it")
         hashes = set()
-        for program in (PROGRAM, RELEASE):
+        for program in (PROGRAM, self.release()):
             for instruction_set in ("plain", "avx2"):
                 done = self.bench(program, instruction_set)
                 self.assertEqual(done.returncode, 0, done.stderr)
