@@ -29,11 +29,16 @@ class [[nodiscard]] Result {
   bool ok() const { return state_.index() == 0; }
   explicit operator bool() const { return ok(); }
 
-  T& value() {
+  T& value() & {
     PLAYHOUSE_ASSERT(ok());
     return *std::get_if<0>(&state_);
   }
-  const T& value() const {
+  /// By value, so that `for (x : *list())` does not go through a list that is gone.
+  T value() && {
+    PLAYHOUSE_ASSERT(ok());
+    return std::move(*std::get_if<0>(&state_));
+  }
+  const T& value() const& {
     PLAYHOUSE_ASSERT(ok());
     return *std::get_if<0>(&state_);
   }
@@ -41,8 +46,9 @@ class [[nodiscard]] Result {
     PLAYHOUSE_ASSERT(!ok());
     return *std::get_if<1>(&state_);
   }
-  T& operator*() { return value(); }
-  const T& operator*() const { return value(); }
+  T& operator*() & { return value(); }
+  T operator*() && { return std::move(*this).value(); }
+  const T& operator*() const& { return value(); }
   T* operator->() { return &value(); }
   const T* operator->() const { return &value(); }
 

@@ -139,7 +139,7 @@ struct Bridge {
 
   explicit Bridge(scene::SceneDesc loaded)
       : scene(std::move(loaded)),
-        simulation(std::move(*stage::make_engine(scene, {})), {.speed = 0, .paused = false, .duration = 0}),
+        simulation(*stage::make_engine(scene, {}), {.speed = 0, .paused = false, .duration = 0}),
         driver(simulation, "stage") {
     simulation.publish_to(clients);
     for (std::uint32_t row = 0; row < kDeviceCount; ++row) {
@@ -182,7 +182,7 @@ struct Bridge {
 
 void play(FuzzScript script) {
   scene::MemoryFiles none({});
-  Bridge bridge(std::move(*scene::load_world_text(kWorld, "bridge.world", none)));
+  Bridge bridge(*scene::load_world_text(kWorld, "bridge.world", none));
   for (unsigned step = 0; step < 256 && !script.done(); ++step) {
     const std::uint8_t what = script.byte();
     const std::uint32_t row = what / 8 % kDeviceCount;

@@ -34,7 +34,7 @@ TEST(InstructionSets, are_chosen_by_name) {
 
 /// The hash of a run and the bits of all that was measured in it.
 std::vector<std::uint64_t> outcome(const scene::SceneDesc& scene, int ticks) {
-  const auto engine = std::move(*make_engine(scene, {.seed = 5, .workers = 2}));
+  const auto engine = *make_engine(scene, {.seed = 5, .workers = 2});
   std::vector<std::uint64_t> all;
   for (int tick = 0; tick < ticks; ++tick) engine->step();
   all.push_back(engine->world().hash());
