@@ -3,6 +3,9 @@
 /// Points and poses of the 2.5-D world: x forward, y left, z up; headings counter-clockwise about z, in (-pi, pi].
 /// X_AB is the pose of frame B in A, p_AP a point in A; compose(X_AB, X_BC) is X_AC. Metres and radians.
 
+#include <algorithm>
+#include <utility>
+
 #include "playhouse/geom/trig.h"
 
 namespace playhouse::geom {
@@ -78,6 +81,23 @@ struct Box {
     return x_min <= o.x_max && o.x_min <= x_max && y_min <= o.y_max && o.y_min <= y_max;
   }
   constexpr bool empty() const { return x_min > x_max; }
+  constexpr Box grown(double by) const { return {x_min - by, y_min - by, x_max + by, y_max + by}; }
+  /// Between which multiples of d, from p, a line is in the box; the first is above the second if it never is.
+  constexpr std::pair<double, double> along(Vec2 p, Vec2 d) const {
+    double first = -1e300, last = 1e300;
+    const auto clip = [&](double low, double high, double from, double step) {
+      if (step == 0) {
+        if (from < low || from > high) last = -1e300;
+        return;
+      }
+      const double a = (low - from) / step, b = (high - from) / step;
+      first = std::max(first, std::min(a, b));
+      last = std::min(last, std::max(a, b));
+    };
+    clip(x_min, x_max, p.x, d.x);
+    clip(y_min, y_max, p.y, d.y);
+    return {first, last};
+  }
 };
 
 }  // namespace playhouse::geom

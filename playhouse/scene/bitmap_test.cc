@@ -5,6 +5,7 @@
 #include <png.h>
 #include <rapidcheck/gtest.h>
 
+#include <optional>
 #include <string>
 
 namespace playhouse::scene {
@@ -72,14 +73,14 @@ TEST(Bitmap, a_bmp_is_read) {
 }
 
 /// A BMP without palette, `depth` bits a pixel, all zero.
-std::string bmp_of(int width, int height, int depth) {
+std::string bmp_of(int width, int height, int depth, std::optional<int> told_height = {}) {
   const int row = (width * depth + 31) / 32 * 4;
   std::string bmp("BM\0\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0", 18);
   const auto number = [&bmp](int value, int bytes) {
     for (int i = 0; i < bytes; ++i) bmp += static_cast<char>(value >> (8 * i) & 255);
   };
   number(width, 4);
-  number(height, 4);
+  number(told_height.value_or(height), 4);
   number(1, 2);
   number(depth, 2);
   bmp.resize(54 + static_cast<std::size_t>(row * height), '\0');
@@ -95,6 +96,10 @@ TEST(Bitmap, a_bmp_that_ends_before_its_last_pixel_is_no_image) {
     ASSERT_FALSE(bitmap) << bytes;
     EXPECT_EQ(bitmap.error().text, "is no readable BMP: the file ends too early") << bytes;
   }
+}
+
+TEST(Bitmap, a_bmp_may_have_its_rows_from_the_top_to_the_bottom) {
+  EXPECT_EQ(solid_of(bmp_of(5, 40, 24, -40)).size(), 200u);
 }
 
 TEST(Bitmap, what_is_no_image_says_so) {

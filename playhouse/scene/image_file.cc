@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <csetjmp>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <optional>
@@ -239,6 +240,25 @@ struct BmpReading {
   }
 };
 
+/// How long an uncompressed BMP of that many pixels is: its head says where the pixels begin (byte 10) and
+/// how many bits each has (byte 28); rows end at multiples of four bytes, the last one with its last pixel.
+std::uint64_t bmp_bytes(std::string_view bytes, std::uint64_t width, std::uint64_t height) {
+  const auto number = [bytes](std::size_t at, std::size_t count) {
+    std::uint64_t value = 0;
+    for (std::size_t k = 0; k < count && at + k < bytes.size(); ++k)
+      value |= std::uint64_t{static_cast<unsigned char>(bytes[at + k])} << (8 * k);
+    return value;
+  };
+  if (width == 0 || height == 0) return 0;
+  const bool has_core_head = number(14, 4) == 12;  // the oldest form
+  const std::uint64_t bits = width * number(has_core_head ? 24 : 28, 2);
+  return number(10, 4) + (bits + 31) / 32 * 4 * (height - 1) + (bits + 7) / 8;
+}
+
+Error bmp_ends_early() {
+  return {{}, "is no readable BMP: the file ends too early"};
+}
+
 Result<FirstChannel> read_bmp(std::string_view bytes, std::size_t most_pixels) {
   const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const int size = static_cast<int>(bytes.size());
@@ -246,14 +266,16 @@ Result<FirstChannel> read_bmp(std::string_view bytes, std::size_t most_pixels) {
   if (!stbi_info_from_memory(data, size, &width, &height, &channels)) {
     return Error{{}, "is no PNG, PNM (.pgm, .ppm, .pbm) or BMP image"};
   }
-  const auto pixels_of = [](int side) { return static_cast<std::uint64_t>(side); };
+  // Rows from the top to the bottom have a negative height.
+  const auto pixels_of = [](int side) { return static_cast<std::uint64_t>(std::llabs(side)); };
   if (const auto fits = check_size(pixels_of(width), pixels_of(height), most_pixels); !fits)
     return fits.error();
+  if (bmp_bytes(bytes, pixels_of(width), pixels_of(height)) > bytes.size()) return bmp_ends_early();
   BmpReading reading{bytes};
   constexpr stbi_io_callbacks kCallbacks{BmpReading::read, BmpReading::skip, BmpReading::is_at_end};
   const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
       stbi_load_from_callbacks(&kCallbacks, &reading, &width, &height, &channels, channels), stbi_image_free);
-  if (reading.ended_early) return Error{{}, "is no readable BMP: the file ends too early"};
+  if (reading.ended_early) return bmp_ends_early();
   if (!pixels) return Error{{}, std::string("cannot be decoded: ") + stbi_failure_reason()};
   const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   FirstChannel image{width, height, std::vector<std::uint8_t>(count)};

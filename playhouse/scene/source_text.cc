@@ -1,5 +1,8 @@
 #include "playhouse/scene/source_text.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -42,8 +45,14 @@ Result<std::string> DiskFiles::read(const std::string& path) {
                  std::string("cannot be opened: ") +
                      (pipes ? "neither a regular file nor a pipe" : "not a regular file")};
   }
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
+  // Some of the kernel's files make a reader wait although they are regular ones.
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | (pipes ? 0 : O_NONBLOCK));
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(
+      descriptor < 0 ? nullptr : ::fdopen(descriptor, "rb"), &std::fclose);
   if (!file) return Error{{}, std::string("cannot be opened: ") + std::strerror(errno)};
+  struct stat opened {};  // the name may mean another file by now
+  if (!pipes && (::fstat(descriptor, &opened) != 0 || !S_ISREG(opened.st_mode)))
+    return Error{{}, "cannot be opened: not a regular file"};
   return read_all(*file);
 }
 

@@ -67,6 +67,7 @@ class WorldLoader {
   /// The shape of a model from its bitmap and its `block` entities.
   void read_body(const Properties& properties, const ModelType& type, Shape shape, ModelDesc& model);
   const Loops* load_bitmap(const Properties& properties);
+  /// `path` was tried last; the error tells of `why.where`.
   const Loops* fail_bitmap(const std::string& path, SourceLine where, const Error& why);
   /// Macros and bitmaps make much of little text: a fault when the world has no room for `amount` more.
   void spend(Budget& budget, std::size_t amount, SourceLine where);
@@ -295,24 +296,27 @@ const WorldLoader::Loops* WorldLoader::load_bitmap(const Properties& properties)
   const std::string name = properties.text("bitmap", "");
   if (name.empty() || state_.over) return nullptr;
   const SourceLine where = properties.where("bitmap");
-  std::string path = resolve(folder_of(scene_.path), name);
+  // Where the original would look only beside the world, a file beside the one that names it is meant as
+  // well.
+  const std::string beside_world = resolve(folder_of(scene_.path), name);
+  std::string path = beside_world;
   if (const auto known = bitmaps_.find(path); known != bitmaps_.end()) return &known->second;
   Result<std::string> bytes = files_.read(path);
   if (!bytes) {
-    // Where the original would look only beside the world, a file beside the one that names it is meant as
-    // well.
-    Result<std::string> beside = files_.read(resolve(folder_of(scene_.files[where.file]), name));
+    path = resolve(folder_of(scene_.files[where.file]), name);
+    if (const auto known = bitmaps_.find(path); known != bitmaps_.end()) return &known->second;
+    Result<std::string> beside = files_.read(path);
     if (beside) bytes = std::move(beside);
   }
-  if (!bytes) return fail_bitmap(path, where, bytes.error());
+  if (!bytes) return fail_bitmap(path, where, {beside_world, bytes.error().text});
   spend(bitmap_bytes_, bytes->size(), where);
   if (state_.over) return nullptr;
   const Result<Bitmap> bitmap = decode_bitmap(*bytes, limits_.pixels);
-  if (!bitmap) return fail_bitmap(path, where, bitmap.error());
+  if (!bitmap) return fail_bitmap(path, where, {path, bitmap.error().text});
   spend(pixels_, bitmap->solid.size(), where);
   if (state_.over) return nullptr;
   Result<Loops> loops = trace_contours(*bitmap, limits_.corners);
-  if (!loops) return fail_bitmap(path, where, loops.error());
+  if (!loops) return fail_bitmap(path, where, {path, loops.error().text});
   for (const auto& loop : *loops) spend(outlines_, loop.size(), where);
   if (state_.over) return nullptr;
   if (loops->empty())
@@ -323,7 +327,7 @@ const WorldLoader::Loops* WorldLoader::load_bitmap(const Properties& properties)
 
 const WorldLoader::Loops* WorldLoader::fail_bitmap(const std::string& path, SourceLine where,
                                                    const Error& why) {
-  state_.fail(where, "bitmap " + in_quotes(path) + " " + why.text);
+  state_.fail(where, "bitmap " + in_quotes(why.where) + " " + why.text);
   return &bitmaps_.emplace(path, Loops{}).first->second;  // it is not read again for the next model
 }
 

@@ -567,6 +567,19 @@ TEST(WorldBodies, all_bitmaps_together_have_a_limit_of_pixels_bytes_and_corners)
   EXPECT_EQ(fault(flat, {.corners = 39}), "w/t.world:2: the world holds more than 39 corners of bitmaps");
 }
 
+TEST(WorldBodies, bitmaps_of_one_name_beside_two_includes_are_two) {
+  Files files{{"w/a/x.inc", "model( bitmap \"m\" )"},
+              {"w/a/m", "P1 3 3 111111111"},
+              {"w/b/x.inc", "model( bitmap \"m\" )"},
+              {"w/b/m", "P1 3 3 101010101"}};
+  const SceneDesc scene = loaded("include \"a/x.inc\"\ninclude \"b/x.inc\"", files);
+  EXPECT_EQ(scene.models.at(0).bitmaps.at(0).loops.size(), 1u);
+  EXPECT_GT(scene.models.at(1).bitmaps.at(0).loops.size(), 1u);
+  files.erase("w/b/m");
+  EXPECT_EQ(error_of("include \"a/x.inc\"\ninclude \"b/x.inc\"", files),
+            "w/b/x.inc:1: bitmap \"w/m\" cannot be opened: no such file");
+}
+
 TEST(WorldBodies, a_bitmap_without_dark_pixels_is_no_body_and_a_warning) {
   const SceneDesc scene = loaded("model( bitmap \"b\" )", {{"w/b", "P1 1 1 0"}});
   EXPECT_TRUE(scene.models[0].blocks.empty());

@@ -28,19 +28,39 @@ bool is_convex(std::span<const Vec2> polygon) {
   return upward_turns <= 1;
 }
 
-/// The smallest distance between two parallel lines, one along an edge, that hold the polygon.
-double width_of(std::span<const Vec2> polygon) {
-  double width = 1e300;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2 e = polygon[(i + 1) % polygon.size()] - polygon[i];
-    const double length = std::sqrt(geom::dot(e, e));
-    if (length == 0) continue;
-    double low = 0, high = 0;
-    for (const Vec2 p : polygon) {
-      low = std::min(low, geom::cross(e, p - polygon[i]) / length);
-      high = std::max(high, geom::cross(e, p - polygon[i]) / length);
+/// The corners of the convex hull, counter-clockwise, without those on a side (Andrew's monotone chain).
+std::vector<Vec2> convex_hull(std::span<const Vec2> polygon) {
+  std::vector<Vec2> points(polygon.begin(), polygon.end());
+  std::ranges::sort(points, [](Vec2 a, Vec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+  std::vector<Vec2> hull;
+  const auto add_chain = [&hull](auto first, const auto last) {
+    const std::size_t begin = hull.size();
+    for (; first != last; ++first) {
+      const Vec2 p = *first;
+      while (hull.size() >= begin + 2 &&
+             geom::cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0)
+        hull.pop_back();
+      hull.push_back(p);
     }
-    width = std::min(width, high - low);
+    hull.pop_back();  // the next chain begins with it
+  };
+  add_chain(points.begin(), points.end());
+  add_chain(points.rbegin(), points.rend());
+  return hull;
+}
+
+/// The smallest distance between two parallel lines, one along a side of the hull, that hold the polygon. The
+/// farthest corner goes round with the side (rotating calipers), so the cost is that of sorting.
+double width_of(std::span<const Vec2> polygon) {
+  const std::vector<Vec2> hull = convex_hull(polygon);
+  if (hull.size() < 3) return 0;
+  const auto corner = [&hull](std::size_t i) { return hull[i % hull.size()]; };
+  double width = 1e300;
+  for (std::size_t i = 0, far = 1; i < hull.size(); ++i) {
+    const Vec2 e = corner(i + 1) - hull[i];
+    const auto height = [&](std::size_t k) { return geom::cross(e, corner(k) - hull[i]); };
+    while (height(far + 1) > height(far)) ++far;
+    width = std::min(width, height(far) / std::sqrt(geom::dot(e, e)));
   }
   return width;
 }
@@ -70,7 +90,7 @@ void add_solid(Solids& solids, std::span<const Vec2> points_B, double z_min, dou
   solids.z_max_M.push_back(z_max + desc.X_MB.z);
   solids.center_M.push_back(center);
   solids.radius.push_back(std::sqrt(radius_squared));
-  solids.width.push_back(tree == kNone ? 0 : width_of(polygon));  // quadratic, and only what moves needs it
+  solids.width.push_back(tree == kNone ? 0 : width_of(polygon));  // only what moves needs it
   solids.convex.push_back(is_convex(polygon));
   solids.obstacle.push_back(desc.obstacle_return);
   solids.ranger_return.push_back(desc.ranger_return);

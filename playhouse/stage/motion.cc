@@ -48,11 +48,11 @@ Motion::Motion(const Trees& trees, const Solids& solids, const world::Models& mo
   Sweep sweep;
   for (std::size_t tree = 0; tree < trees.size(); ++tree) {
     const std::uint32_t begin = trees.first_model[tree], end = trees.first_model[tree + 1];
-    for (std::uint32_t i = begin; i < end; ++i) {
-      std::uint32_t parent = begin;
-      while (i > begin && trees.models[parent] != models.parent[trees.models[i]]) ++parent;
-      parent_.push_back(parent - begin);
-    }
+    const std::span<const std::uint32_t> rows(trees.models.data() + begin, end - begin);  // ascending
+    parent_.push_back(0);
+    for (const std::uint32_t row : rows.subspan(1))
+      parent_.push_back(
+          static_cast<std::uint32_t>(std::ranges::lower_bound(rows, models.parent[row]) - rows.begin()));
     const std::uint32_t first = trees.first_solid[tree], last = trees.first_solid[tree + 1];
     sweep.X_PM.resize(std::max<std::size_t>(sweep.X_PM.size(), end - begin));
     sweep.center.resize(std::max<std::size_t>(sweep.center.size(), last - first));

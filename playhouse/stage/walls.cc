@@ -20,14 +20,9 @@ double cell_for(double total_length, std::size_t edges) {
 }
 
 /// Enough that far apart places seldom share a cell: the whole extent where that is affordable.
-std::size_t cells_for(const std::vector<Walls::Edge>& edges, double total_length, double cell) {
-  geom::Box box;
-  for (const Walls::Edge& edge : edges) {
-    box.add(edge.a);
-    box.add(edge.b);
-  }
+std::size_t cells_for(const geom::Box& box, std::size_t edges, double total_length, double cell) {
   const double across = std::max(box.x_max - box.x_min, box.y_max - box.y_min) / cell + 2;
-  const double listings = static_cast<double>(edges.size()) + total_length / cell;
+  const double listings = static_cast<double>(edges) + total_length / cell;
   return static_cast<std::size_t>(std::min(across * across, std::clamp(16 * listings, 65536.0, 4194304.0)));
 }
 
@@ -69,7 +64,12 @@ Walls::Walls(const Solids& solids) {
   if (all.empty()) return;
 
   const double cell = cell_for(total_length, all.size());
-  torus_ = Torus(cell, cells_for(all, total_length, cell));
+  for (const Edge& edge : all) {
+    bounds_.add(edge.a);
+    bounds_.add(edge.b);
+  }
+  torus_ = Torus(cell, cells_for(bounds_, all.size(), total_length, cell));
+  bounds_ = bounds_.grown(cell);
   list(all, solids);
   measure_clearance();
   if (all.size() <= kFew) few_ = all;

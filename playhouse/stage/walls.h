@@ -105,6 +105,7 @@ class Walls {
   void measure_clearance();
 
   Torus torus_;
+  geom::Box bounds_;  // of all edges, and a cell beyond
   std::size_t edge_count_ = 0;
   std::vector<std::uint32_t> first_;     // (cells + 1)
   std::vector<Group> groups_;            // by cell
@@ -117,10 +118,12 @@ void Walls::along(Vec2 p, Vec2 d, const double* reach, const Visit& visit) const
   if (edge_count_ == 0) return;
   const double cell = torus_.cell();
   const double per_x = d.x == 0 ? 0 : 1 / d.x, per_y = d.y == 0 ? 0 : 1 / d.y;
-  std::int64_t cx = torus_.along(p.x), cy = torus_.along(p.y);
+  // On the torus a ray would go round for ever: it is followed in the bounds of the edges only.
+  const auto [entry, exit] = bounds_.along(p, d);
+  double t = std::max(0.0, entry);
+  std::int64_t cx = torus_.along(p.x + t * d.x), cy = torus_.along(p.y + t * d.y);
   const unsigned towards = quadrant(d);
-  double t = 0;
-  while (t <= *reach) {
+  while (t <= std::min(*reach, exit)) {
     const std::size_t index = torus_.index(cx, cy);
     std::int64_t hop = clearance(towards, index);
     if (hop == 0) {
