@@ -42,7 +42,7 @@ foreach(name IN LISTS names)
     bytes_of(${symbol}_gz ${PAGE}/${name}.gz)
     set(gzip "bytes(${symbol}_gz, ${symbol}_gz_end)")
   endif()
-  string(APPEND entries "      {\"/${name}\", \"${type}\", \"\\\"${hash}\\\"\",\n"
+  string(APPEND entries "      {\"/${name}\", \"${type}\", \"W/\\\"${hash}\\\"\",\n"
                         "       bytes(${symbol}, ${symbol}_end), ${gzip}},\n")
   math(EXPR count "${count} + 1")
 endforeach()

@@ -122,6 +122,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     response_->set(http::field::cache_control, sv(reply_.cache_control));
     response_->set("Content-Security-Policy", sv(reply_.content_security_policy));
     for (const auto& [name, value] : kFixedFields) response_->set(name, value);
+    if (reply_.varies) response_->set(http::field::vary, "Accept-Encoding");
     if (!reply_.etag.empty()) response_->set(http::field::etag, sv(reply_.etag));
     if (!reply_.content_encoding.empty())
       response_->set(http::field::content_encoding, sv(reply_.content_encoding));

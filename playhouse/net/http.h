@@ -29,6 +29,7 @@ struct HttpReply {
   std::string_view content_encoding;  // e.g. "gzip"; empty: none
   std::string_view etag;              // quoted; empty: none
   std::string_view cache_control = "no-cache";
+  bool varies = false;  // with what encodings the client accepts
   /// What a page may load and who may show it in a frame; a text that is no page may nothing.
   std::string_view content_security_policy = "default-src 'none'; frame-ancestors 'none'";
   std::shared_ptr<const std::string> text;  // the body, or

@@ -37,6 +37,18 @@ bool is_authority(std::string_view text) {
   return named && port.size() <= 5 && all_in(port, "0123456789");
 }
 
+/// "br, gzip;q=0.5"; a weight of zero is a refusal (RFC 9110 12.4.2).
+bool accepts_gzip(boost::beast::string_view encodings) {
+  for (const auto& [name, parameters] : http::ext_list(encodings)) {
+    if (!boost::beast::iequals(name, "gzip")) continue;
+    for (const auto& [parameter, weight] : parameters)
+      if (boost::beast::iequals(parameter, "q"))
+        return text_of(weight).find_first_of("123456789") < weight.size();
+    return true;
+  }
+  return false;
+}
+
 bool is_http(std::string_view target) {
   return boost::beast::iequals({target.data(), std::min(target.size(), kScheme.size())},
                                {kScheme.data(), kScheme.size()});
@@ -80,7 +92,7 @@ std::variant<HttpRequest, HttpRefusal> read_request(const Message& message, cons
   request.path = target.substr(0, target.find('?'));
   request.origin = text_of(message[http::field::origin]);
   request.if_none_match = text_of(message[http::field::if_none_match]);
-  request.accepts_gzip = http::token_list(message[http::field::accept_encoding]).exists("gzip");
+  request.accepts_gzip = accepts_gzip(message[http::field::accept_encoding]);
   request.peer = peer;
   return request;
 }

@@ -136,7 +136,7 @@ class Server::Impl {
   void end();
   Client* longest_unfinished();
   void make_output_room();
-  Client* largest_holder();
+  std::vector<Client*> largest_holders() const;
   void remove_silent(Client& client);
 
   net::Network& network_;
@@ -326,6 +326,7 @@ void Server::Impl::wake() {
   network_.post([this, alive = std::weak_ptr<int>(alive_)] {
     if (alive.expired()) return;
     deliver_outbox();
+    make_output_room();  // data for clients that do not ask for them have no turn
     schedule();
   });
 }
@@ -427,24 +428,33 @@ void Server::Impl::end() {
 
 // Data gives way before a client does.
 void Server::Impl::make_output_room() {
-  while (*board_.frame_bytes > options_.output_bytes) {
-    Client* largest = largest_holder();
-    if (!largest || largest->held_bytes() == 0) return;  // the system is about to let go of the rest
-    if (largest->session().drop_data()) continue;
+  const auto is_full = [this] { return *board_.frame_bytes > options_.output_bytes; };
+  if (!is_full()) return;
+  for (Client* client : largest_holders()) {
+    if (!is_full()) return;
+    client->session().drop_data();  // what others wait for as well is not freed yet
+  }
+  for (Client* client : largest_holders()) {
+    if (!is_full()) return;
     log::warn(
         "{}: closed: what all clients have not read takes {} bytes, over the limit of {}, and most of it is "
         "its own",
-        largest->session().peer(), *board_.frame_bytes, options_.output_bytes);
+        client->session().peer(), *board_.frame_bytes, options_.output_bytes);
     ++broken_;
-    remove(largest->serial());
+    remove(client->serial());
   }
 }
 
-Server::Impl::Client* Server::Impl::largest_holder() {
-  const auto found = std::max_element(clients_.begin(), clients_.end(), [](const auto& a, const auto& b) {
-    return a.second->held_bytes() < b.second->held_bytes();
-  });
-  return found == clients_.end() ? nullptr : found->second.get();
+// Those that hold anything, the largest first.
+std::vector<Server::Impl::Client*> Server::Impl::largest_holders() const {
+  std::vector<std::pair<std::size_t, Client*>> holders;
+  for (const auto& [serial, client] : clients_)
+    if (const std::size_t held = client->held_bytes(); held > 0) holders.emplace_back(held, client.get());
+  std::ranges::stable_sort(holders, std::greater(), [](const auto& holder) { return holder.first; });
+  std::vector<Client*> result;
+  result.reserve(holders.size());
+  for (const auto& [held, client] : holders) result.push_back(client);
+  return result;
 }
 
 ServerStatus Server::Impl::status() const {

@@ -882,6 +882,21 @@ TEST_F(Unread, answers_of_all_clients_have_a_limit_and_the_largest_holder_goes) 
   EXPECT_LE(small.status().output_bytes, 100000u) << "nothing is kept for who is gone";
 }
 
+TEST_F(Unread, data_that_nobody_asks_for_count_although_nobody_speaks) {
+  std::vector<std::unique_ptr<TestClient>> readers;
+  for (std::uint16_t i = 0; i < 8; ++i) {
+    readers.push_back(std::make_unique<TestClient>(network, 7000));
+    readers.back()->ask(mode_request(wire::player::kDatamodePull));
+    readers.back()->ask(open_request(kWheels, i));
+  }
+  for (int time = 0; time < 30; ++time) {
+    for (std::size_t i = 0; i < readers.size(); ++i) small.publish({{ids[i], 1, 1.0 * time, Bytes(65536)}});
+    network.run();
+    EXPECT_LE(small.status().output_bytes, kLimit + kSlack);
+  }
+  EXPECT_EQ(small.status().sessions, readers.size());
+}
+
 TEST_F(Unread, data_gives_way_before_a_client_does) {
   std::vector<std::unique_ptr<TestClient>> readers;
   for (std::uint16_t i = 0; i < 8; ++i) {

@@ -283,11 +283,10 @@ void Session::deliver(const Frame& frame) {
   count_dropped(queue_.dropped() - dropped);
 }
 
-bool Session::drop_data() {
+void Session::drop_data() {
   const std::uint64_t dropped = queue_.dropped();
   queue_.drop_data();
   count_dropped(queue_.dropped() - dropped);
-  return queue_.dropped() > dropped;
 }
 
 void Session::count_dropped(std::uint64_t messages) {

@@ -10,7 +10,7 @@ namespace playhouse::web_server {
 struct PageFile {
   std::string_view path;  // "/index.html"
   std::string_view content_type;
-  std::string_view etag;  // quoted
+  std::string_view etag;  // quoted, and weak: of the file, compressed or not
   std::string_view bytes;
   std::string_view gzip;  // the same, compressed; empty when that saves nothing
 };

@@ -127,6 +127,7 @@ class WebServer::Impl final : public net::HttpService,
   void close() {
     listener_.reset();
     offer_timer_.reset();
+    subscription_timer_.reset();
     viewers_.clear();
   }
 
@@ -181,6 +182,7 @@ class WebServer::Impl final : public net::HttpService,
     reply.content_type = file->content_type;
     reply.content_security_policy = kPagePolicy;
     reply.etag = file->etag;
+    reply.varies = !file->gzip.empty();
     reply.content_encoding = gzip ? "gzip" : "";
     reply.constant = gzip ? file->gzip : file->bytes;
     // The build puts a hash of the contents into the names under /assets/.
@@ -340,7 +342,7 @@ class WebServer::Impl final : public net::HttpService,
   }
 
   /// A selected robot's sensors measure while somebody looks at them. What the tick's queue has no room for
-  /// is tried again with the next frame.
+  /// is tried again.
   void reconcile_subscriptions() {
     for (const std::uint32_t robot : selected_) {
       if (!subscribed_.contains(robot) && post_for_sensors(robot, world::subscribe))
@@ -349,6 +351,9 @@ class WebServer::Impl final : public net::HttpService,
     std::erase_if(subscribed_, [this](std::uint32_t robot) {
       return !selected_.contains(robot) && post_for_sensors(robot, world::unsubscribe);
     });
+    if (subscribed_ == selected_) return;
+    subscription_timer_ = loop_.after(std::chrono::duration<double>(kFramePeriod).count(),
+                                      [this] { reconcile_subscriptions(); });
   }
 
   bool post_for_sensors(std::uint32_t robot, void (*change)(world::World&, world::ModelRow)) {
@@ -369,7 +374,7 @@ class WebServer::Impl final : public net::HttpService,
   std::unique_ptr<net::Listener> listener_;
   std::vector<std::unique_ptr<WebViewer>> viewers_;
   std::set<std::uint32_t> selected_, subscribed_;  // top-level rows: wanted, and asked of the world
-  std::unique_ptr<net::Timer> offer_timer_;
+  std::unique_ptr<net::Timer> offer_timer_, subscription_timer_;
   DrivenRobots driven_;
   replicate::Snapshot front_;
   WebStatus status_;

@@ -172,6 +172,9 @@ TEST_F(WebServerTest, serves_the_compressed_form_to_who_takes_it) {
   EXPECT_TRUE(answer.ends_with("squeezed"));
   EXPECT_NE(answer.find("Content-Encoding: gzip"), std::string::npos);
   EXPECT_NE(answer.find("immutable"), std::string::npos);
+  EXPECT_THAT(answer, HasSubstr("Vary: Accept-Encoding\r\n"));
+  EXPECT_TRUE(get("/assets/main-1.js", "Accept-Encoding: gzip;q=0.5\r\n").ends_with("squeezed"));
+  EXPECT_TRUE(get("/assets/main-1.js", "Accept-Encoding: gzip;q=0, br\r\n").ends_with("let x = 1"));
 }
 
 TEST_F(WebServerTest, what_is_not_in_the_page_is_not_there) {

@@ -24,6 +24,9 @@ Clock::time_point wall_time(double seconds) {
 /// While paused, the world is shown again this often. [s]
 constexpr double kPausedShow = 0.1;
 
+/// Single steps that may wait; those asked for beyond are not taken.
+constexpr int kSteps = 1000;
+
 /// A clock cannot wait for ever: at a tiny speed the next tick is due after the end of its numbers. [s]
 constexpr double kLongestWait = 3600;
 
@@ -119,7 +122,8 @@ void Simulation::take_wanted() {
     const std::lock_guard lock(mutex_);
     const int steps = now_.steps + std::exchange(wanted_.steps, 0);
     now_ = wanted_;
-    now_.steps = steps;
+    now_.steps =
+        now_.paused ? std::min(steps, kSteps) : 0;  // a world that runs takes them without being asked
     wanted_.pace_changed = false;
   }
   if (!now_.pace_changed) return;
@@ -182,7 +186,7 @@ void Simulation::resume() {
 void Simulation::step_once() {
   want([](Wanted& wanted) {
     wanted.paused = true;
-    wanted.steps = std::min(wanted.steps + 1, 1000);
+    wanted.steps = std::min(wanted.steps + 1, kSteps);
   });
 }
 

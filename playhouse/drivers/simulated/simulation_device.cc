@@ -154,12 +154,19 @@ void SimulationDevice::property(const device::Message& message, device::Replier 
   });
 }
 
-/// Names and devices never change: answered at once.
-void SimulationDevice::list_models(std::uint32_t first, device::Replier replier) const {
+/// Names and devices never change: answered at once, and the pages that clients go through are kept.
+void SimulationDevice::list_models(std::uint32_t first, device::Replier replier) {
+  const auto kept = model_pages_.find(first);
+  if (kept != model_pages_.end() && !kept->second.empty()) return replier.ack(kept->second);
   ModelList list = drivers::list_models(simulation().world(), simulation().directory(), first);
   if (list.text.size() > kLongestList) return;  // NACK: one name alone is as long as a message
-  replier.ack(wire::encode(
-      sim::PropertyReq{wire::c_string(""), wire::c_string("models"), list.next, std::move(list.text)}));
+  Bytes page = wire::encode(
+      sim::PropertyReq{wire::c_string(""), wire::c_string("models"), list.next, std::move(list.text)});
+  if (first == 0 || kept != model_pages_.end()) {
+    model_pages_[first] = page;
+    if (list.next > 0) model_pages_.try_emplace(list.next);
+  }
+  replier.ack(std::move(page));
 }
 
 }  // namespace playhouse::drivers

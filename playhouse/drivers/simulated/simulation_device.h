@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -27,9 +28,12 @@ class SimulationDevice final : public SimulatedDevice {
   void pose_2d(const device::Message& message, device::Replier replier);
   void pose_3d(const device::Message& message, device::Replier replier);
   void property(const device::Message& message, device::Replier replier);
-  void list_models(std::uint32_t first, device::Replier replier) const;
+  void list_models(std::uint32_t first, device::Replier replier);
 
   std::atomic<std::uint64_t> newest_reset_ = 0;  // that was posted; io thread writes
+  /// Answers to list_models() by their first row, those that follow from row 0; empty until asked for. Io
+  /// thread.
+  std::map<std::uint32_t, std::vector<std::byte>> model_pages_;
 
   // Tick thread.
   world::ModelRow find_or_warn(const world::World& world, const std::string& raw_name);

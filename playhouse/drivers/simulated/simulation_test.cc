@@ -117,9 +117,12 @@ TEST(Simulation, a_flood_of_pauses_and_speeds_runs_no_tick_ahead_of_its_time) {
                         {.speed = 1, .clock = [&] { return now.load(); }});
   std::thread ticks([&] { simulation.run(); });
   const auto carry_out = [&] {
-    std::atomic<bool> done = false;
-    simulation.post([&](world::World&) { done = true; });
-    while (!done) std::this_thread::yield();
+    // What is posted may overtake a pause or a resume that was said before, but not twice.
+    for (int time = 0; time < 2; ++time) {
+      std::atomic<bool> done = false;
+      simulation.post([&](world::World&) { done = true; });
+      while (!done) std::this_thread::yield();
+    }
   };
   for (int step = 0; step <= 20; ++step) {
     now = step * 0.0505;
@@ -136,6 +139,26 @@ TEST(Simulation, a_flood_of_pauses_and_speeds_runs_no_tick_ahead_of_its_time) {
   simulation.stop();
   ticks.join();
   EXPECT_EQ(simulation.world().tick(), 11u) << "one at once and then ten in 1.01 s";
+}
+
+TEST(Simulation, single_steps_that_wait_are_forgotten_when_the_world_resumes) {
+  const scene::SceneDesc scene = testing::scene_of(kRobot);
+  Simulation simulation(std::make_unique<StillEngine>(scene), {.speed = 1, .clock = [] { return 0.0; }});
+  simulation.pause();
+  std::thread ticks([&] { simulation.run(); });
+  simulation.post([&](world::World&) {
+    for (int i = 0; i < 60; ++i) simulation.step_once();
+    simulation.resume();
+  });
+  std::atomic<int> looks = 0;
+  while (looks < 10) {
+    const int before = looks;
+    simulation.post([&](world::World&) { ++looks; });
+    while (looks == before) std::this_thread::yield();
+  }
+  simulation.stop();
+  ticks.join();
+  EXPECT_LE(simulation.world().tick(), 1u) << "the first is due at once";
 }
 
 TEST(Simulation, what_still_waits_at_the_end_is_refused) {
