@@ -155,7 +155,7 @@ void add_running(CLI::App& app, Raw& raw, Running& running) {
   app.add_option("--speed", running.speed, "times real time; 0: as fast as possible (the file's speedup)")
       ->check(check_not_negative)
       ->excludes(fast);
-  app.add_option("--duration", running.duration, "simulated seconds, then end (the file's quit_time)")
+  app.add_option("--duration", running.duration, "simulated seconds, then end (run: the file's quit_time)")
       ->check(check_not_negative);
   app.add_option("--seed", running.seed, "seed of all random numbers")
       ->check(check_count<std::uint64_t>)
