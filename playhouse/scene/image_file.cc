@@ -270,6 +270,7 @@ Result<FirstChannel> read_bmp(std::string_view bytes, std::size_t most_pixels) {
   const auto pixels_of = [](int side) { return static_cast<std::uint64_t>(std::llabs(side)); };
   if (const auto fits = check_size(pixels_of(width), pixels_of(height), most_pixels); !fits)
     return fits.error();
+  // Before it costs memory. Pixels may still be missing where the head lies about their place.
   if (bmp_bytes(bytes, pixels_of(width), pixels_of(height)) > bytes.size()) return bmp_ends_early();
   BmpReading reading{bytes};
   constexpr stbi_io_callbacks kCallbacks{BmpReading::read, BmpReading::skip, BmpReading::is_at_end};

@@ -447,14 +447,11 @@ void Server::Impl::make_output_room() {
 
 // Those that hold anything, the largest first.
 std::vector<Server::Impl::Client*> Server::Impl::largest_holders() const {
-  std::vector<std::pair<std::size_t, Client*>> holders;
+  std::vector<Client*> holders;
   for (const auto& [serial, client] : clients_)
-    if (const std::size_t held = client->held_bytes(); held > 0) holders.emplace_back(held, client.get());
-  std::ranges::stable_sort(holders, std::greater(), [](const auto& holder) { return holder.first; });
-  std::vector<Client*> result;
-  result.reserve(holders.size());
-  for (const auto& [held, client] : holders) result.push_back(client);
-  return result;
+    if (client->held_bytes() > 0) holders.push_back(client.get());
+  std::ranges::stable_sort(holders, std::greater(), &Client::held_bytes);
+  return holders;
 }
 
 ServerStatus Server::Impl::status() const {

@@ -80,7 +80,7 @@ class Session final : public Reader {
 
   /// Of answers and data that wait; data that others wait for too is counted for each.
   std::size_t output_bytes() const { return queue_.bytes_waiting(); }
-  /// Drops the data that waits, as if the queue were full; false if there is none.
+  /// Drops the data that waits, as if the queue were full.
   void drop_data();
 
   /// Moves what may be sent now to the end of `out`, until it holds about `max_bytes`.

@@ -146,7 +146,6 @@ class WebServer::Impl final : public net::HttpService,
       const std::lock_guard lock(mutex_);
       if (std::exchange(fresh_, false)) std::swap(ready_, front_);
     }
-    reconcile_subscriptions();
     offer();
   }
 
