@@ -39,8 +39,21 @@ class Notes final : public world::Control {
   }
   bool post(std::function<void(world::World&)> change, world::PositionRow = {}) override {
     const std::lock_guard lock(mutex_);
+    if (full_) {
+      ++refused_;
+      return false;
+    }
     changes_.push_back(std::move(change));
     return true;
+  }
+  /// Refuses what is posted from now on, or takes it again.
+  void set_full(bool full) {
+    const std::lock_guard lock(mutex_);
+    full_ = full;
+  }
+  int refused() {
+    const std::lock_guard lock(mutex_);
+    return refused_;
   }
   void carry_out(world::World& world) {
     std::vector<std::function<void(world::World&)>> changes;
@@ -67,6 +80,8 @@ class Notes final : public world::Control {
   std::mutex mutex_;
   std::string all_;
   std::vector<std::function<void(world::World&)>> changes_;
+  bool full_ = false;
+  int refused_ = 0;
 };
 
 using net::WebClient;
@@ -306,6 +321,20 @@ TEST_F(WebServerTest, the_sensors_of_a_selected_robot_measure_until_its_viewer_l
     EXPECT_EQ(small_.world.models.subscribers[SmallWorld::robot(1)], 0u) << "its wheels are not touched";
     EXPECT_EQ(small_.world.models.subscribers[SmallWorld::robot(0) + 1], 0u);
   }
+  EXPECT_TRUE(turn_until([&] { return subscribers() == 0; }));
+}
+
+TEST_F(WebServerTest, a_full_queue_does_not_leave_sensors_on_although_nobody_watches_any_more) {
+  const auto subscribers = [this] { return small_.world.models.subscribers[SmallWorld::robot(1) + 1]; };
+  {
+    WebClient viewer(port_);
+    ASSERT_TRUE(viewer.upgrade());
+    viewer.send_text("{\"do\":\"select\",\"model\":" + std::to_string(SmallWorld::robot(1)) + "}");
+    ASSERT_TRUE(turn_until([&] { return subscribers() == 1; }));
+    notes_.set_full(true);
+  }
+  EXPECT_TRUE(eventually([this] { return notes_.refused() > 0; }));
+  notes_.set_full(false);
   EXPECT_TRUE(turn_until([&] { return subscribers() == 0; }));
 }
 
