@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, afterEach, before, test } from 'node:test';
 import { join } from 'node:path';
-import { results, startBrowser, startProgram, watch } from './program.mjs';
+import { chooseRobot, results, startBrowser, startProgram, watch } from './program.mjs';
 
 let program;
 let browser;
@@ -11,12 +11,8 @@ let viewer;
 let page;
 
 const pose = (name, on = page) => on.evaluate((robot) => window.playhouse.pose(robot), name);
+const choose = (name, on = page) => chooseRobot(on, name);
 const driven = (on = page) => on.evaluate(() => window.playhouse.driven);
-
-async function choose(name, on = page) {
-  await on.locator(`#robots [data-robot=${name}]`).click();
-  await on.waitForFunction((robot) => document.querySelector('#panel').dataset.robot === robot, name);
-}
 
 /** Until the robot's velocities are what the test wants, as the panel tells them. */
 function moves(what, on = page) {

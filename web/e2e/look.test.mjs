@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { join } from 'node:path';
-import { results, startBrowser, startProgram, watch } from './program.mjs';
+import { chooseRobot, results, startBrowser, startProgram, watch } from './program.mjs';
 
 let program;
 let browser;
@@ -13,12 +13,8 @@ let page;
 const pixel = (name, on = page) => on.evaluate((robot) => window.playhouse.pixel(robot), name);
 const pixelAt = (x, y, on = page) => on.evaluate((p) => window.playhouse.pixelAt(...p), [x, y]);
 const settled = (on = page) => on.waitForFunction(() => !window.playhouse.gliding);
+const choose = (name, on = page) => chooseRobot(on, name);
 const labels = () => page.evaluate(() => window.playhouse.labels);
-
-async function choose(name, on = page) {
-  await on.locator(`#robots [data-robot=${name}]`).click();
-  await on.waitForFunction((robot) => document.querySelector('#panel').dataset.robot === robot, name);
-}
 
 async function fit() {
   await page.keyboard.press('Escape');

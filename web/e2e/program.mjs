@@ -65,3 +65,9 @@ export async function watch(browser, url, options = {}) {
   await page.waitForFunction(() => window.playhouse?.tick > 0);
   return { page, errors };
 }
+
+/** Selects a robot in the list of a page. */
+export async function chooseRobot(page, name) {
+  await page.locator(`#robots [data-robot=${name}]`).click();
+  await page.waitForFunction((robot) => document.querySelector('#panel').dataset.robot === robot, name);
+}
