@@ -18,32 +18,31 @@ constexpr std::uint64_t mix64(std::uint64_t x) {
 
 /// What numbers are drawn for. Whoever draws for something new adds it here, so that no two draw the same.
 enum class Purpose : std::uint64_t {
-  kStartSpot = 0,      // row: robot of a scenario; this and the next two with seed 2026 at tick 0
-  kStartOrder = 1,     // row: place in the order
-  kStartHeading = 2,   // row: robot of a scenario
-  kController = 3,     // row: model; part: which of its controllers
-  kBeamBearing = 4,    // row: sensor; part: beam of the sensor
-  kRangeNoise = 5,     // row: sensor
-  kOdometryError = 6,  // row: model; at tick 0
-  kColor = 7,          // row: model; with seed 0 at tick 0
+  kStartSpot = 0,      // entity: robot of a scenario; this and the next two with seed 2026 at tick 0
+  kStartOrder = 1,     // entity: place in the order
+  kStartHeading = 2,   // entity: robot of a scenario
+  kController = 3,     // entity: id of a model; part: which of its controllers
+  kBeamBearing = 4,    // entity: id of a ranger; part: which of its sensors; detail: beam of the sensor
+  kRangeNoise = 5,     // entity: id of a ranger; part: which of its sensors
+  kOdometryError = 6,  // entity: id of a model; at tick 0
+  kColor = 7,          // entity: model; with seed 0 at tick 0
   kSequence = 8,       // Rng(seed): numbers that belong to no run
-  kTestScene = 9,      // row: robot
+  kTestScene = 9,      // entity: robot
   kCount
 };
 
-/// A sequence of numbers of its own in every tick of a run: what for, and for which row (and part of it).
+/// A sequence of numbers of its own in every tick of a run: what for, and for whom (and which part of it).
+/// Models are named by id, which no other model that comes or goes changes.
 struct Stream {
   Purpose purpose;
-  std::uint32_t row = 0, part = 0;
-
-  constexpr std::uint64_t entity() const { return std::uint64_t{part} << 32 | row; }
+  std::uint32_t entity = 0, part = 0, detail = 0;
 };
 
 class Rng {
  public:
   constexpr Rng(std::uint64_t seed, std::uint64_t tick, Stream stream)
-      : state_(mix64(mix64(mix64(mix64(seed) ^ tick) ^ stream.entity()) ^
-                     static_cast<std::uint64_t>(stream.purpose))) {}
+      : state_(mix64(mix64(mix64(mix64(seed) ^ tick) ^ (std::uint64_t{stream.part} << 32 | stream.entity)) ^
+                     (std::uint64_t{stream.detail} << 32 | static_cast<std::uint64_t>(stream.purpose)))) {}
   constexpr explicit Rng(std::uint64_t seed) : Rng(seed, 0, {Purpose::kSequence}) {}
 
   constexpr std::uint64_t bits() { return state_ = mix64(state_); }

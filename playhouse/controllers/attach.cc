@@ -32,8 +32,8 @@ bool is_stage_demo(std::string_view name) {
 
 std::unique_ptr<Batch> make_built_in(std::string_view name) {
   if (name == "wander") return std::make_unique<Wander>();
-  if (name == "expand_swarm") return std::make_unique<Expand>(kExpandSwarm);
-  if (name == "expand_pioneer") return std::make_unique<Expand>(kExpandPioneer);
+  if (name == "expand_swarm") return std::make_unique<Expand>("expand_swarm", kExpandSwarm);
+  if (name == "expand_pioneer") return std::make_unique<Expand>("expand_pioneer", kExpandPioneer);
   if (name == "source") return std::make_unique<Source>();
   if (name == "sink") return std::make_unique<Sink>();
   return nullptr;
@@ -62,13 +62,6 @@ Error unknown(const std::string& where, const std::string& name,
     places += (places.empty() ? "" : ", ") + escaped(folder.string());
   return {where, "no controller " + in_quotes(name) + ": it is not built in, and " +
                      in_quotes(library_file(name)) + " is not in " + places};
-}
-
-std::vector<std::string> split(const std::string& line) {
-  std::istringstream stream(line);
-  std::vector<std::string> words;
-  for (std::string word; stream >> word;) words.push_back(std::move(word));
-  return words;
 }
 
 void add_folders(const char* variable, std::vector<std::filesystem::path>& folders) {
@@ -158,7 +151,7 @@ Result<std::unique_ptr<Batch>> Batches::load(const std::string& name, const std:
   }
   log::info("controller {}: loads {}", in_quotes(name), path);
   Result<Library> library = Library::open(file);
-  if (library) return std::unique_ptr<Batch>(std::make_unique<Loaded>(std::move(*library)));
+  if (library) return std::unique_ptr<Batch>(std::make_unique<Loaded>(name, std::move(*library)));
   // STAGEPATH leads to Stage's own builds of its demonstrations: no reason to refuse the world.
   if (!is_stage_demo(name))
     return Error{where, "controller " + in_quotes(name) + ": " + library.error().line()};
@@ -172,7 +165,7 @@ Result<void> Batches::add(const Post& post, const std::string& where) {
   if (!*found) return {};
   if (const Result<void> added = (*found)->add(world_, post); !added) {
     return Error{where, "controller " + in_quotes(post.name) + " of " +
-                            in_quotes(world_.desc(post.model).name) + ": " + added.error().line()};
+                            in_quotes(world_.name(world_.row(post.model))) + ": " + added.error().line()};
   }
   return {};
 }
@@ -193,21 +186,13 @@ std::vector<std::filesystem::path> library_folders(const scene::SceneDesc& scene
 Result<std::vector<std::string>> attach(world::World& world, const Libraries& libraries) {
   Batches batches(world, libraries);
   for (std::uint32_t row = 0; row < world.models.size(); ++row) {
-    const scene::ModelDesc& desc = world.desc({row});
-    // Robots of one batch may be decided for at the same time, so each is in it once.
-    std::set<std::string> names;
-    for (std::uint32_t order = 0; order < desc.ctrl.size(); ++order) {
-      std::vector<std::string> words = split(desc.ctrl[order]);
-      if (words.empty()) continue;
-      if (!names.insert(words[0]).second) {
-        batches.warn(world.scene().at(desc.where) + ": " + in_quotes(desc.name) + " names controller " +
-                     in_quotes(words[0]) + " twice; the second is left out");
-        continue;
-      }
-      Post post{{row}, words[0], {words.begin() + 1, words.end()}, order};
-      if (const Result<void> added = batches.add(post, world.scene().at(desc.where)); !added)
-        return added.error();
-    }
+    const std::string where = world.scene().at(world.desc({row}).where);
+    std::vector<std::string> repeated;
+    for (const Post& post : posts_of(world, {row}, &repeated))
+      if (const Result<void> added = batches.add(post, where); !added) return added.error();
+    for (const std::string& name : repeated)
+      batches.warn(where + ": " + in_quotes(world.name({row})) + " names controller " + in_quotes(name) +
+                   " twice; the second is left out");
   }
   return batches.take_warnings();
 }

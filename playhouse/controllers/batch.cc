@@ -1,10 +1,26 @@
 #include "playhouse/controllers/batch.h"
 
+#include <algorithm>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "playhouse/base/in_quotes.h"
+#include "playhouse/base/log.h"
+
 namespace playhouse::controllers {
 namespace {
 
+using world::ModelId;
 using world::ModelRow;
 using world::World;
+
+std::vector<std::string> split(const std::string& line) {
+  std::istringstream in(line);
+  std::vector<std::string> words;
+  for (std::string word; in >> word;) words.push_back(std::move(word));
+  return words;
+}
 
 /// Appends the rows in their own table of all models of one kind in the tree of `model`.
 template <typename PartRow>
@@ -23,6 +39,109 @@ double heading_in(const World& world, ModelRow robot, ModelRow ranger) {
 }
 
 }  // namespace
+
+std::vector<Post> posts_of(const World& world, ModelRow model, std::vector<std::string>* repeated) {
+  const std::vector<std::string>& lines = world.desc(model).ctrl;
+  std::vector<Post> posts;
+  for (std::uint32_t order = 0; order < lines.size(); ++order) {
+    const std::vector<std::string> words = split(lines[order]);
+    if (words.empty()) continue;
+    // Robots of one batch may be decided for at the same time, so each is in it once.
+    if (std::ranges::find(posts, words[0], &Post::name) != posts.end()) {
+      if (repeated) repeated->push_back(words[0]);
+      continue;
+    }
+    posts.push_back({world.id(model), words[0], {words.begin() + 1, words.end()}, order});
+  }
+  return posts;
+}
+
+Result<void> Batch::add(World& world, const Post& post) {
+  next_change_ = world.changes.end();
+  const Result<void> joined = join(world, post);
+  if (joined) ids_.push_back(post.model);
+  return joined;
+}
+
+void Batch::follow(World& world) {
+  using Kind = world::Change::Kind;
+  bool population = false, reload = false;
+  const std::uint64_t first = next_change_;
+  next_change_ = world.changes.end();
+  for (const world::Change& change : world.changes.since(first)) {
+    reload |= change.kind == Kind::kReload;
+    population |= change.kind != Kind::kPlace && change.kind != Kind::kSet;
+  }
+  if (!population) return;
+  for (std::size_t i = ids_.size(); i-- > 0;) {
+    if (world.row(ids_[i])) {
+      resolve(world, i);
+    } else {
+      leave(i);
+      ids_.erase(ids_.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+  }
+  // Who came is known by being in the world and not here; only ids above all that were there can be new,
+  // unless the world is another.
+  std::set<ModelId> known;
+  if (reload) known.insert(ids_.begin(), ids_.end());
+  const auto take = [&](ModelId id) {
+    const ModelRow model = world.row(id);
+    if (!model || world.desc(model).ctrl.empty() || known.contains(id)) return;
+    for (const Post& post : posts_of(world, model))
+      if (post.name == name_) join_late(world, post);
+  };
+  if (reload) {
+    for (std::uint32_t row = 0; row < world.models.size(); ++row) take(world.models.id[row]);
+    return;
+  }
+  const std::vector<world::Change> changes(world.changes.since(first).begin(), world.changes.since(first).end());
+  for (const world::Change& change : changes)
+    for (std::uint32_t i = 0; change.kind == Kind::kSpawn && i < change.count; ++i) take({change.model.value + i});
+}
+
+void Batch::join_late(World& world, const Post& post) {
+  const Result<void> joined = join(world, post);
+  if (joined) {
+    ids_.push_back(post.model);
+    return;
+  }
+  log::error("controller {} of {}: {}", in_quotes(name_), in_quotes(world.name(world.row(post.model))),
+             joined.error().line());
+}
+
+void Batch::hash(Hash& hash) const {
+  std::uint64_t sum = 0;
+  for (std::size_t i = 0; i < ids_.size(); ++i) {
+    Hash one;
+    one.add(std::uint64_t{ids_[i].value});
+    hash_of(i, one);
+    sum += one.value();
+  }
+  hash.add(sum);
+}
+
+Result<void> Batch::save(Packer& out) const {
+  out.varint(ids_.size());
+  for (std::size_t i = 0; i < ids_.size(); ++i) {
+    out.u32(ids_[i].value);
+    if (const Result<void> saved = save_of(i, out); !saved) return saved;
+  }
+  return {};
+}
+
+bool Batch::load(World&, Unpacker& in) {
+  std::map<ModelId, std::size_t> places;
+  for (std::size_t i = 0; i < ids_.size(); ++i) places[ids_[i]] = i;
+  if (in.varint() != ids_.size()) return false;
+  for (std::size_t n = 0; n < ids_.size(); ++n) {
+    const auto place = places.find({in.u32()});
+    if (!in.ok() || place == places.end()) return false;
+    if (!load_of(place->second, in)) return false;
+    places.erase(place);
+  }
+  return true;
+}
 
 world::PositionRow position_of(const World& world, ModelRow model) {
   if (world.models.kind[model.index] != scene::ModelKind::kPosition) return {};

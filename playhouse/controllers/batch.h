@@ -1,10 +1,15 @@
 #pragma once
 
 /// Batch: all robots that run one kind of controller, and what every batch needs to find its robots' parts.
-/// Filled by attach() before the first tick. Thread: as world::Decider.
+/// attach() makes batches and fills them; robots that come later join, those that go leave (follow()).
+/// Thread: as world::Decider.
 
+#include <cmath>
 #include <string>
 #include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "playhouse/base/result.h"
@@ -14,18 +19,118 @@ namespace playhouse::controllers {
 
 /// One `ctrl` line: who is to run what.
 struct Post {
-  world::ModelRow model;
+  world::ModelId model;
   std::string name;  // of the controller
   std::vector<std::string> arguments;
   std::uint32_t order = 0;  // 0 for the model's first ctrl, 1 for its second, ...
 };
 
+/// What a model's `ctrl` lines say, each name once. `repeated`, if any, gets names given twice.
+std::vector<Post> posts_of(const world::World& world, world::ModelRow model,
+                           std::vector<std::string>* repeated = nullptr);
+
 class Batch : public world::Decider {
  public:
+  explicit Batch(std::string name) : name_(std::move(name)) {}
+
+  std::string_view name() const final { return name_; }
+  std::size_t size() const final { return ids_.size(); }
+  void follow(world::World& world) final;
+  void hash(Hash& hash) const final;
+  Result<void> save(Packer& out) const final;
+  bool load(world::World& world, Unpacker& in) final;
+
   /// Takes the model and subscribes what the controller uses. Fails (without "file:line") when the model
   /// lacks it.
-  virtual Result<void> add(world::World& world, const Post& post) = 0;
+  Result<void> add(world::World& world, const Post& post);
+
+ protected:
+  /// Robot i of the batch. [ids, ascending but for those that joined late]
+  world::ModelId id(std::size_t i) const { return ids_[i]; }
+
+  /// One more robot, at the end of every column, with columns that follow from rows filled in as well.
+  virtual Result<void> join(world::World& world, const Post& post) = 0;
+  /// Robot i is gone: erases it from every column.
+  virtual void leave(std::size_t i) = 0;
+  /// Rows moved: finds those of robot i again. It and all its parts are there.
+  virtual void resolve(const world::World& world, std::size_t i) = 0;
+  /// What robot i remembers.
+  virtual void hash_of(std::size_t i, Hash& hash) const = 0;
+  virtual Result<void> save_of(std::size_t i, Packer& out) const = 0;
+  virtual bool load_of(std::size_t i, Unpacker& in) = 0;
+
+ private:
+  /// A robot that came while the world runs: a failure is logged, and it stays without this controller.
+  void join_late(world::World& world, const Post& post);
+
+  std::string name_;
+  std::vector<world::ModelId> ids_;
+  std::uint64_t next_change_ = 0;  // of world.changes
 };
+
+/// A batch whose robots remember numbers: Self::memory(self) is a tuple of references to the columns, of
+/// which everything follows that is done with all of them.
+template <typename Self>
+class BatchOf : public Batch {
+ public:
+  using Batch::Batch;
+
+ protected:
+  void hash_of(std::size_t i, Hash& hash) const final {
+    each_column([&](const auto& column) {
+      if constexpr (std::is_floating_point_v<std::remove_cvref_t<decltype(column[i])>>) {
+        hash.add(column[i]);
+      } else {
+        hash.add(static_cast<std::uint64_t>(column[i]));
+      }
+    });
+  }
+  Result<void> save_of(std::size_t i, Packer& out) const final {
+    each_column([&](const auto& column) {
+      if constexpr (std::is_floating_point_v<std::remove_cvref_t<decltype(column[i])>>) {
+        out.f64(column[i]);
+      } else {
+        out.u64(static_cast<std::uint64_t>(column[i]));
+      }
+    });
+    return {};
+  }
+  bool load_of(std::size_t i, Unpacker& in) final {
+    bool good = true;
+    each_column([&](auto& column) {
+      using Number = std::remove_cvref_t<decltype(column[i])>;
+      if constexpr (std::is_floating_point_v<Number>) {
+        column[i] = in.f64();
+        good = good && std::isfinite(column[i]);
+      } else {
+        const std::uint64_t value = in.u64();
+        column[i] = static_cast<Number>(value);
+        good = good && static_cast<std::uint64_t>(column[i]) == value;
+      }
+    });
+    return good && in.ok();
+  }
+  void leave(std::size_t i) final {
+    each_column([i](auto& column) { column.erase(column.begin() + static_cast<std::ptrdiff_t>(i)); });
+    static_cast<Self*>(this)->leave_rest(i);
+  }
+
+ private:
+  template <typename Visit>
+  void each_column(const Visit& visit) const {
+    std::apply([&](const auto&... column) { (visit(column), ...); }, Self::memory(static_cast<const Self&>(*this)));
+  }
+  template <typename Visit>
+  void each_column(const Visit& visit) {
+    std::apply([&](auto&... column) { (visit(column), ...); }, Self::memory(static_cast<Self&>(*this)));
+  }
+};
+
+/// Erases element i of each vector.
+template <typename... Columns>
+void erase_at(std::size_t i, Columns&... columns) {
+  (columns.erase(columns.begin() + static_cast<std::ptrdiff_t>(i)), ...);
+}
 
 /// Row of the model in the positions, or none if it does not drive.
 world::PositionRow position_of(const world::World& world, world::ModelRow model);

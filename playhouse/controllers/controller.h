@@ -2,7 +2,8 @@
 
 /// Controller: what you write to drive a robot from inside the simulation. Build it as a shared library and
 /// name it in a world file, `ctrl "shy 0.3"` for shy.so with the argument "0.3"; docs/controllers.md shows
-/// how. This header is all a controller includes, and changes only together with kControllerVersion. One
+/// how. This header is all a controller includes, and changes only together with kControllerVersion; libraries
+/// built for an older one from kControllerVersionLeast on still load. One
 /// object per robot. Objects of different robots may run at the same time, so share nothing that changes;
 /// take random numbers from Robot::random and time from Robot::time, and a run repeats to the bit. Frames: O
 /// odometry (the world, if the robot localises by "gps"), R robot.
@@ -17,7 +18,8 @@
 
 namespace playhouse::controllers {
 
-inline constexpr std::uint32_t kControllerVersion = 1;
+inline constexpr std::uint32_t kControllerVersion = 2;
+inline constexpr std::uint32_t kControllerVersionLeast = 1;
 
 /// All beams of one ranger: a laser's from right to left, or one per sonar.
 struct Ranger {
@@ -75,6 +77,16 @@ class Controller {
 
   /// Once per tick. An exception ends the controller and stops its robot.
   virtual void decide(Robot& robot) = 0;
+
+  // From version 2 on; called between ticks.
+
+  /// Puts all that decide() remembers from tick to tick into `memory`, as bytes of any form, so that a run can
+  /// be saved and goes on the same; true also if there is nothing to remember. False, as long as this is not
+  /// overridden: a run with this controller cannot be saved, and who asks is told its name.
+  virtual bool save(std::string& memory) const { return static_cast<void>(memory), false; }
+  /// Remembers what save() put there, after start(), maybe in another run of the program. Throw a
+  /// std::exception where it cannot be that.
+  virtual void load(std::string_view memory) { static_cast<void>(memory); }
 };
 
 }  // namespace playhouse::controllers

@@ -64,22 +64,33 @@ std::uint32_t Expand::ring_of(const std::vector<float>& bearings) {
   return at->second;
 }
 
-Result<void> Expand::add(world::World& world, const Post& post) {
-  const world::PositionRow robot = position_of(world, post.model);
-  if (!robot) return Error{{}, "needs a position model"};
-  const world::RangerRow ranger = widest(world, rangers_of(world, post.model));
+Result<void> Expand::join(world::World& world, const Post& post) {
+  const world::ModelRow model = world.row(post.model);
+  if (!position_of(world, model)) return Error{{}, "needs a position model"};
+  const world::RangerRow ranger = widest(world, rangers_of(world, model));
   if (!ranger) return Error{{}, "needs a ranger with at least one sensor"};
-  world::subscribe_controller(world, post.model);
+  world::subscribe_controller(world, model);
   world::subscribe_controller(world, world.rangers.model[ranger.index]);
 
-  const std::vector<float> bearings = bearings_of(world, post.model, ranger);
+  const std::vector<float> bearings = bearings_of(world, model, ranger);
   PLAYHOUSE_ASSERT(bearings.size() == beam_count(world, ranger));
-  robot_.push_back(robot);
-  ranger_.push_back(ranger);
-  first_beam_.push_back(first_beam(world, ranger));
   ring_.push_back(ring_of(bearings));
   seen_.push_back(0);
+  robot_.emplace_back();
+  ranger_.emplace_back();
+  first_beam_.emplace_back();
+  find_rows(world, model, robot_.size() - 1);
   return {};
+}
+
+void Expand::resolve(const world::World& world, std::size_t i) {
+  find_rows(world, world.row(id(i)), i);
+}
+
+void Expand::find_rows(const world::World& world, world::ModelRow model, std::size_t i) {
+  robot_[i] = position_of(world, model);
+  ranger_[i] = widest(world, rangers_of(world, model));
+  first_beam_[i] = first_beam(world, ranger_[i]);
 }
 
 void Expand::decide(world::World& world, std::size_t begin, std::size_t end) {
@@ -94,10 +105,6 @@ void Expand::decide(world::World& world, std::size_t begin, std::size_t end) {
     const bool go = !seen.blocked && std::fabs(bearing) < config_.free_angle;
     drive(world, robot_[i], go ? config_.cruise : 0, config_.gain * bearing);
   }
-}
-
-void Expand::hash(Hash& hash) const {
-  hash.add(std::span<const std::uint64_t>(seen_));
 }
 
 }  // namespace playhouse::controllers

@@ -38,18 +38,21 @@ inline constexpr Clearance kPioneerClearance[] = {  // sonars at 10, 30 and 50 d
 inline constexpr ExpandConfig kExpandSwarm{.cruise = 0.3, .clearance = kSwarmClearance};
 inline constexpr ExpandConfig kExpandPioneer{.cruise = 0.2, .clearance = kPioneerClearance};
 
-class Expand final : public Batch {
+class Expand final : public BatchOf<Expand> {
  public:
-  explicit Expand(const ExpandConfig& config) : config_(config) {}
+  Expand(std::string name, const ExpandConfig& config) : BatchOf(std::move(name)), config_(config) {}
 
-  /// Uses the ranger with the most sensors (the ring), the first of equals.
-  Result<void> add(world::World& world, const Post& post) override;
-
-  std::size_t size() const override { return robot_.size(); }
   void decide(world::World& world, std::size_t begin, std::size_t end) override;
-  void hash(Hash& hash) const override;
 
  private:
+  friend BatchOf<Expand>;
+  static auto memory(auto& self) { return std::tie(self.seen_); }
+  /// Uses the ranger with the most sensors (the ring), the first of equals.
+  Result<void> join(world::World& world, const Post& post) override;
+  void leave_rest(std::size_t i) { erase_at(i, robot_, ranger_, first_beam_, ring_); }
+  void resolve(const world::World& world, std::size_t i) override;
+  void find_rows(const world::World& world, world::ModelRow model, std::size_t i);
+
   /// What follows from the directions of a ring's beams; shared by all robots with the same ring.
   struct Ring {
     std::vector<float> x, y;   // direction of each beam in the robot's frame
@@ -61,12 +64,14 @@ class Expand final : public Batch {
   std::vector<Ring> rings_;
   std::map<std::vector<float>, std::uint32_t> ring_by_bearings_;
 
-  // Fixed, one row per robot.
+  std::vector<std::uint32_t> ring_;
+
+  // Rows of a robot and of its ring.
   std::vector<world::PositionRow> robot_;
   std::vector<world::RangerRow> ranger_;
-  std::vector<std::uint32_t> first_beam_, ring_;
+  std::vector<std::uint32_t> first_beam_;
 
-  // State.
+  // Memory.
   std::vector<std::uint64_t> seen_;  // tick of the last scan acted on
 };
 

@@ -39,21 +39,23 @@ Result<Library> Library::open(const std::filesystem::path& path) {
   const auto version = reinterpret_cast<Version>(dlsym(handle, "playhouse_controller_version"));
   library.make_ = reinterpret_cast<Make>(dlsym(handle, "playhouse_controller_make"));
   if (!version || !library.make_) return Error{escaped(file), why_not_ours(handle)};
-  if (const std::uint32_t found = version(); found != kControllerVersion) {
-    return Error{escaped(file), "is built for controller version " + std::to_string(found) +
-                                    ", this program has " + std::to_string(kControllerVersion) +
-                                    "; build it again"};
+  library.version_ = version();
+  if (library.version_ < kControllerVersionLeast || library.version_ > kControllerVersion) {
+    return Error{escaped(file), "is built for controller version " + std::to_string(library.version_) +
+                                    ", this program takes " + std::to_string(kControllerVersionLeast) + " to " +
+                                    std::to_string(kControllerVersion) + "; build it again"};
   }
   return library;
 }
 
 Library::Library(Library&& other) noexcept
-    : handle_(std::exchange(other.handle_, nullptr)), make_(other.make_), file_(std::move(other.file_)) {}
+    : handle_(std::exchange(other.handle_, nullptr)), make_(other.make_), file_(std::move(other.file_)), version_(other.version_) {}
 
 Library& Library::operator=(Library&& other) noexcept {
   std::swap(handle_, other.handle_);
   std::swap(make_, other.make_);
   std::swap(file_, other.file_);
+  std::swap(version_, other.version_);
   return *this;
 }
 

@@ -23,6 +23,9 @@ class Library {
   Library& operator=(Library&&) noexcept;
   ~Library();
 
+  /// Of controller.h for which it is built.
+  std::uint32_t version() const { return version_; }
+
   /// A new controller. Fails if its constructor throws or gives nothing.
   Result<std::unique_ptr<Controller>> make() const;
 
@@ -33,6 +36,7 @@ class Library {
   void* handle_;
   Make make_;
   std::string file_;
+  std::uint32_t version_ = 0;
 };
 
 /// The file of a controller's library: NAME.so. The name may have the ending already, as in Stage.

@@ -13,7 +13,7 @@ using world::World;
 
 // A library built with another layout of these must not be loaded: raise kControllerVersion with these
 // numbers.
-static_assert(kControllerVersion == 1 && sizeof(Robot) == 272 && sizeof(Ranger) == 56 &&
+static_assert(kControllerVersion == 2 && sizeof(Robot) == 272 && sizeof(Ranger) == 56 &&
               sizeof(Sighting) == 32);
 
 /// Calls `what` and gives the text of what it throws, as one line, or nullptr. It lives as long as `text`.
@@ -32,39 +32,55 @@ const char* thrown_by(std::string& text, const Call& what) {
 
 }  // namespace
 
-Result<void> Loaded::add(World& world, const Post& post) {
+/// Rows of the robot's parts; a ranger that is switched off stays so.
+void Loaded::find_rows(const World& world, Seat& seat) {
+  seat.model = world.row(seat.id);
+  seat.position = position_of(world, seat.model);
+  std::vector<world::RangerRow> rangers = rangers_of(world, seat.model);
+  for (std::size_t k = 0; k < rangers.size() && k < seat.rangers.size(); ++k)
+    if (!seat.rangers[k].used) rangers[k] = {};
+  seat.ranger_rows = std::move(rangers);
+  seat.finders = finders_of(world, seat.model);
+}
+
+void Loaded::resolve(const World& world, std::size_t i) {
+  find_rows(world, *seats_[i]);
+}
+
+Result<void> Loaded::join(World& world, const Post& post) {
   auto made = library_.make();
   if (!made) return made.error();
   auto seat = std::make_unique<Seat>();
   seat->controller = std::move(*made);
-  seat->model = post.model;
-  seat->position = position_of(world, post.model);
+  seat->id = post.model;
   seat->controller_name = post.name;
-  seat->name = world.desc(post.model).name;
   seat->arguments = post.arguments;
-  seat->ranger_rows = rangers_of(world, post.model);
-  seat->finders = finders_of(world, post.model);
-  seat->stream = {Purpose::kController, post.model.index, post.order};
+  seat->stream = {Purpose::kController, post.model.value, post.order};
+  find_rows(world, *seat);
+  seat->name = world.name(seat->model);
   seat->seen.assign(seat->ranger_rows.size(), 0);
   for (const world::RangerRow row : seat->ranger_rows) {
-    const scene::ModelDesc& desc = world.desc(world.rangers.model[row.index]);
-    seat->bearings.push_back(bearings_of(world, post.model, row));
+    const world::ModelRow model = world.rangers.model[row.index];
+    seat->bearings.push_back(bearings_of(world, seat->model, row));
+    seat->ranger_names.push_back(world.name(model));
     Ranger& ranger = seat->rangers.emplace_back();
-    ranger.name = desc.name;
-    for (const scene::RangerSensorDesc& sensor : desc.sensors) {
+    for (const scene::RangerSensorDesc& sensor : world.desc(model).sensors) {
       ranger.range_max = std::max(ranger.range_max, static_cast<float>(sensor.range_max));
     }
   }
-  for (std::size_t k = 0; k < seat->rangers.size(); ++k) seat->rangers[k].bearings = seat->bearings[k];
+  for (std::size_t k = 0; k < seat->rangers.size(); ++k) {
+    seat->rangers[k].bearings = seat->bearings[k];
+    seat->rangers[k].name = seat->ranger_names[k];
+  }
   seat->robot.name = seat->name;
   seat->robot.arguments = seat->arguments;
   seat->robot.rangers = seat->rangers;
-  seat->robot.say = world.models.say[post.model.index];
+  seat->robot.say = world.models.say[seat->model.index];
 
   show(world, *seat);
   std::string text;
   if (const char* why = thrown_by(text, [&] { seat->controller->start(seat->robot); })) return Error{{}, why};
-  world::subscribe_controller(world, post.model);
+  world::subscribe_controller(world, seat->model);
   for (std::size_t k = 0; k < seat->rangers.size(); ++k) {
     if (seat->rangers[k].used) {
       world::subscribe_controller(world, world.rangers.model[seat->ranger_rows[k].index]);
@@ -150,8 +166,46 @@ void Loaded::decide(World& world, std::size_t begin, std::size_t end_row) {
   }
 }
 
-void Loaded::hash(Hash& hash) const {
-  for (const std::unique_ptr<Seat>& seat : seats_) hash.add(std::uint64_t{seat->ended});
+/// False: the controller cannot say what it remembers; `why` is what it throws, if it does.
+bool Loaded::remember(const Seat& seat, std::string& memory, std::string& why) const {
+  constexpr std::uint32_t kSaves = 2;  // the version that brought Controller::save
+  bool saved = false;
+  if (library_.version() >= kSaves) thrown_by(why, [&] { saved = seat.controller->save(memory); });
+  return saved;
+}
+
+void Loaded::hash_of(std::size_t i, Hash& hash) const {
+  hash.add(std::uint64_t{seats_[i]->ended});
+  std::string memory, why;
+  if (!remember(*seats_[i], memory, why)) return;
+  for (const char letter : memory) hash.add(static_cast<std::uint64_t>(static_cast<unsigned char>(letter)));
+}
+
+Result<void> Loaded::save_of(std::size_t i, Packer& out) const {
+  const Seat& seat = *seats_[i];
+  std::string memory, why;
+  if (!remember(seat, memory, why)) {
+    if (why.empty()) why = "it does not override Controller::save (docs/controllers.md)";
+    return Error{{}, "controller " + in_quotes(seat.controller_name) + " of " + in_quotes(seat.name) +
+                         " cannot be saved: " + why};
+  }
+  out.u8(seat.ended);
+  out.varint(seat.seen.size());
+  for (const std::uint64_t tick : seat.seen) out.u64(tick);
+  out.text(seat.robot.say);
+  out.text(memory);
+  return {};
+}
+
+bool Loaded::load_of(std::size_t i, Unpacker& in) {
+  Seat& seat = *seats_[i];
+  seat.ended = in.u8() != 0;
+  if (in.varint() != seat.seen.size()) return false;
+  for (std::uint64_t& tick : seat.seen) tick = in.u64();
+  seat.robot.say = in.text();
+  const std::string memory = in.text();
+  std::string why;
+  return in.ok() && !thrown_by(why, [&] { seat.controller->load(memory); });
 }
 
 }  // namespace playhouse::controllers

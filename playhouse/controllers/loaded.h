@@ -11,27 +11,23 @@ namespace playhouse::controllers {
 
 class Loaded final : public Batch {
  public:
-  explicit Loaded(Library library) : library_(std::move(library)) {}
+  Loaded(std::string name, Library library) : Batch(std::move(name)), library_(std::move(library)) {}
 
-  /// Makes a controller for the model, calls its start(), and subscribes the rangers it keeps in use.
-  Result<void> add(world::World& world, const Post& post) override;
-
-  std::size_t size() const override { return seats_.size(); }
   /// A controller that throws is logged once, its robot stops, and it is not called again.
   void decide(world::World& world, std::size_t begin, std::size_t end) override;
-  /// What a controller keeps to itself can't be hashed; what it orders is.
-  void hash(Hash& hash) const override;
 
  private:
   /// One controller and its robot.
   struct Seat {
     std::unique_ptr<Controller> controller;
+    world::ModelId id;
     world::ModelRow model;
     world::PositionRow position;  // none: it can't drive
     std::string controller_name, name;
     std::vector<std::string> arguments;
     std::vector<world::RangerRow> ranger_rows;  // none: switched off
     std::vector<std::uint64_t> seen;            // tick of the last scan shown, per ranger
+    std::vector<std::string> ranger_names;
     std::vector<std::vector<float>> bearings;
     std::vector<Ranger> rangers;
     std::vector<world::FiducialRow> finders;
@@ -41,6 +37,17 @@ class Loaded final : public Batch {
     bool ended = false;
   };
 
+  /// Makes a controller for the model, calls its start(), and subscribes the rangers it keeps in use.
+  Result<void> join(world::World& world, const Post& post) override;
+  void leave(std::size_t i) override { erase_at(i, seats_); }
+  void resolve(const world::World& world, std::size_t i) override;
+  /// What a controller remembers is part of the hash if it can say it.
+  void hash_of(std::size_t i, Hash& hash) const override;
+  Result<void> save_of(std::size_t i, Packer& out) const override;
+  bool load_of(std::size_t i, Unpacker& in) override;
+
+  bool remember(const Seat& seat, std::string& memory, std::string& why) const;
+  static void find_rows(const world::World& world, Seat& seat);
   static void show(const world::World& world, Seat& seat);
   static void apply_command(world::World& world, Seat& seat);
   static void end(world::World& world, Seat& seat, const char* why);

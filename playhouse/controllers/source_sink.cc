@@ -6,7 +6,7 @@
 
 namespace playhouse::controllers {
 
-Result<void> Source::add(world::World&, const Post& post) {
+Result<void> Source::join(world::World& world, const Post& post) {
   std::int32_t capacity = 1;
   if (!post.arguments.empty()) {
     const std::string& word = post.arguments[0];
@@ -15,7 +15,7 @@ Result<void> Source::add(world::World&, const Post& post) {
       return Error{{}, "wants its capacity as a whole number, not " + in_quotes(word)};
     }
   }
-  model_.push_back(post.model);
+  model_.push_back(world.row(post.model));
   capacity_.push_back(capacity);
   return {};
 }
@@ -27,9 +27,9 @@ void Source::decide(world::World& world, std::size_t begin, std::size_t end) {
   }
 }
 
-Result<void> Sink::add(world::World& world, const Post& post) {
-  model_.push_back(post.model);
-  before_.push_back(world.models.flags[post.model.index]);
+Result<void> Sink::join(world::World& world, const Post& post) {
+  model_.push_back(world.row(post.model));
+  before_.push_back(world.models.flags[model_.back().index]);
   received_.push_back(0);
   return {};
 }
@@ -43,13 +43,6 @@ void Sink::decide(world::World& world, std::size_t begin, std::size_t end) {
       world.models.say[row].assign("received ").append(std::to_string(received_[i]));
     }
     before_[i] = flags;
-  }
-}
-
-void Sink::hash(Hash& hash) const {
-  for (std::size_t i = 0; i < size(); ++i) {
-    hash.add(static_cast<std::uint64_t>(static_cast<std::uint32_t>(before_[i])));
-    hash.add(received_[i]);
   }
 }
 

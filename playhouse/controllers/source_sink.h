@@ -7,31 +7,41 @@
 
 namespace playhouse::controllers {
 
-class Source final : public Batch {
+class Source final : public BatchOf<Source> {
  public:
-  /// Argument: the capacity, 1 if absent; more arguments are ignored, as Stage does.
-  Result<void> add(world::World& world, const Post& post) override;
+  Source() : BatchOf("source") {}
 
-  std::size_t size() const override { return model_.size(); }
   void decide(world::World& world, std::size_t begin, std::size_t end) override;
-  void hash(Hash&) const override {}
 
  private:
+  friend BatchOf<Source>;
+  static auto memory(auto&) { return std::tuple<>(); }
+  /// Argument: the capacity, 1 if absent; more arguments are ignored, as Stage does.
+  Result<void> join(world::World& world, const Post& post) override;
+  void leave_rest(std::size_t i) { erase_at(i, model_, capacity_); }
+  void resolve(const world::World& world, std::size_t i) override { model_[i] = world.row(id(i)); }
+
   std::vector<world::ModelRow> model_;
   std::vector<std::int32_t> capacity_;
 };
 
-class Sink final : public Batch {
+class Sink final : public BatchOf<Sink> {
  public:
-  Result<void> add(world::World& world, const Post& post) override;
+  Sink() : BatchOf("sink") {}
 
-  std::size_t size() const override { return model_.size(); }
   /// Says "received N" whenever N grows.
   void decide(world::World& world, std::size_t begin, std::size_t end) override;
-  void hash(Hash& hash) const override;
 
  private:
+  friend BatchOf<Sink>;
+  static auto memory(auto& self) { return std::tie(self.before_, self.received_); }
+  Result<void> join(world::World& world, const Post& post) override;
+  void leave_rest(std::size_t i) { erase_at(i, model_); }
+  void resolve(const world::World& world, std::size_t i) override { model_[i] = world.row(id(i)); }
+
   std::vector<world::ModelRow> model_;
+
+  // Memory.
   std::vector<std::int32_t> before_;     // flags it held in the last tick
   std::vector<std::uint64_t> received_;  // since the start
 };

@@ -59,24 +59,36 @@ world::SensorRow scanner(const world::World& world, const std::vector<world::Ran
 
 }  // namespace
 
-Result<void> Wander::add(world::World& world, const Post& post) {
-  const world::PositionRow robot = position_of(world, post.model);
-  if (!robot) return Error{{}, "needs a position model"};
-  const world::SensorRow sensor = scanner(world, rangers_of(world, post.model));
+Result<void> Wander::join(world::World& world, const Post& post) {
+  const world::ModelRow model = world.row(post.model);
+  if (!position_of(world, model)) return Error{{}, "needs a position model"};
+  const world::SensorRow sensor = scanner(world, rangers_of(world, model));
   if (!sensor) return Error{{}, "needs a ranger with at least one sensor"};
-  const world::RangerRow ranger = world.sensors.ranger[sensor.index];
-  world::subscribe_controller(world, post.model);
-  world::subscribe_controller(world, world.rangers.model[ranger.index]);
+  world::subscribe_controller(world, model);
+  world::subscribe_controller(world, world.rangers.model[world.sensors.ranger[sensor.index].index]);
 
-  robot_.push_back(robot);
-  stream_.push_back({Purpose::kController, post.model.index, post.order});
-  ranger_.push_back(ranger);
-  first_beam_.push_back(world.sensors.first_beam[sensor.index]);
-  beams_.push_back(world.sensors.beam_count[sensor.index]);
+  stream_.push_back({Purpose::kController, post.model.value, post.order});
   seen_.push_back(0);
   avoiding_.push_back(0);
   turn_.push_back(0);
+  robot_.emplace_back();
+  ranger_.emplace_back();
+  first_beam_.emplace_back();
+  beams_.emplace_back();
+  find_rows(world, model, robot_.size() - 1);
   return {};
+}
+
+void Wander::resolve(const world::World& world, std::size_t i) {
+  find_rows(world, world.row(id(i)), i);
+}
+
+void Wander::find_rows(const world::World& world, world::ModelRow model, std::size_t i) {
+  const world::SensorRow sensor = scanner(world, rangers_of(world, model));
+  robot_[i] = position_of(world, model);
+  ranger_[i] = world.sensors.ranger[sensor.index];
+  first_beam_[i] = world.sensors.first_beam[sensor.index];
+  beams_[i] = world.sensors.beam_count[sensor.index];
 }
 
 void Wander::decide(world::World& world, std::size_t begin, std::size_t end) {
@@ -98,14 +110,6 @@ void Wander::decide(world::World& world, std::size_t begin, std::size_t end) {
     }
     --avoiding_[i];
     drive(world, robot_[i], stop ? 0 : kCreep, turn_[i]);
-  }
-}
-
-void Wander::hash(Hash& hash) const {
-  for (std::size_t i = 0; i < size(); ++i) {
-    hash.add(seen_[i]);
-    hash.add(static_cast<std::uint64_t>(avoiding_[i]));
-    hash.add(turn_[i]);
   }
 }
 

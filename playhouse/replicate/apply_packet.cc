@@ -1,7 +1,7 @@
 #include <limits>
 
 #include "playhouse/replicate/delta.h"
-#include "playhouse/replicate/packing.h"
+#include "playhouse/base/packing.h"
 
 namespace playhouse::replicate {
 namespace {

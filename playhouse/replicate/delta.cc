@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "playhouse/replicate/packing.h"
+#include "playhouse/base/packing.h"
 
 namespace playhouse::replicate {
 namespace {

@@ -63,7 +63,7 @@ class Capture {
       if (!selected(model) && !in_view(model)) continue;
       const auto first = static_cast<std::uint32_t>(out_.hits.size());
       for (const world::FiducialHit& hit : world_.fiducials.hits[row]) {
-        out_.hits.push_back({hit.target.index, hit.id, quantize(hit.range, 1000), quantize_angle(hit.bearing),
+        out_.hits.push_back({hit.target.value, hit.id, quantize(hit.range, 1000), quantize_angle(hit.bearing),
                              quantize_angle(hit.heading)});
       }
       out_.findings.push_back({row, first, static_cast<std::uint32_t>(out_.hits.size()) - first});

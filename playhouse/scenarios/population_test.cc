@@ -60,11 +60,15 @@ Population observe(Simulation& run, double seconds) {
 class OneTickLate final : public world::Decider {
  public:
   explicit OneTickLate(std::size_t robots) : held_(robots) {}
+  std::string_view name() const override { return "one tick late"; }
   std::size_t size() const override { return held_.size(); }
+  void follow(world::World&) override {}
   void decide(world::World& world, std::size_t begin, std::size_t end) override {
     for (std::size_t i = begin; i < end; ++i) std::swap(world.positions.command[i], held_[i]);
   }
   void hash(Hash&) const override {}
+  Result<void> save(Packer&) const override { return Error{{}, "is for tests"}; }
+  bool load(world::World&, Unpacker&) override { return false; }
 
  private:
   std::vector<geom::Twist> held_;

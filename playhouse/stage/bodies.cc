@@ -65,109 +65,127 @@ double width_of(std::span<const Vec2> polygon) {
   return width;
 }
 
-void add_solid(Solids& solids, std::span<const Vec2> points_B, double z_min, double z_max,
-               const scene::ModelDesc& desc, std::uint32_t model, std::uint32_t root, std::uint32_t tree) {
+Shape make_shape(std::span<const Vec2> points_B, double z_min, double z_max, const scene::ModelDesc& desc) {
   const Rotation turn = Rotation::of(desc.X_MB.a);
-  const std::size_t first = solids.p_M.size();
   const bool reversed = signed_area(points_B) < 0;
+  Shape shape;
+  shape.z_min_M = z_min + desc.X_MB.z;
+  shape.z_max_M = z_max + desc.X_MB.z;
   Vec2 sum;
   for (std::size_t i = 0; i < points_B.size(); ++i) {
     const Vec2 p_M = desc.X_MB.xy() + turn * points_B[reversed ? points_B.size() - 1 - i : i];
-    solids.p_M.push_back(p_M);
+    shape.p_M.push_back(p_M);
     sum = sum + p_M;
   }
-  const std::vector<Vec2> polygon(solids.p_M.begin() + static_cast<std::ptrdiff_t>(first), solids.p_M.end());
-  const Vec2 center = (1.0 / static_cast<double>(polygon.size())) * sum;
+  shape.center_M = (1.0 / static_cast<double>(shape.p_M.size())) * sum;
   double radius_squared = 0;
-  for (const Vec2 p : polygon) radius_squared = std::max(radius_squared, geom::dot(p - center, p - center));
+  for (const Vec2 p : shape.p_M)
+    radius_squared = std::max(radius_squared, geom::dot(p - shape.center_M, p - shape.center_M));
+  shape.radius = std::sqrt(radius_squared);
+  shape.width = width_of(shape.p_M);
+  shape.convex = is_convex(shape.p_M);
+  shape.p_M.push_back(shape.p_M.front());
+  return shape;
+}
 
-  solids.p_M.push_back(solids.p_M[first]);
-
+void add_solid(Solids& solids, const Shape& shape, const scene::ModelDesc& desc, std::uint32_t model,
+               std::uint32_t root, std::uint32_t tree) {
   solids.model.push_back(model);
   solids.root.push_back(root);
   solids.tree.push_back(tree);
-  solids.z_min_M.push_back(z_min + desc.X_MB.z);
-  solids.z_max_M.push_back(z_max + desc.X_MB.z);
-  solids.center_M.push_back(center);
-  solids.radius.push_back(std::sqrt(radius_squared));
-  solids.width.push_back(tree == kNone ? 0 : width_of(polygon));  // only what moves needs it
-  solids.convex.push_back(is_convex(polygon));
+  solids.z_min_M.push_back(shape.z_min_M);
+  solids.z_max_M.push_back(shape.z_max_M);
+  solids.center_M.push_back(shape.center_M);
+  solids.radius.push_back(shape.radius);
+  solids.width.push_back(shape.width);
+  solids.convex.push_back(shape.convex);
   solids.obstacle.push_back(desc.obstacle_return);
   solids.ranger_return.push_back(desc.ranger_return);
+  solids.p_M.insert(solids.p_M.end(), shape.p_M.begin(), shape.p_M.end());
   solids.first_vertex.push_back(static_cast<std::uint32_t>(solids.p_M.size()));
 }
 
-void add_model_solids(Solids& solids, const world::World& world, std::uint32_t model, std::uint32_t tree) {
+void add_model_solids(Solids& solids, const world::World& world, Shapes& shapes, std::uint32_t model,
+                      std::uint32_t tree) {
   const scene::ModelDesc& desc = world.desc({model});
-  const std::uint32_t root = world.models.root[model];
-  for (const scene::Block& block : desc.blocks)
-    if (block.points.size() >= 3)
-      add_solid(solids, block.points, block.z_min, block.z_max, desc, model, root, tree);
-  for (const scene::Contours& bitmap : desc.bitmaps)
-    for (const std::vector<Vec2>& loop : bitmap.loops)
-      if (loop.size() >= 3) add_solid(solids, loop, bitmap.z_min, bitmap.z_max, desc, model, root, tree);
+  for (const Shape& shape : shapes.of(world.models.desc[model]))
+    add_solid(solids, shape, desc, model, world.models.root[model], tree);
+}
+
+/// Room for where solids are, and where they are from row `first` on.
+void put_in_place(Solids& solids, const world::Models& models, std::size_t first) {
+  solids.center.resize(solids.size());
+  solids.z_min.resize(solids.size());
+  solids.z_max.resize(solids.size());
+  solids.p.resize(solids.p_M.size() + Solids::kSpare);
+  place(solids, models, first, solids.size());
+}
+
+/// A model and all attached to it, parents first, behind the others.
+void add_tree(Trees& trees, const world::World& world, std::uint32_t row) {
+  trees.models.push_back(row);
+  if (world.models.kind[row] == scene::ModelKind::kPosition) trees.positions.push_back(world.models.part[row]);
+  for (const std::uint32_t child : world.children({row})) add_tree(trees, world, child);
 }
 
 }  // namespace
+
+const std::vector<Shape>& Shapes::of(std::uint32_t row) {
+  const auto [entry, is_new] = made_.try_emplace(row);
+  if (!is_new) return entry->second;
+  const scene::ModelDesc& desc = scene_.models[row];
+  for (const scene::Block& block : desc.blocks)
+    if (block.points.size() >= 3)
+      entry->second.push_back(make_shape(block.points, block.z_min, block.z_max, desc));
+  for (const scene::Contours& bitmap : desc.bitmaps)
+    for (const std::vector<Vec2>& loop : bitmap.loops)
+      if (loop.size() >= 3) entry->second.push_back(make_shape(loop, bitmap.z_min, bitmap.z_max, desc));
+  return entry->second;
+}
 
 Trees make_trees(const world::World& world) {
   const world::Models& models = world.models;
   Trees trees;
   trees.of_root.assign(models.size(), kNone);
-  std::vector<std::uint8_t> drives(models.size(), 0);
-  for (const world::ModelRow model : world.positions.model) drives[models.root[model.index]] = 1;
+  trees.first_model.push_back(0);
+  trees.first_position.push_back(0);
   for (std::uint32_t row = 0; row < models.size(); ++row) {
-    if (models.root[row] != row || !drives[row]) continue;
+    if (models.root[row] != row || models.mobility[row] == world::Mobility::kFixed) continue;
     trees.of_root[row] = static_cast<std::uint32_t>(trees.root.size());
     trees.root.push_back(row);
-  }
-
-  // Models of a tree in row order, by counting.
-  const auto count_up = [](std::vector<std::uint32_t>& first) {
-    for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
-  };
-  trees.first_model.assign(trees.size() + 1, 0);
-  trees.first_position.assign(trees.size() + 1, 0);
-  for (std::uint32_t row = 0; row < models.size(); ++row) {
-    const std::uint32_t tree = trees.of_root[models.root[row]];
-    if (tree == kNone) continue;
-    ++trees.first_model[tree + 1];
-    if (models.kind[row] == scene::ModelKind::kPosition) ++trees.first_position[tree + 1];
-  }
-  count_up(trees.first_model);
-  count_up(trees.first_position);
-  trees.models.resize(trees.first_model.back());
-  trees.positions.resize(trees.first_position.back());
-  std::vector<std::uint32_t> next_model(trees.first_model), next_position(trees.first_position);
-  for (std::uint32_t row = 0; row < models.size(); ++row) {
-    const std::uint32_t tree = trees.of_root[models.root[row]];
-    if (tree == kNone) continue;
-    trees.models[next_model[tree]++] = row;
-    if (models.kind[row] == scene::ModelKind::kPosition)
-      trees.positions[next_position[tree]++] = models.part[row];
+    add_tree(trees, world, row);
+    trees.first_model.push_back(static_cast<std::uint32_t>(trees.models.size()));
+    trees.first_position.push_back(static_cast<std::uint32_t>(trees.positions.size()));
   }
   return trees;
 }
 
-Solids make_solids(const world::World& world, Trees& trees) {
+Solids make_fixed_solids(const world::World& world, Shapes& shapes) {
   Solids solids;
   solids.first_vertex.push_back(0);
-  trees.first_solid.assign(1, 0);
+  for (std::uint32_t row = 0; row < world.models.size(); ++row)
+    if (world.models.mobility[row] == world::Mobility::kFixed) add_model_solids(solids, world, shapes, row, kNone);
+  solids.fixed = solids.size();
+  put_in_place(solids, world.models, 0);
+  return solids;
+}
+
+void replace_moving_solids(Solids& solids, const world::World& world, Shapes& shapes, Trees& trees) {
+  const std::size_t fixed = solids.fixed, vertices = solids.first_vertex[fixed];
+  for (auto* column : {&solids.model, &solids.root, &solids.tree}) column->resize(fixed);
+  for (auto* column : {&solids.z_min_M, &solids.z_max_M, &solids.radius, &solids.width, &solids.ranger_return})
+    column->resize(fixed);
+  for (auto* column : {&solids.convex, &solids.obstacle}) column->resize(fixed);
+  solids.center_M.resize(fixed);
+  solids.first_vertex.resize(fixed + 1);
+  solids.p_M.resize(vertices);
+  trees.first_solid.assign(1, static_cast<std::uint32_t>(fixed));
   for (std::uint32_t tree = 0; tree < trees.size(); ++tree) {
     for (std::uint32_t i = trees.first_model[tree]; i < trees.first_model[tree + 1]; ++i)
-      add_model_solids(solids, world, trees.models[i], tree);
+      add_model_solids(solids, world, shapes, trees.models[i], tree);
     trees.first_solid.push_back(static_cast<std::uint32_t>(solids.size()));
   }
-  solids.moving = solids.size();
-  for (std::uint32_t row = 0; row < world.models.size(); ++row)
-    if (trees.of_root[world.models.root[row]] == kNone) add_model_solids(solids, world, row, kNone);
-
-  solids.center.resize(solids.size());
-  solids.z_min.resize(solids.size());
-  solids.z_max.resize(solids.size());
-  solids.p.resize(solids.p_M.size() + Solids::kSpare);
-  place(solids, world.models, 0, solids.size());
-  return solids;
+  put_in_place(solids, world.models, fixed);
 }
 
 void place(Solids& solids, const world::Models& models, std::size_t begin, std::size_t end) {

@@ -1,11 +1,12 @@
 #pragma once
 
-/// Bodies: the solids of a scene as columns. A solid is one closed polygon extruded in z; a block is one
-/// solid, every contour of a bitmap is one. Solids of trees that move come first, in the order of the trees,
-/// so that a tree's solids and vertices are consecutive; what stands still follows. Frames: W world, M the
-/// model that owns the solid.
+/// Bodies: the solids of a world as columns. A solid is one closed polygon extruded in z; a block is one
+/// solid, every contour of a bitmap is one. What stands still comes first; solids of trees that can move
+/// follow, in the order of the trees, so that a tree's solids and vertices are consecutive and change
+/// without those that stand still. Frames: W world, M the model that owns the solid.
 
 #include <cstdint>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -18,7 +19,7 @@ using geom::Pose;
 using geom::Rotation;
 using geom::Vec2;
 
-/// Trees of models that hold at least one model that drives.
+/// Trees of models that can move: those that hold at least one model that drives, and loose ones.
 struct Trees {
   std::vector<std::uint32_t> root;                       // model row of the top                        (t)
   std::vector<std::uint32_t> first_model, models;        // rows, parents first: models[first_model[t] ..]
@@ -26,6 +27,26 @@ struct Trees {
   std::vector<std::uint32_t> first_solid;                // solids first_solid[t] .. first_solid[t + 1] - 1
   std::vector<std::uint32_t> of_root;  // model row of a top -> tree row, or Row::kNone (models)
   std::size_t size() const { return root.size(); }
+};
+
+/// What a solid of a model is, whichever model has it: made once for each row of SceneDesc::models.
+struct Shape {
+  double z_min_M = 0, z_max_M = 0;  // m
+  Vec2 center_M;                    // mean of the vertices                                    [m]
+  double radius = 0;                // of the circle about the centre that holds the solid     [m]
+  double width = 0;                 // smallest extent                                         [m]
+  bool convex = false;
+  std::vector<Vec2> p_M;  // counter-clockwise vertices, the first again at the end  [m]
+};
+
+class Shapes {
+ public:
+  explicit Shapes(const scene::SceneDesc& scene) : scene_(scene) {}
+  const std::vector<Shape>& of(std::uint32_t desc);
+
+ private:
+  const scene::SceneDesc& scene_;
+  std::map<std::uint32_t, std::vector<Shape>> made_;
 };
 
 struct Solids {
@@ -43,7 +64,7 @@ struct Solids {
   // Counter-clockwise vertices, the first of each polygon again at its end.                            [m]
   // (vertices)
   std::vector<Vec2> p_M;
-  std::size_t moving = 0;  // rows below this belong to trees
+  std::size_t fixed = 0;  // rows below this belong to no tree
 
   // Where it is.                              written by: place
   std::vector<Vec2> center;          // in W                                                    [m]
@@ -52,13 +73,17 @@ struct Solids {
   static constexpr std::size_t kSpare = 4;
 
   std::size_t size() const { return model.size(); }
+  std::size_t moving() const { return size() - fixed; }
   std::span<const Vec2> polygon(std::size_t row) const {
     return {p.data() + first_vertex[row], first_vertex[row + 1] - first_vertex[row] - 1};
   }
 };
 
 Trees make_trees(const world::World& world);
-Solids make_solids(const world::World& world, Trees& trees);
+/// The solids of everything that stands still, in place.
+Solids make_fixed_solids(const world::World& world, Shapes& shapes);
+/// Replaces the solids of trees by those of `trees`, in place; sets trees.first_solid.
+void replace_moving_solids(Solids& solids, const world::World& world, Shapes& shapes, Trees& trees);
 
 /// Puts the solids [begin, end) where their models are.
 void place(Solids& solids, const world::Models& models, std::size_t begin, std::size_t end);

@@ -270,7 +270,7 @@ TEST(Compat, fiducials_are_found_as_in_stage) {
   } expected[] = {
       {"a", 7, 1.581139, 0.321751, 0.785398}, {"far", 0, 3.354102, -0.463648, 0}, {"neg", 0, 2, 0, 0}};
   for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_EQ(world.desc(hits[i].target).name, expected[i].name);
+    EXPECT_EQ(world.name(world.row(hits[i].target)), expected[i].name);
     EXPECT_EQ(hits[i].id, expected[i].id);
     EXPECT_NEAR(hits[i].range, expected[i].range, 1e-6);
     EXPECT_NEAR(hits[i].bearing, expected[i].bearing, 1e-6);

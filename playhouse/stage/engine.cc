@@ -68,7 +68,7 @@ void warn_of_ghost_walls(const scene::SceneDesc& scene) {
 std::vector<std::uint8_t> layers_of(const Solids& solids) {
   constexpr std::size_t kMost = 8;
   std::vector<std::pair<double, double>> heights;
-  for (std::size_t row = 0; row < solids.moving; ++row)
+  for (std::size_t row = solids.fixed; row < solids.size(); ++row)
     heights.emplace_back(solids.z_min[row], solids.z_max[row]);
   std::sort(heights.begin(), heights.end());
   std::vector<double> begins;
@@ -79,7 +79,7 @@ std::vector<std::uint8_t> layers_of(const Solids& solids) {
   }
   if (begins.size() > kMost) return {};
   std::vector<std::uint8_t> layer;
-  for (std::size_t row = 0; row < solids.moving; ++row) {
+  for (std::size_t row = solids.fixed; row < solids.size(); ++row) {
     const auto above = std::upper_bound(begins.begin(), begins.end(), solids.z_min[row]);
     layer.push_back(static_cast<std::uint8_t>(above - begins.begin() - 1));
   }
@@ -101,16 +101,20 @@ double robot_radius(const Trees& trees, const Solids& solids) {
 }  // namespace
 
 StageEngine::StageEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers)
-    : world_(scene, seed),
-      workers_(workers),
-      trees_(make_trees(world_)),
-      solids_(make_solids(world_, trees_)),
-      walls_(solids_),
-      motion_(trees_, solids_, world_.models, workers_.count()),
-      rangers_(world_, solids_, workers_.count()),
-      fiducials_(world_, solids_) {
-  index_ = DiscIndex(solids_.moving, robot_radius(trees_, solids_), layers_of(solids_));
+    : world_(scene, seed), workers_(workers), shapes_(scene), motion_(workers_.count()) {
+  populate(true);
+}
+
+void StageEngine::populate(bool fixed) {
+  trees_ = make_trees(world_);
+  if (fixed) solids_ = make_fixed_solids(world_, shapes_);
+  replace_moving_solids(solids_, world_, shapes_, trees_);
+  if (fixed) walls_ = Walls(solids_);
+  motion_.populate(trees_, solids_, world_.models);
+  index_ = DiscIndex(solids_.moving(), robot_radius(trees_, solids_), layers_of(solids_));
   index();
+  rangers_.emplace(world_, solids_, workers_.count());
+  fiducials_.emplace(world_, solids_);
 }
 
 Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene,

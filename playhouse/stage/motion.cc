@@ -39,47 +39,53 @@ Outline outline_now(const Solids& solids, std::size_t row) {
 
 }  // namespace
 
-Motion::Motion(const Trees& trees, const Solids& solids, const world::Models& models, unsigned workers)
-    : trees_(&trees),
-      proposes_(trees.size()),
-      stalls_(trees.size()),
-      conflicts_(trees.size()),
-      reach_(trees.size()) {
-  Sweep sweep;
+void Motion::populate(const Trees& trees, const Solids& solids, const world::Models& models) {
+  trees_ = &trees;
+  fixed_ = solids.fixed;
+  fixed_vertices_ = solids.first_vertex[fixed_];
+  proposes_.assign(trees.size(), 0);
+  stalls_.assign(trees.size(), 0);
+  conflicts_.assign(trees.size(), {});
+  reach_.assign(trees.size(), 0);
+  parent_.assign(trees.models.size(), 0);
+  std::size_t largest_tree = 0, most_solids = 0, most_vertices = 0;
+  std::vector<std::uint32_t> place(models.size());  // of a model in its tree
   for (std::size_t tree = 0; tree < trees.size(); ++tree) {
     const std::uint32_t begin = trees.first_model[tree], end = trees.first_model[tree + 1];
-    const std::span<const std::uint32_t> rows(trees.models.data() + begin, end - begin);  // ascending
-    parent_.push_back(0);
-    for (const std::uint32_t row : rows.subspan(1))
-      parent_.push_back(
-          static_cast<std::uint32_t>(std::ranges::lower_bound(rows, models.parent[row]) - rows.begin()));
+    for (std::uint32_t i = begin; i < end; ++i) {
+      place[trees.models[i]] = i - begin;
+      if (i > begin) parent_[i] = place[models.parent[trees.models[i]]];
+    }
     const std::uint32_t first = trees.first_solid[tree], last = trees.first_solid[tree + 1];
-    sweep.X_PM.resize(std::max<std::size_t>(sweep.X_PM.size(), end - begin));
-    sweep.center.resize(std::max<std::size_t>(sweep.center.size(), last - first));
-    sweep.p.resize(
-        std::max<std::size_t>(sweep.p.size(), solids.first_vertex[last] - solids.first_vertex[first]));
+    largest_tree = std::max<std::size_t>(largest_tree, end - begin);
+    most_solids = std::max<std::size_t>(most_solids, last - first);
+    most_vertices =
+        std::max<std::size_t>(most_vertices, solids.first_vertex[last] - solids.first_vertex[first]);
   }
-  sweep.X_WM.resize(sweep.X_PM.size());
-  sweep.rotation.resize(sweep.X_PM.size());
-  sweeps_.assign(workers, sweep);
-  for (Sweep& each : sweeps_)
-    each.conflicts.reserve(8 * trees.size());  // what few workers meet is met by one
+  for (Sweep& sweep : sweeps_) {
+    sweep.X_PM.resize(largest_tree);
+    sweep.X_WM.resize(largest_tree);
+    sweep.rotation.resize(largest_tree);
+    sweep.center.resize(most_solids);
+    sweep.p.resize(most_vertices);
+    sweep.conflicts.clear();
+    sweep.conflicts.reserve(8 * trees.size());  // what few workers meet is met by one
+  }
   X_PM_.resize(trees.models.size());
   X_WM_.resize(trees.models.size());
   rotation_.resize(trees.models.size());
-  center_.resize(solids.moving);
-  p_.resize(solids.first_vertex[solids.moving]);
+  center_.resize(solids.moving());
+  p_.resize(solids.p_M.size() - fixed_vertices_);
 }
 
 TreeShape Motion::proposal(const Solids& solids, std::uint32_t tree) {
   const std::uint32_t model = trees_->first_model[tree], models = trees_->first_model[tree + 1] - model;
   const std::uint32_t solid = trees_->first_solid[tree], last = trees_->first_solid[tree + 1];
-  const std::uint32_t vertex = solids.first_vertex[solid];
   return {{X_PM_.data() + model, models},
           {X_WM_.data() + model, models},
           {rotation_.data() + model, models},
-          {center_.data() + solid, last - solid},
-          {p_.data() + vertex, solids.first_vertex[last] - vertex}};
+          {center_.data() + place_of(solid), last - solid},
+          {p_.data() + vertex_of(solids, solid), solids.first_vertex[last] - solids.first_vertex[solid]}};
 }
 
 /// The tree after `fraction` of this tick's motion.
@@ -139,7 +145,7 @@ unsigned Motion::steps_of(const Surroundings& in, std::uint32_t tree) const {
   double steps = 1;
   for (std::uint32_t row = trees_->first_solid[tree]; row < trees_->first_solid[tree + 1]; ++row) {
     if (!in.solids.obstacle[row]) continue;
-    const double way = distance(center_[row], in.solids.center[row]) + turn * in.solids.radius[row];
+    const double way = distance(center_[place_of(row)], in.solids.center[row]) + turn * in.solids.radius[row];
     steps = std::max(steps, way / std::max(0.5 * in.solids.width[row], kTouch));
   }
   return static_cast<unsigned>(std::ceil(std::min(steps, static_cast<double>(limits::kMotionSteps))));
@@ -183,7 +189,7 @@ bool Motion::meets_other(const Surroundings& in, std::size_t solid, const Outlin
   const std::uint32_t tree = in.solids.tree[other];
   if (tree > in.solids.tree[solid] || !proposes_[tree]) return meets_now;
   const bool meets_then =
-      meets_at(outline_at(in.solids, other, center_[other], p_.data() + in.solids.first_vertex[other]));
+      meets_at(outline_at(in.solids, other, center_[place_of(other)], p_.data() + vertex_of(in.solids, other)));
   if (meets_now == meets_then) return meets_now;
   return sweep.add({tree, meets_then});
 }
@@ -276,9 +282,11 @@ void Motion::commit(world::World& world, Solids& solids, std::uint32_t tree) con
     world.models.X_WM[trees_->models[i]] = X_WM_[i];
   }
   const std::uint32_t first = trees_->first_solid[tree], end = trees_->first_solid[tree + 1];
-  std::copy(center_.begin() + first, center_.begin() + end, solids.center.begin() + first);
+  std::copy_n(center_.begin() + static_cast<std::ptrdiff_t>(place_of(first)), end - first,
+              solids.center.begin() + first);
   const std::uint32_t vertex = solids.first_vertex[first], last_vertex = solids.first_vertex[end];
-  std::copy(p_.begin() + vertex, p_.begin() + last_vertex, solids.p.begin() + vertex);
+  std::copy_n(p_.begin() + static_cast<std::ptrdiff_t>(vertex_of(solids, first)), last_vertex - vertex,
+              solids.p.begin() + vertex);
   for (std::uint32_t i = trees_->first_position[tree]; i < trees_->first_position[tree + 1]; ++i)
     believe(world, trees_->positions[i]);
 }

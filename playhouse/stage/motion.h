@@ -22,7 +22,10 @@ namespace playhouse::stage {
 
 class Motion {
  public:
-  Motion(const Trees& trees, const Solids& solids, const world::Models& models, unsigned workers);
+  explicit Motion(unsigned workers) : sweeps_(workers) {}
+
+  /// Makes room for these trees, which outlive the next move().
+  void populate(const Trees& trees, const Solids& solids, const world::Models& models);
 
   /// The phase `move`. `index` holds the moving solids where they are. True if anything moved.
   bool move(world::World& world, Solids& solids, const DiscIndex& index, const Walls& walls,
@@ -72,14 +75,21 @@ class Motion {
   void believe(world::World& world, std::uint32_t robot) const;
   TreeShape proposal(const Solids& solids, std::uint32_t tree);
 
-  const Trees* trees_;
+  /// Where the proposal of a moving solid and of its vertices begins.
+  std::size_t place_of(std::size_t solid) const { return solid - fixed_; }
+  std::size_t vertex_of(const Solids& solids, std::size_t solid) const {
+    return solids.first_vertex[solid] - fixed_vertices_;
+  }
+
+  const Trees* trees_ = nullptr;
+  std::size_t fixed_ = 0, fixed_vertices_ = 0;  // of Solids, before those that can move
   // Rows as in Trees.
   std::vector<std::uint8_t> proposes_, stalls_;  // (trees)
   std::vector<Conflicts> conflicts_;             // (trees)
   std::vector<double> reach_;                    // largest displacement of a solid's centre  [m] (trees)
   std::vector<std::uint32_t> parent_;  // local row of the parent in its tree           (models of trees)
   double reach_max_ = 0;               // m, of this tick
-  // The proposals; rows as in Trees::models and Solids.
+  // The proposals; rows as in Trees::models, and as in Solids from the first that can move on.
   std::vector<Pose> X_PM_, X_WM_;
   std::vector<Rotation> rotation_;
   std::vector<Vec2> center_, p_;

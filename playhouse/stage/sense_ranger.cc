@@ -23,12 +23,12 @@ std::uint64_t ticks_of(double update_interval, double interval) {
 
 RangerSense::RangerSense(const world::World& world, const Solids& solids, unsigned workers) {
   double body_radius = 0;
-  for (std::size_t row = 0; row < solids.moving; ++row) {
+  for (std::size_t row = solids.fixed; row < solids.size(); ++row) {
     body_radius = std::max(body_radius, solids.radius[row]);
   }
   kinds_ = make_ranger_kinds(world, body_radius);
   is_wall_.assign(world.models.size(), 0);
-  for (std::size_t row = solids.moving; row < solids.size(); ++row) is_wall_[solids.root[row]] = 1;
+  for (std::size_t row = 0; row < solids.fixed; ++row) is_wall_[solids.root[row]] = 1;
   for (const world::ModelRow model : world.rangers.model)
     period_.push_back(ticks_of(world.desc(model).update_interval, world.scene().interval));
 
@@ -38,14 +38,14 @@ RangerSense::RangerSense(const world::World& world, const Solids& solids, unsign
   scratch_beams_ = std::max<std::size_t>(beams, 2 * Rays::kMost);
   scratch.range.resize(scratch_beams_ + Scan::kSpare);
   scratch.intensity.resize(scratch_beams_ + Scan::kSpare);
-  scratch.x.resize(solids.moving + 1);
-  scratch.y.resize(solids.moving + 1);
-  scratch.distance.resize(solids.moving + 1);
-  scratch.bearing.resize(solids.moving + 1);
-  scratch.place.resize(solids.moving + 1);
-  scratch.order.resize(solids.moving + 1);
-  scratch.ring.resize(solids.moving + 1);
-  scratch.met_by.resize(solids.moving + 1);
+  scratch.x.resize(solids.moving() + 1);
+  scratch.y.resize(solids.moving() + 1);
+  scratch.distance.resize(solids.moving() + 1);
+  scratch.bearing.resize(solids.moving() + 1);
+  scratch.place.resize(solids.moving() + 1);
+  scratch.order.resize(solids.moving() + 1);
+  scratch.ring.resize(solids.moving() + 1);
+  scratch.met_by.resize(solids.moving() + 1);
   scratch_.assign(workers, scratch);
   due_.reserve(world.rangers.size());
 }
@@ -101,8 +101,8 @@ void RangerSense::measure(world::World& world, const Space& space, std::uint32_t
   for (const Scan& scan : kind.scans) run_scan(space, view, scan, scratch);
   for (const Bundle& bundle : kind.bundles) run_bundle(space, view, bundle, scratch);
   for (const Jitter& jitter : kind.jitters) {
-    const std::uint32_t sensor = world.rangers.first_sensor[ranger] + jitter.sensor;
-    Rng rng(world.seed(), tick, {Purpose::kBeamBearing, sensor, jitter.sample});
+    const std::uint32_t id = world.models.id[model].value;
+    Rng rng(world.seed(), tick, {Purpose::kBeamBearing, id, jitter.sensor, jitter.sample});
     run_jitter(space, view, jitter, jitter.bearing + rng.uniform(-jitter.spread, jitter.spread), scratch);
   }
 }
@@ -112,13 +112,14 @@ void RangerSense::finish(world::World& world, std::uint32_t ranger, std::uint64_
                          Scratch& scratch) const {
   const RangerKind& kind = kinds_.kinds[kinds_.of_ranger[ranger]];
   const std::uint32_t first_sensor = world.rangers.first_sensor[ranger];
+  const world::ModelRow model = world.rangers.model[ranger];
   world.rangers.measured_tick[ranger] = tick;
   if (kind.beams == 0) return;
   if (kind.noisy) {
     double* range = scratch.range.data() + scratch.first_beam;
     for (std::uint32_t i = 0; i < world.rangers.sensor_count[ranger]; ++i) {
-      const scene::RangerSensorDesc& sensor = world.desc(world.rangers.model[ranger]).sensors[i];
-      Rng rng(world.seed(), tick, {Purpose::kRangeNoise, first_sensor + i});
+      const scene::RangerSensorDesc& sensor = world.desc(model).sensors[i];
+      Rng rng(world.seed(), tick, {Purpose::kRangeNoise, world.id(model).value, i});
       for (std::uint32_t k = 0; k < sensor.samples; ++k, ++range)
         if (*range < sensor.range_max) *range = noisy(*range, sensor, rng);
     }

@@ -3,6 +3,8 @@
 /// StageEngine: owns the world and the tables of the 2D engine and runs the tick (step.cc). Thread: the tick
 /// thread.
 
+#include <optional>
+
 #include "playhouse/stage/motion.h"
 #include "playhouse/stage/sense_fiducial.h"
 #include "playhouse/stage/sense_ranger.h"
@@ -19,7 +21,11 @@ class StageEngine final : public world::Engine {
   std::uint64_t rays() const override { return rays_; }
 
  private:
+  /// Takes in the changes since the last tick.
   void ingest();
+  /// Makes every table anew that follows from who there is; those of what stands still only if `fixed`.
+  void populate(bool fixed);
+  void replace(const world::Change& change);
   void decide();
   void index();
   void sense();
@@ -27,13 +33,15 @@ class StageEngine final : public world::Engine {
 
   world::World world_;
   world::Workers workers_;
+  std::uint64_t next_change_ = 0;  // of world_.changes
+  Shapes shapes_;
   Trees trees_;
   Solids solids_;
-  DiscIndex index_;  // moving solids
+  DiscIndex index_;  // solids that can move
   Walls walls_;
   Motion motion_;
-  RangerSense rangers_;
-  FiducialSense fiducials_;
+  std::optional<RangerSense> rangers_;
+  std::optional<FiducialSense> fiducials_;
   std::uint64_t rays_ = 0;
 };
 

@@ -52,7 +52,7 @@ void Walls::rasterise(const Edge& edge, const Visit& visit) const {
 Walls::Walls(const Solids& solids) {
   std::vector<Edge> all;
   double total_length = 0;
-  for (std::size_t row = solids.moving; row < solids.size(); ++row) {
+  for (std::size_t row = 0; row < solids.fixed; ++row) {
     const std::span<const Vec2> polygon = solids.polygon(row);
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       all.push_back({polygon[i], polygon[(i + 1) % polygon.size()], static_cast<std::uint32_t>(row),

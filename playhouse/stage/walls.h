@@ -43,7 +43,7 @@ class Walls {
   };
 
   Walls() = default;
-  /// Edges of the solids from solids.moving on.
+  /// Edges of the solids that stand still.
   explicit Walls(const Solids& solids);
 
   std::size_t edge_count() const { return edge_count_; }

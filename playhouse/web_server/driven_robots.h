@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <set>
 #include <vector>
 
 #include "playhouse/base/result.h"
@@ -33,19 +34,18 @@ class DrivenRobots {
 
  private:
   struct Held {
-    world::ModelRow model;
     Driver driver = nullptr;
     bool open = false;  // the world knows; else its queue was full
     std::unique_ptr<net::Timer> deadline;
   };
 
-  void hold_until_deadline(world::PositionRow robot, Held& held);
-  void let_go(world::PositionRow robot);
+  void hold_until_deadline(world::ModelId robot, Held& held);
+  void let_go(world::ModelId robot);
 
   net::Network& network_;
   world::Control& control_;
-  std::vector<world::PositionRow> wheels_;  // per model row; none without
-  std::map<std::uint32_t, Held> held_;      // by position row
+  std::set<world::ModelId> wheels_;  // models that have wheels
+  std::map<world::ModelId, Held> held_;
 };
 
 }  // namespace playhouse::web_server

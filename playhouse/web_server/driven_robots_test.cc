@@ -22,10 +22,10 @@ class AtOnce final : public world::Control {
   void resume() override {}
   void step_once() override {}
   void set_speed(double) override {}
-  void drive(world::PositionRow robot, const geom::Twist& velocity) override {
-    world::command_velocity(world_, robot, velocity);
+  void drive(world::ModelId robot, const geom::Twist& velocity) override {
+    world::command_velocity(world_, world_.position(robot), velocity);
   }
-  bool post(std::function<void(world::World&)> change, world::PositionRow) override {
+  bool post(std::function<void(world::World&)> change, world::ModelId) override {
     if (full) return false;
     change(world_);
     return true;

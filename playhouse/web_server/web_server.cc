@@ -65,14 +65,14 @@ std::string machine_name() {
 }
 
 /// Models of a robot that measure.
-std::vector<world::ModelRow> sensing_models(const world::World& world, const replicate::Layout& layout,
+std::vector<world::ModelId> sensing_models(const world::World& world, const replicate::Layout& layout,
                                             std::uint32_t robot) {
-  std::vector<world::ModelRow> rows;
+  std::vector<world::ModelId> models;
   for (const std::uint32_t row : layout.tree(robot)) {
     const scene::ModelKind kind = world.models.kind[row];
-    if (kind == scene::ModelKind::kRanger || kind == scene::ModelKind::kFiducial) rows.push_back({row});
+    if (kind == scene::ModelKind::kRanger || kind == scene::ModelKind::kFiducial) models.push_back(world.id({row}));
   }
-  return rows;
+  return models;
 }
 
 }  // namespace
@@ -284,11 +284,13 @@ class WebServer::Impl final : public net::HttpService,
     if (!(layout_.traits[drag.model] & replicate::kMovable))
       return Error{"", "this model may not be moved by hand"};
     const bool posted = control_.post([drag](world::World& world) {
-      geom::Pose X_PM = world.models.X_PM[drag.model];
+      const world::ModelRow model = world.row({drag.model});
+      if (!model) return;  // it is gone
+      geom::Pose X_PM = world.models.X_PM[model.index];
       X_PM.x = drag.x;
       X_PM.y = drag.y;
       X_PM.a = geom::normalize(drag.a);
-      world::set_pose(world, {drag.model}, X_PM);
+      world::set_pose(world, model, X_PM);
     });
     if (!posted) return Error{"", "the program is too busy to move it"};
     return {};
@@ -356,8 +358,9 @@ class WebServer::Impl final : public net::HttpService,
   }
 
   bool post_for_sensors(std::uint32_t robot, void (*change)(world::World&, world::ModelRow)) {
-    return control_.post([rows = sensing_[robot], change](world::World& world) {
-      for (const world::ModelRow row : rows) change(world, row);
+    return control_.post([models = sensing_[robot], change](world::World& world) {
+      for (const world::ModelId id : models)
+        if (const world::ModelRow model = world.row(id)) change(world, model);
     });
   }
 
@@ -367,7 +370,7 @@ class WebServer::Impl final : public net::HttpService,
   world::Control& control_;
   const replicate::Layout layout_;
   const std::shared_ptr<const std::string> scene_;
-  std::vector<std::vector<world::ModelRow>> sensing_;  // per top-level row
+  std::vector<std::vector<world::ModelId>> sensing_;  // per top-level row
 
   // web thread
   std::unique_ptr<net::Listener> listener_;

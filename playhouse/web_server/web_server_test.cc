@@ -34,10 +34,10 @@ class Notes final : public world::Control {
   void resume() override { note("resume"); }
   void step_once() override { note("step"); }
   void set_speed(double speed) override { note("speed " + std::to_string(speed).substr(0, 3)); }
-  void drive(world::PositionRow robot, const geom::Twist& velocity) override {
-    post([=](world::World& world) { world::command_velocity(world, robot, velocity); });
+  void drive(world::ModelId robot, const geom::Twist& velocity) override {
+    post([=](world::World& world) { world::command_velocity(world, world.position(robot), velocity); });
   }
-  bool post(std::function<void(world::World&)> change, world::PositionRow = {}) override {
+  bool post(std::function<void(world::World&)> change, world::ModelId = {}) override {
     const std::lock_guard lock(mutex_);
     if (full_) {
       ++refused_;

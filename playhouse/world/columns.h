@@ -1,8 +1,9 @@
 #pragma once
 
-/// The columns of the world, each listed once: name, role, member. What is done with every column goes
-/// through these lists: the hashes, the count of memory, the return to the start, the tests. A column or a
-/// table that is not listed does not compile.
+/// The columns of the world, each listed once: name, role, unit, frame, writer, member. What is done with
+/// every column goes through these lists: rows that come and go, the hashes, save and load, comparison, the
+/// count of memory, the return to the start, the tests. A column or a table that is not listed does not
+/// compile.
 
 #include <tuple>
 #include <type_traits>
@@ -11,23 +12,40 @@
 
 namespace playhouse::world {
 
-/// What a column is to the run, and so which hash it is part of.
+/// What a column is to the run.
 enum class Role : std::uint8_t {
-  kFixed,   // as the scene and its controllers have it; never changes             hash
-  kMotion,  // where things are and how they move; return_to_start() resets it     hash
-  kMark,    // what things carry, show and say                                     hash
-  kSensed,  // what sensors measured    sensed_hash, and hash where a controller reads the sensor
-  kUse,     // who looks                                                           sensed_hash
+  kPopulation,  // who there is and what it is part of                              hash, saved
+  kMotion,      // where things are and how they move; return_to_start() resets it  hash, saved
+  kMark,        // what things carry, show and say                                  hash, saved
+  kSensed,      // what sensors measured    sensed_hash, and hash where a controller reads the sensor; saved
+  kUse,         // who looks: joins and leaves with devices and controllers         sensed_hash
+  kDerived,     // follows from the population, the scene and the seed, or from poses; computed again
 };
+inline constexpr bool is_saved(Role role) {
+  return role != Role::kUse && role != Role::kDerived;
+}
+/// Part of hash() whoever looks.
+inline constexpr bool is_done(Role role) {
+  return role == Role::kPopulation || role == Role::kMotion || role == Role::kMark;
+}
+
+/// What a value of a column belongs to: a row of its table, or a beam of the row.
+enum class Per : std::uint8_t { kRow, kBeam };
 
 template <typename Table, typename T>
 struct Column {
+  using Value = T;
   const char* name;
   Role role;
+  const char* unit;    // "" for numbers, rows and texts
+  const char* frame;   // of vectors and poses: P parent, W world, M the model, O odometry; else ""
+  const char* writer;  // phases and functions that write it once it is there
   std::vector<T> Table::*values;
+  Per per = Per::kRow;
 
-  constexpr Column(const char* name, Role role, std::vector<T> Table::*values)
-      : name(name), role(role), values(values) {}
+  constexpr Column(const char* name, Role role, const char* unit, const char* frame, const char* writer,
+                   std::vector<T> Table::*values, Per per = Per::kRow)
+      : name(name), role(role), unit(unit), frame(frame), writer(writer), values(values), per(per) {}
 };
 
 template <typename Table>
@@ -35,57 +53,62 @@ inline constexpr auto kColumns = nullptr;
 
 template <>
 inline constexpr auto kColumns<Models> = std::tuple{
-    Column{"models.X_PM", Role::kMotion, &Models::X_PM},
-    Column{"models.X_WM", Role::kMotion, &Models::X_WM},
-    Column{"models.parent", Role::kFixed, &Models::parent},
-    Column{"models.root", Role::kFixed, &Models::root},
-    Column{"models.kind", Role::kFixed, &Models::kind},
-    Column{"models.part", Role::kFixed, &Models::part},
-    Column{"models.subscribers", Role::kUse, &Models::subscribers},
-    Column{"models.controllers", Role::kFixed, &Models::controllers},
-    Column{"models.fiducial_return", Role::kMark, &Models::fiducial_return},
-    Column{"models.flags", Role::kMark, &Models::flags},
-    Column{"models.color", Role::kMark, &Models::color},
-    Column{"models.say", Role::kMark, &Models::say},
+    Column{"models.id", Role::kPopulation, "", "", "", &Models::id},
+    Column{"models.desc", Role::kPopulation, "", "", "", &Models::desc},
+    Column{"models.parent_id", Role::kPopulation, "", "", "attach, detach", &Models::parent_id},
+    Column{"models.parent", Role::kDerived, "", "", "attach, detach", &Models::parent},
+    Column{"models.X_PM", Role::kMotion, "m, rad", "P", "move, place", &Models::X_PM},
+    Column{"models.X_WM", Role::kDerived, "m, rad", "W", "move, place", &Models::X_WM},
+    Column{"models.root", Role::kDerived, "", "", "attach, detach", &Models::root},
+    Column{"models.kind", Role::kDerived, "", "", "", &Models::kind},
+    Column{"models.part", Role::kDerived, "", "", "", &Models::part},
+    Column{"models.first_child", Role::kDerived, "", "", "attach, detach", &Models::first_child},
+    Column{"models.next_sibling", Role::kDerived, "", "", "attach, detach", &Models::next_sibling},
+    Column{"models.mobility", Role::kDerived, "", "", "attach, detach", &Models::mobility},
+    Column{"models.subscribers", Role::kUse, "", "", "subscribe, unsubscribe", &Models::subscribers},
+    Column{"models.controllers", Role::kUse, "", "", "subscribe_controller", &Models::controllers},
+    Column{"models.fiducial_return", Role::kMark, "", "", "set_fiducial_return", &Models::fiducial_return},
+    Column{"models.flags", Role::kMark, "", "", "decide", &Models::flags},
+    Column{"models.color", Role::kMark, "", "", "set_color", &Models::color},
+    Column{"models.say", Role::kMark, "", "", "decide", &Models::say},
 };
 
 template <>
 inline constexpr auto kColumns<Positions> = std::tuple{
-    Column{"positions.model", Role::kFixed, &Positions::model},
-    Column{"positions.mode", Role::kMotion, &Positions::mode},
-    Column{"positions.command", Role::kMotion, &Positions::command},
-    Column{"positions.goal", Role::kMotion, &Positions::goal},
-    Column{"positions.velocity", Role::kMotion, &Positions::velocity},
-    Column{"positions.X_OM", Role::kMotion, &Positions::X_OM},
-    Column{"positions.X_WO", Role::kMotion, &Positions::X_WO},
-    Column{"positions.odom_error", Role::kFixed, &Positions::odom_error},
-    Column{"positions.stall", Role::kMotion, &Positions::stall},
-    Column{"positions.motor_on", Role::kMotion, &Positions::motor_on},
+    Column{"positions.model", Role::kDerived, "", "", "", &Positions::model},
+    Column{"positions.mode", Role::kMotion, "", "", "decide, command_*", &Positions::mode},
+    Column{"positions.command", Role::kMotion, "m/s, rad/s", "M", "decide, command_*", &Positions::command},
+    Column{"positions.goal", Role::kMotion, "m, rad", "O", "decide, command_position", &Positions::goal},
+    Column{"positions.velocity", Role::kMotion, "m/s, rad/s", "M", "act", &Positions::velocity},
+    Column{"positions.X_OM", Role::kMotion, "m, rad", "O", "move, set_odometry", &Positions::X_OM},
+    Column{"positions.X_WO", Role::kMotion, "m, rad", "W", "set_odometry", &Positions::X_WO},
+    Column{"positions.odom_error", Role::kDerived, "1", "M", "", &Positions::odom_error},
+    Column{"positions.stall", Role::kMotion, "", "", "move", &Positions::stall},
+    Column{"positions.motor_on", Role::kMotion, "", "", "devices", &Positions::motor_on},
 };
 
 template <>
 inline constexpr auto kColumns<Rangers> = std::tuple{
-    Column{"rangers.model", Role::kFixed, &Rangers::model},
-    Column{"rangers.first_sensor", Role::kFixed, &Rangers::first_sensor},
-    Column{"rangers.sensor_count", Role::kFixed, &Rangers::sensor_count},
-    Column{"rangers.measured_tick", Role::kSensed, &Rangers::measured_tick},
+    Column{"rangers.model", Role::kDerived, "", "", "", &Rangers::model},
+    Column{"rangers.first_sensor", Role::kDerived, "", "", "", &Rangers::first_sensor},
+    Column{"rangers.sensor_count", Role::kDerived, "", "", "", &Rangers::sensor_count},
+    Column{"rangers.measured_tick", Role::kSensed, "tick", "", "sense", &Rangers::measured_tick},
 };
 
-/// What sensors measured has a row per beam.
 template <>
 inline constexpr auto kColumns<Sensors> = std::tuple{
-    Column{"sensors.ranger", Role::kFixed, &Sensors::ranger},
-    Column{"sensors.first_beam", Role::kFixed, &Sensors::first_beam},
-    Column{"sensors.beam_count", Role::kFixed, &Sensors::beam_count},
-    Column{"sensors.ranges", Role::kSensed, &Sensors::ranges},
-    Column{"sensors.intensities", Role::kSensed, &Sensors::intensities},
+    Column{"sensors.ranger", Role::kDerived, "", "", "", &Sensors::ranger},
+    Column{"sensors.first_beam", Role::kDerived, "", "", "", &Sensors::first_beam},
+    Column{"sensors.beam_count", Role::kDerived, "", "", "", &Sensors::beam_count},
+    Column{"sensors.ranges", Role::kSensed, "m", "", "sense", &Sensors::ranges, Per::kBeam},
+    Column{"sensors.intensities", Role::kSensed, "1", "", "sense", &Sensors::intensities, Per::kBeam},
 };
 
 template <>
 inline constexpr auto kColumns<Fiducials> = std::tuple{
-    Column{"fiducials.model", Role::kFixed, &Fiducials::model},
-    Column{"fiducials.hits", Role::kSensed, &Fiducials::hits},
-    Column{"fiducials.measured_tick", Role::kSensed, &Fiducials::measured_tick},
+    Column{"fiducials.model", Role::kDerived, "", "", "", &Fiducials::model},
+    Column{"fiducials.hits", Role::kSensed, "m, rad", "M", "sense", &Fiducials::hits},
+    Column{"fiducials.measured_tick", Role::kSensed, "tick", "", "sense", &Fiducials::measured_tick},
 };
 
 inline constexpr std::tuple kTables{&Tables::models, &Tables::positions, &Tables::rangers, &Tables::sensors,
@@ -108,6 +131,55 @@ template <typename Visit, typename... Worlds>
 void each_column(const Visit& visit, Worlds&... worlds) {
   const auto each_of = [&]<typename Table>(Table Tables::*table) {
     each_column_of<Table>([&](const auto& column) { visit(column, worlds.*table.*column.values...); });
+  };
+  std::apply([&](auto... table) { (each_of(table), ...); }, kTables);
+}
+
+/// Values [begin, end) of a column.
+struct Range {
+  std::uint32_t begin = 0, end = 0;
+};
+
+/// Which values of each table's columns belong to a model: of a column per row, and of one per beam. The one
+/// place that knows how tables hang together.
+template <typename Table>
+Range range_of(const Tables& tables, std::uint32_t model, Per per) {
+  const Models& models = tables.models;
+  const auto row_of = [&](scene::ModelKind kind) {
+    const std::uint32_t part = models.part[model];
+    return models.kind[model] == kind ? Range{part, part + 1} : Range{};
+  };
+  if constexpr (std::is_same_v<Table, Models>) {
+    return {model, model + 1};
+  } else if constexpr (std::is_same_v<Table, Positions>) {
+    return row_of(scene::ModelKind::kPosition);
+  } else if constexpr (std::is_same_v<Table, Rangers>) {
+    return row_of(scene::ModelKind::kRanger);
+  } else if constexpr (std::is_same_v<Table, Fiducials>) {
+    return row_of(scene::ModelKind::kFiducial);
+  } else {
+    static_assert(std::is_same_v<Table, Sensors>);
+    if (models.kind[model] != scene::ModelKind::kRanger) return {};
+    const std::uint32_t ranger = models.part[model];
+    const std::uint32_t first = tables.rangers.first_sensor[ranger], count = tables.rangers.sensor_count[ranger];
+    if (per == Per::kRow || count == 0) return {first, per == Per::kRow ? first + count : first};
+    const Sensors& sensors = tables.sensors;
+    const std::uint32_t last = first + count - 1;
+    return {sensors.first_beam[first], sensors.first_beam[last] + sensors.beam_count[last]};
+  }
+}
+
+/// Calls visit(column, values..., range) for every column of every table in which a model has values; `tables`
+/// says which.
+template <typename Visit, typename... Worlds>
+void each_value_of(const Tables& tables, std::uint32_t model, const Visit& visit, Worlds&... worlds) {
+  const auto each_of = [&]<typename Table>(Table Tables::*table) {
+    const Range rows = range_of<Table>(tables, model, Per::kRow);
+    if (rows.begin == rows.end) return;
+    const Range beams = range_of<Table>(tables, model, Per::kBeam);
+    each_column_of<Table>([&](const auto& column) {
+      visit(column, worlds.*table.*column.values..., column.per == Per::kBeam ? beams : rows);
+    });
   };
   std::apply([&](auto... table) { (each_of(table), ...); }, kTables);
 }

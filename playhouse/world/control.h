@@ -25,11 +25,11 @@ class Control {
   virtual void set_speed(double times_real_time) = 0;
   /// Sets the velocity of a robot's wheels, as a client's command would: the newest before a tick counts.
   /// Finite.
-  virtual void drive(PositionRow robot, const geom::Twist& velocity) = 0;
+  virtual void drive(ModelId robot, const geom::Twist& velocity) = 0;
   /// Runs `change` on the tick thread between two ticks. False: the queue is full (limits::kRequestQueue),
   /// nothing happens. `robot`, if any, is whom the change concerns: what it was told before is carried out
   /// before.
-  virtual bool post(std::function<void(World&)> change, PositionRow robot = {}) = 0;
+  virtual bool post(std::function<void(World&)> change, ModelId robot = {}) = 0;
 };
 
 }  // namespace playhouse::world

@@ -4,8 +4,11 @@
 /// runs each of them over ranges of its robots in the decide phase, before act. Implemented by playhouse/controllers.
 
 #include <cstddef>
+#include <string_view>
 
 #include "playhouse/base/hash.h"
+#include "playhouse/base/packing.h"
+#include "playhouse/base/result.h"
 
 namespace playhouse::world {
 
@@ -15,8 +18,15 @@ class Decider {
  public:
   virtual ~Decider() = default;
 
-  /// How many robots it decides for; fixed once the world runs.
+  /// As world files name it: "wander".
+  virtual std::string_view name() const = 0;
+
+  /// How many robots it decides for; changes in follow() alone.
   virtual std::size_t size() const = 0;
+
+  /// Takes in the changes since it was last called: models that came and name it, models that went, rows that
+  /// moved. Called by the engine before decide(), alone.
+  virtual void follow(World& world) = 0;
 
   /// Decides for its robots begin .. end-1: reads the frozen state N of any model, writes the commands, flags and
   /// speech of those robots alone, and its own columns of them. Random numbers are functions of (seed, tick, robot).
@@ -24,8 +34,13 @@ class Decider {
   /// Never throws, allocates nothing.
   virtual void decide(World& world, std::size_t begin, std::size_t end) = 0;
 
-  /// Adds what a later tick depends on; part of World::hash().
+  /// Adds what a later tick depends on; part of World::hash(). A sum over robots.
   virtual void hash(Hash& hash) const = 0;
+
+  /// Writes what a later tick depends on. Fails where a controller cannot say.
+  virtual Result<void> save(Packer& out) const = 0;
+  /// Reads what save() wrote; the world has the state's models already. False: it is no such thing.
+  virtual bool load(World& world, Unpacker& in) = 0;
 };
 
 }  // namespace playhouse::world

@@ -1,165 +1,61 @@
 #include "playhouse/world/world.h"
 
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 
 #include "playhouse/base/assert.h"
 #include "playhouse/base/hash.h"
-#include "playhouse/base/rng.h"
 #include "playhouse/world/columns.h"
+#include "playhouse/world/population.h"
+#include "playhouse/world/values.h"
 
 namespace playhouse::world {
 namespace {
 
 constexpr std::uint32_t kNone = ModelRow::kNone;
-constexpr std::size_t kUsualHits = 32;  // of a fiducial finder; room for more is made once they are seen
 
 template <typename T>
-std::uint32_t count32(const std::vector<T>& column) {
-  return static_cast<std::uint32_t>(column.size());
-}
-
-void add_model(Models& models, const scene::ModelDesc& desc) {
-  const std::uint32_t row = count32(models.X_PM);
-  const bool top = desc.parent < 0;
-  PLAYHOUSE_ASSERT(top || static_cast<std::uint32_t>(desc.parent) < row);
-  const std::uint32_t parent = top ? kNone : static_cast<std::uint32_t>(desc.parent);
-  models.X_PM.push_back(desc.X_PM);
-  models.X_WM.push_back(top ? desc.X_PM : geom::compose(models.X_WM[parent], desc.X_PM));
-  models.parent.push_back(parent);
-  models.root.push_back(top ? row : models.root[parent]);
-  models.kind.push_back(desc.kind);
-  models.part.push_back(kNone);
-  models.subscribers.push_back(desc.alwayson ? 1 : 0);
-  models.controllers.push_back(0);
-  models.fiducial_return.push_back(desc.fiducial_return);
-  models.flags.push_back(0);
-  models.color.push_back(desc.color);
-  models.say.push_back(desc.say);
-}
-
-geom::Twist draw_odometry_error(std::uint64_t seed, std::uint32_t model) {
-  Rng rng(seed, 0, {Purpose::kOdometryError, model});
-  geom::Twist error;
-  error.x = rng.uniform(-0.015, 0.015);
-  error.y = rng.uniform(-0.015, 0.015);
-  error.a = rng.uniform(-0.025, 0.025);
-  return error;
-}
-
-void add_position(Positions& positions, const scene::PositionDesc& desc, ModelRow model,
-                  const geom::Pose& X_WM, std::uint64_t seed) {
-  const bool gps = desc.localization == scene::Localization::kGps;
-  const geom::Pose X_WO = desc.localization_origin.value_or(gps ? geom::Pose{} : X_WM);
-  positions.model.push_back(model);
-  positions.mode.push_back(ControlMode::kVelocity);
-  positions.command.push_back(desc.velocity);
-  positions.goal.push_back({});
-  positions.velocity.push_back({});
-  positions.X_OM.push_back(geom::compose(geom::inverse(X_WO), X_WM));
-  positions.X_WO.push_back(X_WO);
-  positions.odom_error.push_back(desc.odom_error.value_or(draw_odometry_error(seed, model.index)));
-  positions.stall.push_back(0);
-  positions.motor_on.push_back(1);
-}
-
-void add_ranger(Rangers& rangers, Sensors& sensors, const scene::ModelDesc& desc, ModelRow model) {
-  const RangerRow ranger{count32(rangers.model)};
-  rangers.model.push_back(model);
-  rangers.first_sensor.push_back(count32(sensors.ranger));
-  rangers.sensor_count.push_back(count32(desc.sensors));
-  rangers.measured_tick.push_back(0);
-  for (const scene::RangerSensorDesc& sensor : desc.sensors) {
-    sensors.ranger.push_back(ranger);
-    sensors.first_beam.push_back(count32(sensors.ranges));
-    sensors.beam_count.push_back(sensor.samples);
-    sensors.ranges.insert(sensors.ranges.end(), sensor.samples, static_cast<float>(sensor.range_max));
-    sensors.intensities.insert(sensors.intensities.end(), sensor.samples, 0.0f);
+void add(Hash& hash, const T& value) {
+  if constexpr (kIsList<T>) {
+    hash.add(std::uint64_t{value.size()});
+    for (const auto& element : value) add(hash, element);
+  } else {
+    each_number(value, [&](auto number) {
+      if constexpr (std::is_floating_point_v<decltype(number)>) {
+        hash.add(number);
+      } else {
+        hash.add(static_cast<std::uint64_t>(number));
+      }
+    });
   }
 }
 
-void add_fiducial(Fiducials& fiducials, ModelRow model) {
-  fiducials.model.push_back(model);
-  fiducials.hits.emplace_back().reserve(kUsualHits);
-  fiducials.measured_tick.push_back(0);
-}
-
-// Values of every type that columns have. Bindings name all parts of a value: one more does not compile.
-
+/// Memory that a value has elsewhere. [bytes]
 template <typename T>
-requires std::is_enum_v<T> || std::is_integral_v<T>
-void add(Hash& hash, T value) {
-  hash.add(static_cast<std::uint64_t>(value));
+std::size_t bytes_of(const T& value) {
+  if constexpr (std::is_same_v<T, std::string>) {
+    return value.capacity() > std::string().capacity() ? value.capacity() + 1 : 0;
+  } else if constexpr (kIsList<T>) {
+    return value.capacity() * sizeof(typename T::value_type);
+  } else {
+    return 0;
+  }
 }
 
-void add(Hash& hash, float value) {
-  hash.add(value);
-}
-
-template <typename Table>
-void add(Hash& hash, const Row<Table>& row) {
-  hash.add(std::uint64_t{row.index});
-}
-
-void add(Hash& hash, const geom::Pose& pose) {
-  const auto& [x, y, z, a] = pose;
-  for (const double value : {x, y, z, a}) hash.add(value);
-}
-
-void add(Hash& hash, const geom::Twist& twist) {
-  const auto& [x, y, z, a] = twist;
-  for (const double value : {x, y, z, a}) hash.add(value);
-}
-
-void add(Hash& hash, const scene::Color& color) {
-  const auto& [r, g, b, a] = color;
-  for (const float value : {r, g, b, a}) hash.add(value);
-}
-
-void add(Hash& hash, const std::string& text) {
-  hash.add(std::uint64_t{text.size()});
-  for (const char letter : text) add(hash, letter);
-}
-
-void add(Hash& hash, const FiducialHit& hit) {
-  const auto& [target, id, range, bearing, heading, size] = hit;
-  const auto& [x, y, z] = size;
-  add(hash, target);
-  add(hash, id);
-  for (const double value : {range, bearing, heading, x, y, z}) hash.add(value);
-}
-
-void add(Hash& hash, const std::vector<FiducialHit>& hits) {
-  hash.add(std::uint64_t{hits.size()});
-  for (const FiducialHit& hit : hits) add(hash, hit);
-}
-
-bool is_done(Role role) {
-  return role == Role::kFixed || role == Role::kMotion || role == Role::kMark;
-}
-
-/// What was measured, in rows [begin, end) of these columns.
-template <typename Table>
-void add_sensed(Hash& hash, const Table& table, std::size_t begin, std::size_t end) {
-  each_column_of<Table>([&](const auto& column) {
-    if (column.role != Role::kSensed) return;
-    for (std::size_t row = begin; row < end; ++row) add(hash, (table.*column.values)[row]);
-  });
-}
-
-// Memory that values of columns have elsewhere. [bytes]
-
-template <typename T>
-std::size_t bytes_of(const T&) {
-  return 0;
-}
-
-std::size_t bytes_of(const std::string& text) {
-  return text.capacity() > std::string().capacity() ? text.capacity() + 1 : 0;
-}
-
-std::size_t bytes_of(const std::vector<FiducialHit>& hits) {
-  return hits.capacity() * sizeof(FiducialHit);
+/// Hash of the columns of one model that `is_in(column)` chooses, with the model's id.
+template <typename Choose>
+std::uint64_t hash_of(const World& world, std::uint32_t model, const Choose& is_in) {
+  Hash hash;
+  add(hash, world.models.id[model]);
+  each_value_of(
+      world, model,
+      [&](const auto& column, const auto& values, Range range) {
+        if (!is_in(column)) return;
+        for (std::uint32_t i = range.begin; i < range.end; ++i) add(hash, values[i]);
+      },
+      world);
+  return hash.value();
 }
 
 bool finite(double x, double y, double z, double a) {
@@ -182,65 +78,73 @@ void believe_truth(World& world, std::uint32_t model) {
 }  // namespace
 
 World::World(const scene::SceneDesc& scene, std::uint64_t seed) : scene_(&scene), seed_(seed) {
+  Population population(*this);
   const auto count = static_cast<std::uint32_t>(scene.models.size());
-  first_child_.assign(count + 1, 0);
   for (std::uint32_t row = 0; row < count; ++row) {
     const scene::ModelDesc& desc = scene.models[row];
-    add_model(models, desc);
-    if (desc.kind == scene::ModelKind::kPosition) {
-      models.part[row] = count32(positions.model);
-      add_position(positions, *desc.position, {row}, models.X_WM[row], seed);
-    } else if (desc.kind == scene::ModelKind::kRanger) {
-      models.part[row] = count32(rangers.model);
-      add_ranger(rangers, sensors, desc, {row});
-    } else if (desc.kind == scene::ModelKind::kFiducial) {
-      models.part[row] = count32(fiducials.model);
-      add_fiducial(fiducials, {row});
-    }
-    if (desc.parent >= 0) ++first_child_[static_cast<std::uint32_t>(desc.parent) + 1];
-    by_name_[desc.alias] = {row};
+    PLAYHOUSE_ASSERT(desc.parent < static_cast<std::int32_t>(row));
+    const ModelRow parent = desc.parent < 0 ? ModelRow{} : ModelRow{static_cast<std::uint32_t>(desc.parent)};
+    population.append({row}, row, parent, desc.X_PM);
   }
-  // Given names win over default names, later ones over earlier ones.
-  for (std::uint32_t row = 0; row < count; ++row) by_name_[scene.models[row].name] = {row};
+  population.next_id() = count;
+  population.settle(0);
+}
 
-  for (std::uint32_t row = 0; row < count; ++row) first_child_[row + 1] += first_child_[row];
-  child_rows_.resize(first_child_[count]);
-  std::vector<std::uint32_t> next(first_child_.begin(), first_child_.end());
-  for (std::uint32_t row = 0; row < count; ++row)
-    if (models.parent[row] != kNone) child_rows_[next[models.parent[row]]++] = row;
+ModelRow World::row(ModelId id) const {
+  const std::vector<ModelId>& ids = models.id;
+  // While nothing below it went, a model's row is its id.
+  if (id.value < ids.size() && ids[id.value] == id) return {id.value};
+  const auto found = std::ranges::lower_bound(ids, id);
+  if (found == ids.end() || *found != id) return {};
+  return {static_cast<std::uint32_t>(found - ids.begin())};
+}
+
+PositionRow World::position(ModelId id) const {
+  const ModelRow model = row(id);
+  if (!model || models.kind[model.index] != scene::ModelKind::kPosition) return {};
+  return {models.part[model.index]};
+}
+
+std::string World::name(ModelRow row) const {
+  const std::uint32_t desc = models.desc[row.index];
+  std::uint32_t top = desc;
+  while (scene_->models[top].parent >= 0) top = static_cast<std::uint32_t>(scene_->models[top].parent);
+  const std::string& name = scene_->models[desc].name;
+  const auto given = given_.find({models.id[row.index].value - (desc - top)});
+  if (given == given_.end()) return name;
+  if (desc == top) return given->second.name;
+  const std::string prefix = scene_->models[top].name + ".";
+  return given->second.name + "." + (name.starts_with(prefix) ? name.substr(prefix.size()) : name);
+}
+
+/// Given names win over default names, later ones over earlier ones.
+void World::index_names() const {
+  by_name_.clear();
+  for (std::uint32_t row = 0; row < models.size(); ++row)
+    if (models.id[row].value < scene_->models.size()) by_name_[desc({row}).alias] = models.id[row];
+  for (std::uint32_t row = 0; row < models.size(); ++row) by_name_[name({row})] = models.id[row];
+  names_known_ = true;
 }
 
 ModelRow World::find(std::string_view name) const {
+  if (!names_known_) index_names();
   const auto found = by_name_.find(name);
-  return found == by_name_.end() ? ModelRow{} : found->second;
-}
-
-std::span<const std::uint32_t> World::children(ModelRow row) const {
-  const std::uint32_t begin = first_child_[row.index], end = first_child_[row.index + 1];
-  return {child_rows_.data() + begin, end - begin};
+  return found == by_name_.end() ? ModelRow{} : row(found->second);
 }
 
 std::uint64_t World::hash() const {
   Hash hash;
   hash.add(seed_);
   hash.add(tick_);
-  each_column(
-      [&](const auto& column, const auto& values) {
-        if (!is_done(column.role)) return;
-        for (const auto& value : values) add(hash, value);
-      },
-      *this);
-  for (std::uint32_t row = 0; row < rangers.size(); ++row) {
-    if (models.controllers[rangers.model[row].index] == 0) continue;
-    add_sensed(hash, rangers, row, row + 1);
-    const std::uint32_t first = rangers.first_sensor[row], end = first + rangers.sensor_count[row];
-    for (std::uint32_t sensor = first; sensor < end; ++sensor) {
-      const std::uint32_t beam = sensors.first_beam[sensor];
-      add_sensed(hash, sensors, beam, beam + sensors.beam_count[sensor]);
-    }
+  hash.add(std::uint64_t{next_id_});
+  std::uint64_t sum = 0;
+  for (std::uint32_t model = 0; model < models.size(); ++model) {
+    const bool sensed = models.controllers[model] > 0;
+    sum += hash_of(*this, model, [sensed](const auto& column) {
+      return is_done(column.role) || (sensed && column.role == Role::kSensed);
+    });
   }
-  for (std::uint32_t row = 0; row < fiducials.size(); ++row)
-    if (models.controllers[fiducials.model[row].index] > 0) add_sensed(hash, fiducials, row, row + 1);
+  hash.add(sum);
   for (const std::unique_ptr<Decider>& decider : deciders) decider->hash(hash);
   return hash.value();
 }
@@ -248,12 +152,12 @@ std::uint64_t World::hash() const {
 std::uint64_t World::sensed_hash() const {
   Hash hash;
   hash.add(tick_);
-  each_column(
-      [&](const auto& column, const auto& values) {
-        if (is_done(column.role)) return;
-        for (const auto& value : values) add(hash, value);
-      },
-      *this);
+  std::uint64_t sum = 0;
+  for (std::uint32_t model = 0; model < models.size(); ++model)
+    sum += hash_of(*this, model, [](const auto& column) {
+      return column.role == Role::kSensed || column.role == Role::kUse;
+    });
+  hash.add(sum);
   return hash.value();
 }
 
@@ -325,28 +229,42 @@ bool set_pose(World& world, ModelRow model, const geom::Pose& X_PM) {
   if (!is_place(X_PM)) return false;
   world.models.X_PM[model.index] = {X_PM.x, X_PM.y, X_PM.z, geom::normalize(X_PM.a)};
   place_tree(world, model);
-  world.teleported.push_back(model);
+  world.changes.add(
+      {Change::Kind::kPlace, world.id(model), {}, 0, world.models.mobility[model.index]});
   return true;
 }
 
 void return_to_start(World& world) {
-  const World start(world.scene(), world.seed());
   for (std::uint32_t row = 0; row < world.models.size(); ++row) {
-    if (world.models.X_PM[row] != start.models.X_PM[row]) world.teleported.push_back({row});
+    const Result<void> detached = detach(world, world.models.id[row]);
+    static_cast<void>(detached);  // most are not attached to anything
+  }
+  World start(world.scene(), world.seed());
+  Population population(world), at_start(start);
+  at_start.clear();
+  for (std::uint32_t row = 0; row < world.models.size(); ++row)
+    at_start.append(world.models.id[row], world.models.desc[row], {world.models.parent[row]},
+                    population.start_of({row}));
+  for (std::uint32_t row = 0; row < world.models.size(); ++row) {
+    if (world.models.X_PM[row] == start.models.X_PM[row]) continue;
+    world.changes.add({Change::Kind::kPlace, world.models.id[row], {}, 0, world.models.mobility[row]});
   }
   each_column(
       [](const auto& column, auto& values, const auto& first_values) {
         if (column.role == Role::kMotion) values = first_values;
       },
       world, start);
+  world.models.X_WM = start.models.X_WM;
 }
 
 void set_fiducial_return(World& world, ModelRow model, std::int32_t id) {
   world.models.fiducial_return[model.index] = id;
+  world.changes.add({Change::Kind::kSet, world.id(model), {}, 0, world.models.mobility[model.index]});
 }
 
 void set_color(World& world, ModelRow model, const scene::Color& color) {
   world.models.color[model.index] = color;
+  world.changes.add({Change::Kind::kSet, world.id(model), {}, 0, world.models.mobility[model.index]});
 }
 
 void subscribe(World& world, ModelRow model) {

@@ -2,7 +2,9 @@
 
 /// World: the state that both engines share, as tables of columns, and the few ways to change it from outside.
 /// An engine's step() turns commands and state N into state N+1; between steps everyone reads a const World.
-/// Rows are dense and keep the order of the scene's models. Thread: the tick thread, between steps.
+/// Rows are dense and in the order of the models' ids; they are for the tick and hold until the population
+/// changes (population.h). Everyone else names models by id. Units, frames, roles and writers of all columns
+/// are in columns.h. Thread: the tick thread, between steps.
 /// Frames: W world, P parent, M model, B body (M moved by the origin), O odometry.
 
 #include <cmath>
@@ -17,31 +19,38 @@
 #include "playhouse/base/row.h"
 #include "playhouse/geom/pose.h"
 #include "playhouse/scene/scene_desc.h"
+#include "playhouse/world/change.h"
 #include "playhouse/world/decider.h"
+#include "playhouse/world/model_id.h"
 
 namespace playhouse::world {
 
-using ModelRow = Row<struct ModelTable>;        // equals the row in SceneDesc::models
+using ModelRow = Row<struct ModelTable>;
 using PositionRow = Row<struct PositionTable>;  // robots that move
 using RangerRow = Row<struct RangerTable>;
 using SensorRow = Row<struct SensorTable>;      // one transducer or scanner of a ranger
 using FiducialRow = Row<struct FiducialTable>;  // fiducial finders
 
-/// Every model of the scene (n rows).
+/// Every model (n rows).
 struct Models {
-  std::vector<geom::Pose> X_PM;                 // pose in the parent            [m, rad]  written by: move, set_pose
-  std::vector<geom::Pose> X_WM;                 // pose in the world             [m, rad]  written by: move, set_pose
-  std::vector<std::uint32_t> parent;            // model row or Row::kNone
-  std::vector<std::uint32_t> root;              // top of the tree; its own row for a top-level model
+  std::vector<ModelId> id;                    // ascending
+  std::vector<std::uint32_t> desc;            // row of SceneDesc::models that says what it is
+  std::vector<ModelId> parent_id;             // none for a top-level model
+  std::vector<std::uint32_t> parent;          // the same as a row, or Row::kNone
+  std::vector<geom::Pose> X_PM;               // pose in the parent
+  std::vector<geom::Pose> X_WM;               // pose in the world
+  std::vector<std::uint32_t> root;            // top of the tree; its own row for a top-level model
   std::vector<scene::ModelKind> kind;
-  std::vector<std::uint32_t> part;              // row in the kind's own table, or Row::kNone
-  std::vector<std::uint32_t> subscribers;       // open devices and controllers, and one for alwayson
-                                                //                                written by: subscribe, unsubscribe
-  std::vector<std::uint32_t> controllers;       // of the subscribers              written by: subscribe_controller
-  std::vector<std::int32_t> fiducial_return;    // 0: unseen                      written by: set_fiducial_return
-  std::vector<std::int32_t> flags;              // tokens carried (source, sink)  written by: controllers
-  std::vector<scene::Color> color;              //                                written by: set_color
-  std::vector<std::string> say;                 // speech bubble; starts as the scene's `say`  written by: controllers
+  std::vector<std::uint32_t> part;            // row in the kind's own table, or Row::kNone
+  std::vector<std::uint32_t> first_child;     // rows or Row::kNone; see World::children()
+  std::vector<std::uint32_t> next_sibling;    // ascending
+  std::vector<Mobility> mobility;             // of its tree
+  std::vector<std::uint32_t> subscribers;     // open devices and controllers, and one for alwayson
+  std::vector<std::uint32_t> controllers;     // of the subscribers
+  std::vector<std::int32_t> fiducial_return;  // 0: unseen
+  std::vector<std::int32_t> flags;            // tokens carried (source, sink)
+  std::vector<scene::Color> color;
+  std::vector<std::string> say;               // speech bubble; starts as the scene's `say`
   std::size_t size() const { return X_PM.size(); }
 };
 
@@ -50,18 +59,18 @@ enum class ControlMode : std::uint8_t { kVelocity, kPosition, kAcceleration, kHe
 /// Models that drive (position). A command stays in force until the next one replaces it.
 struct Positions {
   std::vector<ModelRow> model;
-  std::vector<ControlMode> mode;                // written by: the command functions
-  std::vector<geom::Twist> command;             // kVelocity [m/s, rad/s], car: a is the steering angle [rad];
-                                                // kAcceleration [m/s^2, rad/s^2]; kHeading: x is the speed [m/s],
-                                                // a the heading to keep, in the frame of X_OM [rad]
-  std::vector<geom::Pose> goal;                 // kPosition: target in the frame of X_OM
-  std::vector<geom::Twist> velocity;            // in the body frame, after bounds [m/s, rad/s]  written by: act
-  std::vector<geom::Pose> X_OM;                 // what the robot believes (gps or odometry)     written by: move
-  std::vector<geom::Pose> X_WO;                 // origin of the odometry frame in the world     written by: set_odometry
-                                                // gps: localization_origin, or W itself; odometry: start pose
-  std::vector<geom::Twist> odom_error;          // fraction per axis
-  std::vector<std::uint8_t> stall;              // 1: the last motion was blocked                written by: move
-  std::vector<std::uint8_t> motor_on;           // 0: commands are kept but do not move it
+  std::vector<ControlMode> mode;
+  std::vector<geom::Twist> command;     // kVelocity [m/s, rad/s], car: a is the steering angle [rad];
+                                        // kAcceleration [m/s^2, rad/s^2]; kHeading: x is the speed [m/s],
+                                        // a the heading to keep, in the frame of X_OM [rad]
+  std::vector<geom::Pose> goal;         // kPosition: target
+  std::vector<geom::Twist> velocity;    // after bounds
+  std::vector<geom::Pose> X_OM;         // what the robot believes (gps or odometry)
+  std::vector<geom::Pose> X_WO;         // origin of the odometry frame in the world
+                                        // gps: localization_origin, or W itself; odometry: start pose
+  std::vector<geom::Twist> odom_error;  // fraction per axis
+  std::vector<std::uint8_t> stall;      // 1: the last motion was blocked
+  std::vector<std::uint8_t> motor_on;   // 0: commands are kept but do not move it
   std::size_t size() const { return model.size(); }
 };
 
@@ -69,21 +78,22 @@ struct Positions {
 struct Rangers {
   std::vector<ModelRow> model;
   std::vector<std::uint32_t> first_sensor, sensor_count;
-  std::vector<std::uint64_t> measured_tick;     // tick of the newest scan; 0: none yet           written by: sense
+  std::vector<std::uint64_t> measured_tick;  // tick of the newest scan; 0: none yet
   std::size_t size() const { return model.size(); }
 };
 
-/// Transducers and scanners. Beam k of a sensor is at ranges[first_beam + k]; beam 0 is the rightmost.
+/// Transducers and scanners. Beam k of a sensor is at ranges[first_beam + k]; beam 0 is the rightmost. The
+/// beams of a ranger's sensors are consecutive.
 struct Sensors {
   std::vector<RangerRow> ranger;
   std::vector<std::uint32_t> first_beam, beam_count;
-  std::vector<float> ranges;                    // along the beam; range_max when nothing is hit  [m]  (beams)
-  std::vector<float> intensities;               // ranger_return of what was hit, else 0          [1]  (beams)
+  std::vector<float> ranges;       // along the beam; range_max when nothing is hit  (beams)
+  std::vector<float> intensities;  // ranger_return of what was hit, else 0          (beams)
   std::size_t size() const { return ranger.size(); }
 };
 
 struct FiducialHit {
-  ModelRow target;
+  ModelId target;
   std::int32_t id = 0;       // 0 beyond range_max_id
   double range = 0;          // m, centre to centre
   double bearing = 0;        // rad, in the finder's frame
@@ -94,8 +104,8 @@ struct FiducialHit {
 
 struct Fiducials {
   std::vector<ModelRow> model;
-  std::vector<std::vector<FiducialHit>> hits;   // by target row; capacity is kept from tick to tick  written by: sense
-  std::vector<std::uint64_t> measured_tick;     // 0: none yet
+  std::vector<std::vector<FiducialHit>> hits;  // by target id; capacity is kept from tick to tick
+  std::vector<std::uint64_t> measured_tick;    // 0: none yet
   std::size_t size() const { return model.size(); }
 };
 
@@ -110,24 +120,38 @@ struct Tables {
 
 class World : public Tables {
  public:
-  /// Allocates every column for the scene and computes poses. The scene must outlive the world.
+  /// A model for each of the scene's, with ids from 0 in the scene's order. The scene must outlive the world.
   World(const scene::SceneDesc& scene, std::uint64_t seed);
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
   const scene::SceneDesc& scene() const { return *scene_; }
-  const scene::ModelDesc& desc(ModelRow row) const { return scene_->models[row.index]; }
+  const scene::ModelDesc& desc(ModelRow row) const { return scene_->models[models.desc[row.index]]; }
   std::uint64_t seed() const { return seed_; }
   std::uint64_t tick() const { return tick_; }
   /// Simulated time, the number nearest to whole microseconds: 6.3, not 6.300000000000001. [s]
   double time() const { return std::round(static_cast<double>(tick_) * scene_->interval * 1e6) / 1e6; }
 
+  /// Another number whenever models come, go or become parts of each other.
+  std::uint64_t population() const { return population_; }
+
+  ModelId id(ModelRow row) const { return models.id[row.index]; }
+  /// None if there is no such model, or no more.
+  ModelRow row(ModelId id) const;
+  /// Row of a robot's drive; none if there is no such model, no more, or it does not drive.
+  PositionRow position(ModelId id) const;
+  /// The model's name: the scene's, or, of a model that came during the run, what it was given with the rest
+  /// of the scene's behind it ("r7.ranger:0").
+  std::string name(ModelRow row) const;
   /// Look-up by name or default name; none if there is no such model. The last of equal names wins.
   ModelRow find(std::string_view name) const;
-  std::span<const std::uint32_t> children(ModelRow row) const;
+  /// Rows of what is attached to it, ascending; for range-based for.
+  class Children;
+  Children children(ModelRow row) const;
 
-  /// Hash of what robots do: every column that a later tick depends on, what controllers sense and remember, and
-  /// the tick. What is only measured for people and clients is no part of it: whoever watches changes nothing.
+  /// Hash of what robots do: of every column that a later tick depends on, what controllers sense and remember,
+  /// and the tick. What is only measured for people and clients is no part of it: whoever watches changes
+  /// nothing. A sum over models, so that neither their order nor who computed them matters.
   std::uint64_t hash() const;
   /// Hash of what all sensors measured, and of who had them measure.
   std::uint64_t sensed_hash() const;
@@ -137,16 +161,57 @@ class World : public Tables {
   /// In-process controllers, in the order in which they decide (see controllers::attach).
   std::vector<std::unique_ptr<Decider>> deciders;
 
-  /// Set by set_pose(); the engine re-indexes what moved before its next tick and clears it.
-  std::vector<ModelRow> teleported;
+  ChangeList changes;
   std::uint64_t tick_ = 0;  // written by: freeze (the engine) alone
 
  private:
+  friend class Population;
+
+  /// What a top that came during the run was given.
+  struct Given {
+    std::string name;
+    geom::Pose X_WM;  // where it came
+  };
+  void index_names() const;
+
   const scene::SceneDesc* scene_;
   std::uint64_t seed_;
-  std::map<std::string, ModelRow, std::less<>> by_name_;
-  std::vector<std::uint32_t> first_child_, child_rows_;  // children of row r: child_rows_[first_child_[r] .. first_child_[r+1])
+  std::uint32_t next_id_ = 0;
+  std::size_t corners_ = 0;  // of all bodies
+  std::uint64_t population_ = 0;
+  std::map<ModelId, Given> given_;
+  mutable std::map<std::string, ModelId, std::less<>> by_name_;
+  mutable bool names_known_ = false;  // by_name_ holds everyone; made when somebody asks
 };
+
+class World::Children {
+ public:
+  class Iterator {
+   public:
+    Iterator(const std::vector<std::uint32_t>& next, std::uint32_t row) : next_(&next), row_(row) {}
+    std::uint32_t operator*() const { return row_; }
+    Iterator& operator++() {
+      row_ = (*next_)[row_];
+      return *this;
+    }
+    friend bool operator==(const Iterator& a, const Iterator& b) { return a.row_ == b.row_; }
+
+   private:
+    const std::vector<std::uint32_t>* next_;
+    std::uint32_t row_;
+  };
+
+  Children(const Models& models, std::uint32_t row) : next_(models.next_sibling), first_(models.first_child[row]) {}
+  Iterator begin() const { return {next_, first_}; }
+  Iterator end() const { return {next_, ModelRow::kNone}; }
+  bool empty() const { return first_ == ModelRow::kNone; }
+
+ private:
+  const std::vector<std::uint32_t>& next_;
+  std::uint32_t first_;
+};
+
+inline World::Children World::children(ModelRow row) const { return {models, row.index}; }
 
 /// Recomputes X_WM of a model and everything attached to it from X_PM; what robots with gps believe follows.
 void place_tree(World& world, ModelRow model);

@@ -72,7 +72,7 @@ Result<void> add_simulated_device(Site& site, SimulatedDriver& driver, device::A
   const Result<device::DeviceId> id = site.add_device(address, driver);
   if (!id) return id.error();
   driver.add(*id, make_device(*site.simulation(), address.interf, model));
-  site.simulation()->directory().add(model, address);
+  if (model) site.simulation()->directory().add(site.simulation()->world().id(model), address);
   return {};
 }
 

@@ -426,9 +426,9 @@ TEST_F(SimulationInterface, properties_are_colour_time_name_and_model) {
 TEST_F(SimulationInterface, lists_models_with_the_devices_that_show_them) {
   open(sim::kCode, "");
   world::World& world = still_.world();
-  still_.simulation.directory().add(world.find("r0"), {6665, p2d::kCode, 12});
-  still_.simulation.directory().add(world.find("r0.scanner"), {6666, wire::ranger::kCode, 0});
-  still_.simulation.directory().add(world.find("r0.scanner"), {6666, wire::laser::kCode, 0});
+  still_.simulation.directory().add(world.id(world.find("r0")), {6665, p2d::kCode, 12});
+  still_.simulation.directory().add(world.id(world.find("r0.scanner")), {6666, wire::ranger::kCode, 0});
+  still_.simulation.directory().add(world.id(world.find("r0.scanner")), {6666, wire::laser::kCode, 0});
   const auto list = [&](std::uint32_t first) {
     return reply<sim::PropertyReq>(ask_with(
         sim::kReqGetProperty, sim::PropertyReq{wire::c_string(""), wire::c_string("models"), first, ""}));
@@ -474,10 +474,10 @@ TEST_F(SimulationInterface, of_many_resets_before_one_tick_only_the_last_is_carr
     EXPECT_EQ(driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), sim::kCmdReset, {}}),
               device::Taken::kQueued);
   }
-  still_.world().teleported.clear();
+  const std::uint64_t before = still_.world().changes.end();
   still_.run(0);
   EXPECT_EQ(still_.world().models.X_WM[robot.index], start);
-  EXPECT_EQ(still_.world().teleported.size(), 4u) << "three times away, once back";
+  EXPECT_EQ(still_.world().changes.since(before).size(), 4u) << "three times away, once back";
 }
 
 TEST_F(SimulationInterface, pause_pauses_and_resumes) {

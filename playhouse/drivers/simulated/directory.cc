@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 
 #include "playhouse/base/assert.h"
@@ -36,42 +37,48 @@ std::string escaped_field(std::string_view name) {
 }
 
 std::string line_of(const world::World& world, const Directory& directory, world::ModelRow row) {
-  const scene::ModelDesc& desc = world.desc(row);
-  const std::string parent =
-      desc.parent < 0 ? "" : world.desc({static_cast<std::uint32_t>(desc.parent)}).name;
-  std::string line = fmt::format("{}\t{}\t{}\t{}\t", row.index, escaped_field(desc.name),
-                                 escaped_field(desc.type), escaped_field(parent));
+  const std::uint32_t parent = world.models.parent[row.index];
+  std::string line =
+      fmt::format("{}\t{}\t{}\t{}\t", world.id(row).value, escaped_field(world.name(row)),
+                  escaped_field(world.desc(row).type),
+                  parent == world::ModelRow::kNone ? "" : escaped_field(world.name({parent})));
   const char* separator = "";
-  for (const device::Address& address : directory.devices_of(row)) {
+  for (const device::Address& address : directory.devices_of(world.id(row))) {
     fmt::format_to(std::back_inserter(line), "{}{}:{}", separator, address.robot, name_within_port(address));
     separator = " ";
   }
   return line += '\n';
 }
 
+/// The first row of a model with this id or a later one.
+std::size_t first_row_from(const world::World& world, world::ModelId id) {
+  const auto& ids = world.models.id;
+  return static_cast<std::size_t>(std::ranges::lower_bound(ids, id) - ids.begin());
+}
+
 }  // namespace
 
-void Directory::add(world::ModelRow model, device::Address address) {
+void Directory::add(world::ModelId model, device::Address address) {
   if (!model) return;
   devices_[model].push_back(address);
   models_[address] = model;
 }
 
-std::span<const device::Address> Directory::devices_of(world::ModelRow model) const {
+std::span<const device::Address> Directory::devices_of(world::ModelId model) const {
   const auto found = devices_.find(model);
   return found == devices_.end() ? std::span<const device::Address>() : found->second;
 }
 
-world::ModelRow Directory::model_of(device::Address address) const {
+world::ModelId Directory::model_of(device::Address address) const {
   const auto found = models_.find(address);
-  return found == models_.end() ? world::ModelRow{} : found->second;
+  return found == models_.end() ? world::ModelId{} : found->second;
 }
 
 std::vector<std::vector<std::string>> device_names(const world::World& world, const Directory& directory,
                                                    std::uint32_t port) {
-  std::vector<std::vector<std::string>> names(world.scene().models.size());
+  std::vector<std::vector<std::string>> names(world.models.size());
   for (std::uint32_t row = 0; row < names.size(); ++row) {
-    for (const device::Address& address : directory.devices_of({row})) {
+    for (const device::Address& address : directory.devices_of(world.id({row}))) {
       const std::string name = name_within_port(address);
       names[row].push_back(address.robot == port ? name : fmt::format("{}:{}", address.robot, name));
     }
@@ -81,13 +88,14 @@ std::vector<std::vector<std::string>> device_names(const world::World& world, co
 
 ModelList list_models(const world::World& world, const Directory& directory, std::uint32_t first) {
   ModelList list;
-  const std::size_t count = world.scene().models.size();
-  for (std::size_t row = first; row < count; ++row) {
+  const std::size_t count = world.models.size();
+  const std::size_t begin = first_row_from(world, {first});
+  for (std::size_t row = begin; row < count; ++row) {
     const std::string line = line_of(world, directory, {static_cast<std::uint32_t>(row)});
-    const bool full = row - first >= limits::kListedModels ||
-                      (row > first && list.text.size() + line.size() > limits::kModelListBytes);
+    const bool full = row - begin >= limits::kListedModels ||
+                      (row > begin && list.text.size() + line.size() > limits::kModelListBytes);
     if (full) {
-      list.next = static_cast<std::uint32_t>(row);
+      list.next = world.models.id[row].value;
       break;
     }
     list.text += line;

@@ -17,16 +17,16 @@ namespace playhouse::drivers {
 class Directory {
  public:
   /// The device at `address` shows `model`. Does nothing for no model: that device is of the whole world.
-  void add(world::ModelRow model, device::Address address);
+  void add(world::ModelId model, device::Address address);
 
   /// The devices of a model, in the order in which they were added.
-  std::span<const device::Address> devices_of(world::ModelRow model) const;
+  std::span<const device::Address> devices_of(world::ModelId model) const;
   /// The model that a device shows; none if it shows none.
-  world::ModelRow model_of(device::Address address) const;
+  world::ModelId model_of(device::Address address) const;
 
  private:
-  std::map<world::ModelRow, std::vector<device::Address>> devices_;
-  std::map<device::Address, world::ModelRow> models_;
+  std::map<world::ModelId, std::vector<device::Address>> devices_;
+  std::map<device::Address, world::ModelId> models_;
 };
 
 /// Per model row, its devices as people write them: "position2d:0", and with the port in front
@@ -36,10 +36,10 @@ std::vector<std::vector<std::string>> device_names(const world::World& world, co
 
 /// The answer to a client that asks for the names of models and their devices (docs/drivers.md).
 struct ModelList {
-  std::string text;        // one line per model: row, name, type, parent's name, devices; separated by tabs
-  std::uint32_t next = 0;  // the row to ask from next; 0: there are no more
+  std::string text;        // one line per model: id, name, type, parent's name, devices; separated by tabs
+  std::uint32_t next = 0;  // the id to ask from next; 0: there are no more
 };
-/// From row `first` on, at most limits::kListedModels models, and after the first of them no more than
+/// From id `first` on, at most limits::kListedModels models, and after the first of them no more than
 /// limits::kModelListBytes of text.
 ModelList list_models(const world::World& world, const Directory& directory, std::uint32_t first);
 

@@ -60,7 +60,7 @@ TEST(Directory, knows_no_model_of_a_device_of_the_whole_world) {
   directory.add({}, {6665, 31, 0});
   EXPECT_FALSE(directory.model_of({6665, 31, 0}));
   directory.add({2}, {6665, 4, 0});
-  EXPECT_EQ(directory.model_of({6665, 4, 0}), world::ModelRow{2});
+  EXPECT_EQ(directory.model_of({6665, 4, 0}), world::ModelId{2});
   EXPECT_TRUE(directory.devices_of({0}).empty());
 }
 

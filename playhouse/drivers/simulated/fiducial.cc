@@ -9,9 +9,8 @@ namespace fid = wire::fiducial;
 using wire::MessageType;
 
 Fiducial::Fiducial(Simulation& simulation, world::ModelRow model)
-    : SimulatedDevice(simulation, model),
-      finder_{simulation.world().models.part[model.index]},
-      robot_model_{simulation.world().models.root[model.index]} {
+    : SimulatedDevice(simulation, simulation.world().id(model)),
+      robot_model_{simulation.world().models.id[simulation.world().models.root[model.index]]} {
   const world::World& world = simulation.world();
   const scene::ModelDesc& desc = world.desc(model);
   geometry_ = wire::encode(fid::Geom{pose3d(pose_on_robot(world, model)), bbox3d(desc.size), {}});
@@ -56,16 +55,21 @@ void Fiducial::exchange_id(const device::Message& message, device::Replier repli
     if (!value) return;
     wanted = static_cast<std::int32_t>(value->id);
   }
-  ask_world(std::move(replier), [model = robot_model_, wanted](world::World& world) {
+  ask_world(std::move(replier), [id = robot_model_, wanted](world::World& world) -> std::optional<Bytes> {
+    const world::ModelRow model = world.row(id);
+    if (!model) return std::nullopt;
     if (wanted) world::set_fiducial_return(world, model, *wanted);
     return wire::encode(fid::Id{static_cast<std::uint32_t>(world.models.fiducial_return[model.index])});
   });
 }
 
 void Fiducial::emit(const world::World& world, std::vector<device::Publication>& out) {
-  if (world.fiducials.measured_tick[finder_.index] != world.tick()) return;
+  const world::ModelRow row = world.row(model());
+  if (!row) return;
+  const std::uint32_t finder = world.models.part[row.index];
+  if (world.fiducials.measured_tick[finder] != world.tick()) return;
   fid::Data data;
-  for (const world::FiducialHit& hit : world.fiducials.hits[finder_.index]) {
+  for (const world::FiducialHit& hit : world.fiducials.hits[finder]) {
     const geom::SinCos bearing = geom::sincos(hit.bearing);
     fid::Item item;
     item.id = hit.id;

@@ -18,8 +18,7 @@ class Fiducial final : public SimulatedDevice {
  private:
   void exchange_id(const device::Message& message, device::Replier replier);
 
-  world::FiducialRow finder_;
-  world::ModelRow robot_model_;  // who shows the id that GET_ID and SET_ID mean
+  world::ModelId robot_model_;  // who shows the id that GET_ID and SET_ID mean
   Bytes geometry_, field_of_view_;
 };
 

@@ -10,18 +10,16 @@ namespace playhouse::drivers {
 
 void Inbox::command(const PositionCommand& command) {
   const std::lock_guard lock(mutex_);
-  PLAYHOUSE_ASSERT(command.robot.index < slots_.size());
   if (closed_) return;
-  std::size_t& slot = slots_[command.robot.index];
-  if (slot != kNoEntry) {
-    entries_[slot] = command;
-    return;
+  const auto [slot, is_new] = slots_.try_emplace(command.robot, entries_.size());
+  if (is_new) {
+    entries_.emplace_back(command);
+  } else {
+    entries_[slot->second] = command;
   }
-  slot = entries_.size();
-  entries_.emplace_back(command);
 }
 
-bool Inbox::post(Change change, world::PositionRow robot) {
+bool Inbox::post(Change change, world::ModelId robot) {
   const std::lock_guard lock(mutex_);
   if (closed_ || changes_ >= limits::kRequestQueue) return false;
   append(std::move(change), robot);
@@ -32,27 +30,25 @@ bool Inbox::post_to_all(Change change) {
   const std::lock_guard lock(mutex_);
   if (closed_ || changes_ >= limits::kRequestQueue) return false;
   append(std::move(change), {});
-  std::ranges::fill(slots_, kNoEntry);
+  slots_.clear();
   return true;
 }
 
-void Inbox::post_always(Change change, world::PositionRow robot) {
+void Inbox::post_always(Change change, world::ModelId robot) {
   const std::lock_guard lock(mutex_);
   if (!closed_) append(std::move(change), robot);
 }
 
-void Inbox::append(Change change, world::PositionRow robot) {
+void Inbox::append(Change change, world::ModelId robot) {
   entries_.emplace_back(std::move(change));
   ++changes_;
-  if (robot) slots_[robot.index] = kNoEntry;
+  if (robot) slots_.erase(robot);
 }
 
 void Inbox::take(std::vector<Entry>& out) {
   out.clear();
   const std::lock_guard lock(mutex_);
-  for (const Entry& entry : entries_) {
-    if (const auto* command = std::get_if<PositionCommand>(&entry)) slots_[command->robot.index] = kNoEntry;
-  }
+  slots_.clear();
   std::swap(entries_, out);
   changes_ = 0;
 }

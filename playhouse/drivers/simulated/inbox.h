@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <mutex>
 #include <variant>
 #include <vector>
@@ -19,7 +20,7 @@ namespace playhouse::drivers {
 /// What a robot's wheels are told. A newer one replaces an older one that the tick has not taken yet.
 struct PositionCommand {
   enum class Kind : std::uint8_t { kVelocity, kGoal, kHeading };
-  world::PositionRow robot;
+  world::ModelId robot;
   Kind kind = Kind::kVelocity;
   /// kVelocity: x, y [m/s], turn [rad/s]; kGoal: x, y [m], heading [rad] in X_OM's frame; kHeading: speed
   /// [m/s], nothing, heading [rad] in X_OM's frame. Finite.
@@ -32,21 +33,19 @@ class Inbox {
  public:
   using Entry = std::variant<PositionCommand, Change>;
 
-  explicit Inbox(std::size_t robots) : slots_(robots, kNoEntry) {}
-
   /// Replaces the robot's waiting command, or waits as a new one.
   void command(const PositionCommand& command);
 
   /// False when limits::kRequestQueue changes are waiting, or after close(); nothing is taken then. `robot`,
   /// if any, is whom the change concerns.
-  bool post(Change change, world::PositionRow robot = {});
+  bool post(Change change, world::ModelId robot = {});
 
   /// As post(), for a change that concerns every robot.
   bool post_to_all(Change change);
 
   /// As post(), and refused after close() only: for what must not be lost and is bounded by its sender (the
   /// close of a device).
-  void post_always(Change change, world::PositionRow robot = {});
+  void post_always(Change change, world::ModelId robot = {});
 
   /// Moves everything that waits to `out` (cleared first), in order.
   void take(std::vector<Entry>& out);
@@ -58,12 +57,11 @@ class Inbox {
   bool closed() const;
 
  private:
-  static constexpr std::size_t kNoEntry = static_cast<std::size_t>(-1);
-  void append(Change change, world::PositionRow robot);
+  void append(Change change, world::ModelId robot);
 
   mutable std::mutex mutex_;
   std::vector<Entry> entries_;
-  std::vector<std::size_t> slots_;  // per robot: its open command in entries_, or kNoEntry
+  std::map<world::ModelId, std::size_t> slots_;  // of robots with an open command: where it is in entries_
   std::size_t changes_ = 0;
   bool closed_ = false;
 };

@@ -7,9 +7,9 @@
 namespace playhouse::drivers {
 namespace {
 
-constexpr world::PositionRow kFirst{0}, kSecond{1};
+constexpr world::ModelId kFirst{0}, kSecond{1};
 
-PositionCommand forward(world::PositionRow robot, double speed) {
+PositionCommand forward(world::ModelId robot, double speed) {
   return {.robot = robot, .value = {speed, 0, 0}};
 }
 
@@ -20,7 +20,7 @@ double speed_of(const Inbox::Entry& entry) {
 void nothing(world::World&) {}
 
 TEST(Inbox, a_newer_command_replaces_the_one_that_waits) {
-  Inbox inbox(2);
+  Inbox inbox;
   std::vector<Inbox::Entry> taken;
   inbox.command(forward(kFirst, 1));
   inbox.command(forward(kSecond, 2));
@@ -32,7 +32,7 @@ TEST(Inbox, a_newer_command_replaces_the_one_that_waits) {
 }
 
 TEST(Inbox, a_command_before_a_close_is_carried_out_before_it_and_one_after_it_after_it) {
-  Inbox inbox(1);
+  Inbox inbox;
   std::vector<Inbox::Entry> taken;
   inbox.command(forward(kFirst, 1));
   inbox.post_always(nothing, kFirst);
@@ -45,7 +45,7 @@ TEST(Inbox, a_command_before_a_close_is_carried_out_before_it_and_one_after_it_a
 }
 
 TEST(Inbox, a_change_of_another_robot_does_not_hold_a_command_up) {
-  Inbox inbox(2);
+  Inbox inbox;
   std::vector<Inbox::Entry> taken;
   inbox.command(forward(kFirst, 1));
   ASSERT_TRUE(inbox.post(nothing, kSecond));
@@ -56,7 +56,7 @@ TEST(Inbox, a_change_of_another_robot_does_not_hold_a_command_up) {
 }
 
 TEST(Inbox, a_change_of_all_robots_keeps_its_place_among_the_commands_of_each) {
-  Inbox inbox(2);
+  Inbox inbox;
   std::vector<Inbox::Entry> taken;
   inbox.command(forward(kFirst, 1));
   ASSERT_TRUE(inbox.post_to_all(nothing));
@@ -70,7 +70,7 @@ TEST(Inbox, a_change_of_all_robots_keeps_its_place_among_the_commands_of_each) {
 }
 
 TEST(Inbox, what_was_taken_is_not_replaced_any_more) {
-  Inbox inbox(1);
+  Inbox inbox;
   std::vector<Inbox::Entry> taken, later;
   inbox.command(forward(kFirst, 1));
   inbox.take(taken);
@@ -82,7 +82,7 @@ TEST(Inbox, what_was_taken_is_not_replaced_any_more) {
 }
 
 TEST(Inbox, refuses_changes_when_the_queue_is_full_but_takes_commands_and_closes) {
-  Inbox inbox(1);
+  Inbox inbox;
   for (std::size_t i = 0; i < limits::kRequestQueue; ++i) ASSERT_TRUE(inbox.post(nothing));
   EXPECT_FALSE(inbox.post(nothing));
   inbox.command(forward(kFirst, 1));

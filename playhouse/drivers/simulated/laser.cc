@@ -31,10 +31,10 @@ lsr::Config configuration(const world::World& world, world::ModelRow model,
 }  // namespace
 
 Laser::Laser(Simulation& simulation, world::ModelRow model)
-    : SimulatedDevice(simulation, model),
-      ranger_(ranger_rows(simulation.world(), model).ranger),
-      scanner_(scanner_of(simulation.world(), model)),
-      sensor_(sensor_desc(simulation.world(), model, scanner_)),
+    : SimulatedDevice(simulation, simulation.world().id(model)),
+      scanner_(scanner_of(simulation.world(), model).index -
+               ranger_rows(simulation.world(), model).first_sensor),
+      sensor_(simulation.world().desc(model).sensors[scanner_]),
       configuration_(wire::encode(configuration(simulation.world(), model, sensor_))) {
   const geom::Pose X_RS = geom::compose(pose_on_robot(simulation.world(), model), sensor_.X_BS);
   geometry_ = wire::encode(lsr::Geom{pose3d(X_RS), bbox3d(simulation.world().desc(model).size)});
@@ -67,8 +67,9 @@ void Laser::request(const device::Message& message, device::Replier replier) {
 }
 
 void Laser::emit(const world::World& world, std::vector<device::Publication>& out) {
-  if (world.rangers.measured_tick[ranger_.index] != world.tick()) return;
-  beams(world, scanner_, readings_);
+  const std::optional<RangerRows> rows = fresh_rows(world, model());
+  if (!rows) return;
+  beams(world, {rows->first_sensor + scanner_}, readings_);
   lsr::Data scan;
   scan.min_angle = static_cast<float>(-sensor_.fov / 2);
   scan.max_angle = static_cast<float>(sensor_.fov / 2);

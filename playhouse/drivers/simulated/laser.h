@@ -17,8 +17,7 @@ class Laser final : public SimulatedDevice {
   void emit(const world::World& world, std::vector<device::Publication>& out) override;
 
  private:
-  world::RangerRow ranger_;
-  world::SensorRow scanner_;
+  std::uint32_t scanner_;  // which of the ranger's sensors
   const scene::RangerSensorDesc& sensor_;
   Bytes geometry_, configuration_;
   std::vector<Reading> readings_;  // kept for its memory

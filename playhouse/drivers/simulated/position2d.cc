@@ -13,8 +13,7 @@ namespace p2d = wire::position2d;
 using wire::MessageType;
 
 Position2d::Position2d(Simulation& simulation, world::ModelRow model)
-    : SimulatedDevice(simulation, model),
-      robot_{simulation.world().models.part[model.index]},
+    : SimulatedDevice(simulation, simulation.world().id(model)),
       update_ticks_(update_ticks(simulation.world(), model)) {
   const scene::ModelDesc& desc = simulation.world().desc(model);
   geometry_ = wire::encode(p2d::Geom{pose3d(desc.X_MB), bbox3d(desc.size)});
@@ -47,19 +46,19 @@ std::optional<PositionCommand> Position2d::meaning(const device::Message& messag
   switch (message.subtype) {
     case p2d::kCmdVel:
       if (const auto value = wire::decode<p2d::CmdVel>(message.body))
-        return PositionCommand{robot_, Kind::kVelocity, {value->vel.px, value->vel.py, value->vel.pa}};
+        return PositionCommand{model(), Kind::kVelocity, {value->vel.px, value->vel.py, value->vel.pa}};
       return std::nullopt;
     case p2d::kCmdPos:
       if (const auto value = wire::decode<p2d::CmdPos>(message.body))
-        return PositionCommand{robot_, Kind::kGoal, {value->pos.px, value->pos.py, value->pos.pa}};
+        return PositionCommand{model(), Kind::kGoal, {value->pos.px, value->pos.py, value->pos.pa}};
       return std::nullopt;
     case p2d::kCmdCar:
       if (const auto value = wire::decode<p2d::CmdCar>(message.body))
-        return PositionCommand{robot_, Kind::kVelocity, {value->velocity, 0, value->angle}};
+        return PositionCommand{model(), Kind::kVelocity, {value->velocity, 0, value->angle}};
       return std::nullopt;
     default:  // VEL_HEAD
       if (const auto value = wire::decode<p2d::CmdVelHead>(message.body))
-        return PositionCommand{robot_, Kind::kHeading, {value->velocity, 0, value->angle}};
+        return PositionCommand{model(), Kind::kHeading, {value->velocity, 0, value->angle}};
       return std::nullopt;
   }
 }
@@ -82,7 +81,9 @@ void Position2d::request(const device::Message& message, device::Replier replier
       return;
     case p2d::kReqMotorPower:
       if (const auto value = wire::decode<p2d::PowerConfig>(message.body)) {
-        ask_world(std::move(replier), [robot = robot_, on = value->state != 0](world::World& world) {
+        ask_world(std::move(replier), [id = model(), on = value->state != 0](world::World& world) -> std::optional<Bytes> {
+          const world::PositionRow robot = world.position(id);
+          if (!robot) return std::nullopt;
           world.positions.motor_on[robot.index] = on;
           return Bytes();
         });
@@ -94,22 +95,25 @@ void Position2d::request(const device::Message& message, device::Replier replier
 }
 
 void Position2d::set_odometry(const geom::Pose& X_OM, device::Replier replier) {
-  ask_world(std::move(replier), [robot = robot_, X_OM](world::World& world) -> std::optional<Bytes> {
-    if (!world::set_odometry(world, robot, X_OM)) return std::nullopt;
+  ask_world(std::move(replier), [id = model(), X_OM](world::World& world) -> std::optional<Bytes> {
+    const world::PositionRow robot = world.position(id);
+    if (!robot || !world::set_odometry(world, robot, X_OM)) return std::nullopt;
     return Bytes();
   });
 }
 
 void Position2d::emit(const world::World& world, std::vector<device::Publication>& out) {
   if (world.tick() % update_ticks_ != 0) return;
+  const world::PositionRow robot = world.position(model());
+  if (!robot) return;
   const world::Positions& positions = world.positions;
-  const std::uint32_t row = robot_.index;
+  const std::uint32_t row = robot.index;
   publish(world, p2d::kDataState,
           p2d::Data{pose2d(positions.X_OM[row]), pose2d(positions.velocity[row]), positions.stall[row]}, out);
 }
 
-void Position2d::closed(world::World& world) {
-  world.positions.motor_on[robot_.index] = 1;
+void Position2d::closed(world::World& world, world::ModelRow model) {
+  world.positions.motor_on[world.models.part[model.index]] = 1;
 }
 
 }  // namespace playhouse::drivers

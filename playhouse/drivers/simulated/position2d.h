@@ -11,18 +11,17 @@ class Position2d final : public SimulatedDevice {
   /// `model` is of kind kPosition.
   Position2d(Simulation& simulation, world::ModelRow model);
 
-  world::PositionRow robot() const override { return robot_; }
+  world::ModelId robot() const override { return model(); }
   std::span<const Served> served() const override;
   device::Taken command(const device::Message& message) override;
   void request(const device::Message& message, device::Replier replier) override;
   void emit(const world::World& world, std::vector<device::Publication>& out) override;
-  void closed(world::World& world) override;
+  void closed(world::World& world, world::ModelRow model) override;
 
  private:
   std::optional<PositionCommand> meaning(const device::Message& message) const;
   void set_odometry(const geom::Pose& X_OM, device::Replier replier);
 
-  world::PositionRow robot_;
   std::uint64_t update_ticks_;
   Bytes geometry_;
 };

@@ -31,7 +31,7 @@ std::optional<std::string> get_property(const world::World& world, std::string_v
     const scene::Color& color = world.models.color[row.index];
     return raw(std::array<float, 4>{color.r, color.g, color.b, color.a});
   }
-  if (property == "name") return wire::c_string(world.desc(row).name);
+  if (property == "name") return wire::c_string(world.name(row));
   if (property == "model") return wire::c_string(world.desc(row).type);
   return std::nullopt;
 }

@@ -38,8 +38,7 @@ rng::Config configuration(const world::World& world, world::ModelRow model) {
 }  // namespace
 
 Ranger::Ranger(Simulation& simulation, world::ModelRow model)
-    : SimulatedDevice(simulation, model),
-      rows_(ranger_rows(simulation.world(), model)),
+    : SimulatedDevice(simulation, simulation.world().id(model)),
       geometry_(wire::encode(geometry(simulation.world(), model))),
       configuration_(wire::encode(configuration(simulation.world(), model))) {}
 
@@ -73,8 +72,9 @@ void Ranger::request(const device::Message& message, device::Replier replier) {
 }
 
 void Ranger::emit(const world::World& world, std::vector<device::Publication>& out) {
-  if (rows_.sensor_count == 0 || world.rangers.measured_tick[rows_.ranger.index] != world.tick()) return;
-  readings(world, rows_, readings_);
+  const std::optional<RangerRows> rows = fresh_rows(world, model());
+  if (!rows) return;
+  readings(world, *rows, readings_);
   rng::DataRange ranges;
   rng::DataIntns intensities;
   ranges.ranges.reserve(readings_.size());

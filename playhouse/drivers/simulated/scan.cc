@@ -24,6 +24,14 @@ RangerRows ranger_rows(const world::World& world, world::ModelRow model) {
   return {ranger, world.rangers.first_sensor[ranger.index], world.rangers.sensor_count[ranger.index]};
 }
 
+std::optional<RangerRows> fresh_rows(const world::World& world, world::ModelId id) {
+  const world::ModelRow model = world.row(id);
+  if (!model) return std::nullopt;
+  const RangerRows rows = ranger_rows(world, model);
+  if (rows.sensor_count == 0 || world.rangers.measured_tick[rows.ranger.index] != world.tick()) return std::nullopt;
+  return rows;
+}
+
 world::SensorRow scanner_of(const world::World& world, world::ModelRow model) {
   const RangerRows rows = ranger_rows(world, model);
   for (std::uint32_t sensor = rows.first_sensor; sensor < rows.first_sensor + rows.sensor_count; ++sensor) {

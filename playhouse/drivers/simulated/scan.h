@@ -2,6 +2,7 @@
 
 /// What a ranger measured, in the shapes that the interfaces ranger, laser and sonar want.
 
+#include <optional>
 #include <vector>
 
 #include "playhouse/world/world.h"
@@ -17,6 +18,9 @@ struct RangerRows {
 
 /// `model` is of kind kRanger.
 RangerRows ranger_rows(const world::World& world, world::ModelRow model);
+
+/// Those of a model, if it is still there and has measured in this very tick with any sensors.
+std::optional<RangerRows> fresh_rows(const world::World& world, world::ModelId model);
 
 /// The first of its sensors with more than one sample; none if there is no such sensor.
 world::SensorRow scanner_of(const world::World& world, world::ModelRow model);

@@ -31,13 +31,13 @@ struct Served {
 class SimulatedDevice : public Source {
  public:
   /// `model` is subscribed while the device is open; none for a device of the whole world.
-  SimulatedDevice(Simulation& simulation, world::ModelRow model) : simulation_(simulation), model_(model) {}
+  SimulatedDevice(Simulation& simulation, world::ModelId model) : simulation_(simulation), model_(model) {}
   SimulatedDevice(const SimulatedDevice&) = delete;
   SimulatedDevice& operator=(const SimulatedDevice&) = delete;
 
-  world::ModelRow model() const { return model_; }
+  world::ModelId model() const { return model_; }
   /// The robot whose commands must keep their order with opening and closing; none for sensors.
-  virtual world::PositionRow robot() const { return {}; }
+  virtual world::ModelId robot() const { return {}; }
   void set_id(device::DeviceId id) { id_ = id; }
 
   // Io thread. Only messages of served() arrive.
@@ -50,8 +50,10 @@ class SimulatedDevice : public Source {
   void emit(const world::World& world, std::vector<device::Publication>& out) override {
     static_cast<void>(world), static_cast<void>(out);
   }
-  /// Called on the tick thread after the last close.
-  virtual void closed(world::World& world) { static_cast<void>(world); }
+  /// Called on the tick thread after the last close, if the model is still there.
+  virtual void closed(world::World& world, world::ModelRow model) {
+    static_cast<void>(world), static_cast<void>(model);
+  }
 
  protected:
   Simulation& simulation() const { return simulation_; }
@@ -80,7 +82,7 @@ class SimulatedDevice : public Source {
 
  private:
   Simulation& simulation_;
-  world::ModelRow model_;
+  world::ModelId model_;
   device::DeviceId id_;
 };
 

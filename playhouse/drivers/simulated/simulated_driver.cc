@@ -22,7 +22,7 @@ Result<void> SimulatedDriver::start(device::DeviceId id) {
   SimulatedDevice& device = at(id);
   const auto open = [&device, &simulation = simulation_](world::World& world) {
     simulation.add_source(device);
-    if (device.model()) world::subscribe(world, device.model());
+    if (const world::ModelRow model = world.row(device.model())) world::subscribe(world, model);
   };
   // A device opened as the run ends is no failure: its client is told of the end next.
   if (!simulation_.post(open, device.robot()) && !simulation_.discarded())
@@ -35,8 +35,10 @@ void SimulatedDriver::stop(device::DeviceId id) {
   simulation_.post_always(
       [&device, &simulation = simulation_](world::World& world) {
         simulation.remove_source(device);
-        if (device.model()) world::unsubscribe(world, device.model());
-        device.closed(world);
+        const world::ModelRow model = world.row(device.model());
+        if (!model) return;
+        world::unsubscribe(world, model);
+        device.closed(world, model);
       },
       device.robot());
 }

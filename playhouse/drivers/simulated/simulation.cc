@@ -38,16 +38,18 @@ std::uint64_t ticks_in(double duration, double interval) {
 }
 
 void apply(world::World& world, const PositionCommand& command) {
+  const world::PositionRow robot = world.position(command.robot);
+  if (!robot) return;  // it is gone
   const auto& [x, y, a] = command.value;
   switch (command.kind) {
     case PositionCommand::Kind::kVelocity:
-      world::command_velocity(world, command.robot, {x, y, 0, a});
+      world::command_velocity(world, robot, {x, y, 0, a});
       return;
     case PositionCommand::Kind::kGoal:
-      world::command_position(world, command.robot, {x, y, 0, a});
+      world::command_position(world, robot, {x, y, 0, a});
       return;
     case PositionCommand::Kind::kHeading:
-      world::command_heading(world, command.robot, x, a);
+      world::command_heading(world, robot, x, a);
       return;
   }
 }
@@ -57,7 +59,6 @@ void apply(world::World& world, const PositionCommand& command) {
 Simulation::Simulation(std::unique_ptr<world::Engine> engine, Options options)
     : engine_(std::move(engine)),
       end_tick_(ticks_in(options.duration, engine_->world().scene().interval)),
-      inbox_(engine_->world().positions.size()),
       time_(engine_->world().time()),
       clock_(options.clock ? std::move(options.clock) : wall_now),
       pacer_(engine_->world().scene().interval) {
@@ -195,11 +196,11 @@ void Simulation::set_speed(double times_real_time) {
   want([=](Wanted& wanted) { wanted.speed = times_real_time; });
 }
 
-void Simulation::drive(world::PositionRow robot, const geom::Twist& velocity) {
+void Simulation::drive(world::ModelId robot, const geom::Twist& velocity) {
   command({.robot = robot, .value = {velocity.x, velocity.y, velocity.a}});
 }
 
-bool Simulation::post(Change change, world::PositionRow robot) {
+bool Simulation::post(Change change, world::ModelId robot) {
   if (!inbox_.post(std::move(change), robot)) return false;
   wake();
   return true;
@@ -211,7 +212,7 @@ bool Simulation::post_to_all(Change change) {
   return true;
 }
 
-void Simulation::post_always(Change change, world::PositionRow robot) {
+void Simulation::post_always(Change change, world::ModelId robot) {
   inbox_.post_always(std::move(change), robot);
   wake();
 }

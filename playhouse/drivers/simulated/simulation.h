@@ -67,13 +67,13 @@ class Simulation final : public world::Control {
   void resume() override;
   void step_once() override;
   void set_speed(double times_real_time) override;
-  void drive(world::PositionRow robot, const geom::Twist& velocity) override;
-  bool post(Change change, world::PositionRow robot = {}) override;
+  void drive(world::ModelId robot, const geom::Twist& velocity) override;
+  bool post(Change change, world::ModelId robot = {}) override;
 
   // For devices; any thread.
   void command(const PositionCommand& command);
   bool post_to_all(Change change);
-  void post_always(Change change, world::PositionRow robot);
+  void post_always(Change change, world::ModelId robot);
   /// Simulated time of the newest tick. [s]
   double time() const { return time_.load(std::memory_order_relaxed); }
   world::Pace pace() const;

@@ -154,19 +154,25 @@ void SimulationDevice::property(const device::Message& message, device::Replier 
   });
 }
 
-/// Names and devices never change: answered at once, and the pages that clients go through are kept.
 void SimulationDevice::list_models(std::uint32_t first, device::Replier replier) {
+  ask_world(std::move(replier), [this, first](world::World& world) { return model_page(world, first); });
+}
+
+/// The pages that clients go through are kept until models come or go.
+std::optional<Bytes> SimulationDevice::model_page(const world::World& world, std::uint32_t first) {
+  if (pages_of_ != world.population()) model_pages_.clear();
+  pages_of_ = world.population();
   const auto kept = model_pages_.find(first);
-  if (kept != model_pages_.end() && !kept->second.empty()) return replier.ack(kept->second);
-  ModelList list = drivers::list_models(simulation().world(), simulation().directory(), first);
-  if (list.text.size() > kLongestList) return;  // NACK: one name alone is as long as a message
+  if (kept != model_pages_.end() && !kept->second.empty()) return kept->second;
+  ModelList list = drivers::list_models(world, simulation().directory(), first);
+  if (list.text.size() > kLongestList) return std::nullopt;  // one name alone is as long as a message
   Bytes page = wire::encode(
       sim::PropertyReq{wire::c_string(""), wire::c_string("models"), list.next, std::move(list.text)});
   if (first == 0 || kept != model_pages_.end()) {
     model_pages_[first] = page;
     if (list.next > 0) model_pages_.try_emplace(list.next);
   }
-  replier.ack(std::move(page));
+  return page;
 }
 
 }  // namespace playhouse::drivers

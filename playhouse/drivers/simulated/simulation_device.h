@@ -31,11 +31,12 @@ class SimulationDevice final : public SimulatedDevice {
   void list_models(std::uint32_t first, device::Replier replier);
 
   std::atomic<std::uint64_t> newest_reset_ = 0;  // that was posted; io thread writes
-  /// Answers to list_models() by their first row, those that follow from row 0; empty until asked for. Io
-  /// thread.
-  std::map<std::uint32_t, std::vector<std::byte>> model_pages_;
 
   // Tick thread.
+  std::optional<Bytes> model_page(const world::World& world, std::uint32_t first);
+  /// Answers to list_models() by their first id, those that follow from id 0; empty until asked for.
+  std::map<std::uint32_t, Bytes> model_pages_;
+  std::uint64_t pages_of_ = 0;  // the population that they show
   world::ModelRow find_or_warn(const world::World& world, const std::string& raw_name);
   bool move(world::World& world, const std::string& name, geom::Vec2 p, std::optional<double> z, double a);
   std::set<std::string> unknown_names_;  // as shown in the log; at most kUnknownNames

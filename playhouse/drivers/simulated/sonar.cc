@@ -9,7 +9,7 @@ namespace snr = wire::sonar;
 using wire::MessageType;
 
 Sonar::Sonar(Simulation& simulation, world::ModelRow model)
-    : SimulatedDevice(simulation, model), rows_(ranger_rows(simulation.world(), model)) {
+    : SimulatedDevice(simulation, simulation.world().id(model)) {
   const world::World& world = simulation.world();
   const geom::Pose X_RB = pose_on_robot(world, model);
   snr::Geom geom;
@@ -42,8 +42,9 @@ void Sonar::request(const device::Message& message, device::Replier replier) {
 }
 
 void Sonar::emit(const world::World& world, std::vector<device::Publication>& out) {
-  if (rows_.sensor_count == 0 || world.rangers.measured_tick[rows_.ranger.index] != world.tick()) return;
-  readings(world, rows_, readings_);
+  const std::optional<RangerRows> rows = fresh_rows(world, model());
+  if (!rows) return;
+  readings(world, *rows, readings_);
   snr::Data data;
   data.ranges.reserve(readings_.size());
   for (const Reading& reading : readings_) data.ranges.push_back(static_cast<float>(reading.range));

@@ -17,7 +17,6 @@ class Sonar final : public SimulatedDevice {
   void emit(const world::World& world, std::vector<device::Publication>& out) override;
 
  private:
-  RangerRows rows_;
   Bytes geometry_;
   std::vector<Reading> readings_;  // kept for its memory
 };

@@ -63,7 +63,7 @@ Result<world::ModelRow> choose_model(const scene::CfgSection& section, const sce
   const world::ModelRow model = find_model(world, top, interf, site.taken_models());
   if (!model) {
     return Error{section.at("provides"),
-                 fmt::format("model {} has nothing left for {}", in_quotes(world.desc(top).name),
+                 fmt::format("model {} has nothing left for {}", in_quotes(world.name(top)),
                              in_quotes(provided.text()))};
   }
   site.taken_models().emplace(interf, model.index);

@@ -1,15 +1,17 @@
 #pragma once
 
-/// Varints and little-endian numbers of the viewer's packets. Reading never passes the end: the reader's
+/// Little-endian numbers and varints in bytes: packets of viewers, saved runs. Reading never passes the end: the reader's
 /// error is sticky and checked once.
 
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
-namespace playhouse::replicate {
+namespace playhouse {
 
 class Packer {
  public:
@@ -24,7 +26,17 @@ class Packer {
     u16(static_cast<std::uint16_t>(value & 0xFFFF));
     u16(static_cast<std::uint16_t>(value >> 16));
   }
+  void u64(std::uint64_t value) {
+    u32(static_cast<std::uint32_t>(value));
+    u32(static_cast<std::uint32_t>(value >> 32));
+  }
   void f32(float value) { u32(std::bit_cast<std::uint32_t>(value)); }
+  void f64(double value) { u64(std::bit_cast<std::uint64_t>(value)); }
+  /// A text or bytes, their length in front.
+  void text(std::string_view value) {
+    varint(value.size());
+    for (const char letter : value) u8(static_cast<std::uint8_t>(letter));
+  }
   void varint(std::uint64_t value) {
     for (; value >= 0x80; value >>= 7) u8(static_cast<std::uint8_t>(value | 0x80));
     u8(static_cast<std::uint8_t>(value));
@@ -57,7 +69,23 @@ class Unpacker {
     const std::uint32_t low = u16();
     return low | static_cast<std::uint32_t>(u16()) << 16;
   }
+  std::uint64_t u64() {
+    const std::uint64_t low = u32();
+    return low | std::uint64_t{u32()} << 32;
+  }
   float f32() { return std::bit_cast<float>(u32()); }
+  double f64() { return std::bit_cast<double>(u64()); }
+  /// Empty, and no longer ok, where there are not so many bytes.
+  std::string text() {
+    const std::uint64_t size = varint();
+    if (size > left()) {
+      ok_ = false;
+      return {};
+    }
+    const auto from = bytes_.subspan(at_, static_cast<std::size_t>(size));
+    at_ += from.size();
+    return {reinterpret_cast<const char*>(from.data()), from.size()};
+  }
   std::uint64_t varint() {
     std::uint64_t value = 0;
     for (int shift = 0; shift < 64; shift += 7) {
@@ -83,4 +111,4 @@ class Unpacker {
   bool ok_ = true;
 };
 
-}  // namespace playhouse::replicate
+}  // namespace playhouse

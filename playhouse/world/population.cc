@@ -1,0 +1,412 @@
+#include "playhouse/world/population.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "playhouse/base/assert.h"
+#include "playhouse/base/in_quotes.h"
+#include "playhouse/base/limits.h"
+#include "playhouse/base/rng.h"
+#include "playhouse/world/columns.h"
+
+namespace playhouse::world {
+namespace {
+
+constexpr std::uint32_t kNone = ModelRow::kNone;
+constexpr std::size_t kUsualHits = 32;  // of a fiducial finder; room for more is made once they are seen
+
+template <typename T>
+std::uint32_t count32(const std::vector<T>& column) {
+  return static_cast<std::uint32_t>(column.size());
+}
+
+geom::Twist draw_odometry_error(std::uint64_t seed, ModelId model) {
+  Rng rng(seed, 0, {Purpose::kOdometryError, model.value});
+  geom::Twist error;
+  error.x = rng.uniform(-0.015, 0.015);
+  error.y = rng.uniform(-0.015, 0.015);
+  error.a = rng.uniform(-0.025, 0.025);
+  return error;
+}
+
+void add_position(World& world, const scene::PositionDesc& desc, ModelRow model) {
+  Positions& positions = world.positions;
+  const geom::Pose& X_WM = world.models.X_WM[model.index];
+  const bool gps = desc.localization == scene::Localization::kGps;
+  const geom::Pose X_WO = desc.localization_origin.value_or(gps ? geom::Pose{} : X_WM);
+  positions.model.push_back(model);
+  positions.mode.push_back(ControlMode::kVelocity);
+  positions.command.push_back(desc.velocity);
+  positions.goal.push_back({});
+  positions.velocity.push_back({});
+  positions.X_OM.push_back(geom::compose(geom::inverse(X_WO), X_WM));
+  positions.X_WO.push_back(X_WO);
+  positions.odom_error.push_back(desc.odom_error.value_or(draw_odometry_error(world.seed(), world.id(model))));
+  positions.stall.push_back(0);
+  positions.motor_on.push_back(1);
+}
+
+void add_ranger(Rangers& rangers, Sensors& sensors, const scene::ModelDesc& desc, ModelRow model) {
+  const RangerRow ranger{count32(rangers.model)};
+  rangers.model.push_back(model);
+  rangers.first_sensor.push_back(count32(sensors.ranger));
+  rangers.sensor_count.push_back(count32(desc.sensors));
+  rangers.measured_tick.push_back(0);
+  for (const scene::RangerSensorDesc& sensor : desc.sensors) {
+    sensors.ranger.push_back(ranger);
+    sensors.first_beam.push_back(count32(sensors.ranges));
+    sensors.beam_count.push_back(sensor.samples);
+    sensors.ranges.insert(sensors.ranges.end(), sensor.samples, static_cast<float>(sensor.range_max));
+    sensors.intensities.insert(sensors.intensities.end(), sensor.samples, 0.0f);
+  }
+}
+
+void add_fiducial(Fiducials& fiducials, ModelRow model) {
+  fiducials.model.push_back(model);
+  fiducials.hits.emplace_back().reserve(kUsualHits);
+  fiducials.measured_tick.push_back(0);
+}
+
+/// Adds a row after the last of its parent's children.
+void link(Models& models, std::uint32_t row) {
+  const std::uint32_t parent = models.parent[row];
+  if (parent == kNone) return;
+  std::uint32_t* place = &models.first_child[parent];
+  while (*place != kNone) place = &models.next_sibling[*place];
+  *place = row;
+}
+
+bool is_ours(const scene::SceneDesc& scene, const Models& models, std::uint32_t top) {
+  return scene.models[models.desc[top]].parent < 0;
+}
+
+/// What of a tree can be seen in its parts, without how it came there.
+Mobility mobility_of_part(const scene::ModelDesc& desc) {
+  if (desc.kind == scene::ModelKind::kPosition) return Mobility::kDriven;
+  return desc.gripper_return ? Mobility::kLoose : Mobility::kFixed;
+}
+
+/// A part that a scene's tree did not have: it was attached.
+bool was_attached(const World& world, std::uint32_t row) {
+  return world.models.parent_id[row].valid() && is_ours(world.scene(), world.models, row);
+}
+
+std::size_t corners_of(const scene::ModelDesc& desc) {
+  std::size_t corners = 0;
+  for (const scene::Block& block : desc.blocks) corners += block.points.size();
+  for (const scene::Contours& bitmap : desc.bitmaps)
+    for (const auto& loop : bitmap.loops) corners += loop.size();
+  return corners;
+}
+
+Error no_model() {
+  return Error{{}, "there is no such model, or no more"};
+}
+
+}  // namespace
+
+void Population::clear() {
+  each_column([](const auto&, auto& values) { values.clear(); }, world_);
+  world_.next_id_ = 0;
+  world_.corners_ = 0;
+  world_.given_.clear();
+  world_.names_known_ = false;
+}
+
+ModelRow Population::append(ModelId id, std::uint32_t desc_row, ModelRow parent, const geom::Pose& X_PM) {
+  Models& models = world_.models;
+  const scene::ModelDesc& desc = world_.scene().models[desc_row];
+  const ModelRow row{count32(models.id)};
+  const bool top = !parent;
+  models.id.push_back(id);
+  models.desc.push_back(desc_row);
+  models.parent_id.push_back(top ? ModelId{} : models.id[parent.index]);
+  models.parent.push_back(parent.index);
+  models.X_PM.push_back(X_PM);
+  models.X_WM.push_back(top ? X_PM : geom::compose(models.X_WM[parent.index], X_PM));
+  models.root.push_back(top ? row.index : models.root[parent.index]);
+  models.kind.push_back(desc.kind);
+  models.part.push_back(kNone);
+  models.first_child.push_back(kNone);
+  models.next_sibling.push_back(kNone);
+  models.mobility.push_back(Mobility::kFixed);
+  models.subscribers.push_back(desc.alwayson ? 1 : 0);
+  models.controllers.push_back(0);
+  models.fiducial_return.push_back(desc.fiducial_return);
+  models.flags.push_back(0);
+  models.color.push_back(desc.color);
+  models.say.push_back(desc.say);
+  world_.corners_ += corners_of(desc);
+  link(models, row.index);
+  add_part(row);
+  return row;
+}
+
+void Population::add_part(ModelRow row) {
+  const scene::ModelDesc& desc = world_.desc(row);
+  std::uint32_t& part = world_.models.part[row.index];
+  switch (desc.kind) {
+    case scene::ModelKind::kPosition:
+      part = count32(world_.positions.model);
+      add_position(world_, *desc.position, row);
+      return;
+    case scene::ModelKind::kRanger:
+      part = count32(world_.rangers.model);
+      add_ranger(world_.rangers, world_.sensors, desc, row);
+      return;
+    case scene::ModelKind::kFiducial:
+      part = count32(world_.fiducials.model);
+      add_fiducial(world_.fiducials, row);
+      return;
+    case scene::ModelKind::kPlain:
+      return;
+  }
+}
+
+void Population::erase(std::uint32_t begin, std::uint32_t end) {
+  for (std::uint32_t row = begin; row < end; ++row) world_.corners_ -= corners_of(world_.desc({row}));
+  const auto erase_from = [&]<typename Table>(Table Tables::*table) {
+    // Tables are in the order of the models, so what a run of models has is a run as well.
+    Range rows, beams;
+    for (std::uint32_t model = begin; model < end; ++model) {
+      const Range r = range_of<Table>(world_, model, Per::kRow), b = range_of<Table>(world_, model, Per::kBeam);
+      if (r.begin < r.end) rows = {rows.begin < rows.end ? rows.begin : r.begin, r.end};
+      if (b.begin < b.end) beams = {beams.begin < beams.end ? beams.begin : b.begin, b.end};
+    }
+    each_column_of<Table>([&](const auto& column) {
+      auto& values = world_.*table.*column.values;
+      const Range range = column.per == Per::kBeam ? beams : rows;
+      values.erase(values.begin() + range.begin, values.begin() + range.end);
+    });
+  };
+  // The models last: the others' ranges are found by them; a ranger's beams by its sensors.
+  erase_from(&Tables::fiducials);
+  erase_from(&Tables::positions);
+  erase_from(&Tables::sensors);
+  erase_from(&Tables::rangers);
+  erase_from(&Tables::models);
+}
+
+Result<void> Population::check_room(std::span<const std::uint32_t> descs) const {
+  std::size_t models = world_.models.size(), sensors = world_.sensors.size(), beams = world_.sensors.ranges.size(),
+              corners = world_.corners_;
+  for (const std::uint32_t row : descs) {
+    const scene::ModelDesc& desc = world_.scene().models[row];
+    ++models;
+    sensors += desc.sensors.size();
+    for (const scene::RangerSensorDesc& sensor : desc.sensors) beams += sensor.samples;
+    corners += corners_of(desc);
+    const bool has_room = models <= limits::kModels && sensors <= limits::kSensors && beams <= limits::kBeams &&
+                          corners <= limits::kCorners;
+    if (!has_room)
+      return Error{{}, "the world is full: it has " + std::to_string(world_.models.size()) + " models"};
+  }
+  return {};
+}
+
+bool Population::derive() {
+  if (!derive_trees()) return false;
+  derive_parts();
+  settle(0);
+  return true;
+}
+
+bool Population::derive_trees() {
+  Models& models = world_.models;
+  const std::uint32_t count = count32(models.id);
+  std::ranges::fill(models.first_child, kNone);
+  std::ranges::fill(models.next_sibling, kNone);
+  for (std::uint32_t row = 0; row < count; ++row) {
+    const ModelId parent = models.parent_id[row];
+    models.parent[row] = parent ? world_.row(parent).index : kNone;
+    if (parent && models.parent[row] == kNone) return false;
+  }
+  // From the last row to the first, each put before its later siblings.
+  for (std::uint32_t row = count; row-- > 0;) {
+    const std::uint32_t parent = models.parent[row];
+    if (parent == kNone) continue;
+    models.next_sibling[row] = models.first_child[parent];
+    models.first_child[parent] = row;
+  }
+  for (std::uint32_t row = 0; row < count; ++row) {
+    std::uint32_t top = row;
+    for (int depth = 0; models.parent[top] != kNone; top = models.parent[top])
+      if (++depth > limits::kTreeDepth) return false;
+    models.root[row] = top;
+  }
+  return true;
+}
+
+void Population::derive_parts() {
+  Models& models = world_.models;
+  std::uint32_t position = 0, ranger = 0, fiducial = 0, sensor = 0, beam = 0;
+  for (std::uint32_t row = 0; row < models.size(); ++row) {
+    const scene::ModelDesc& desc = world_.desc({row});
+    models.kind[row] = desc.kind;
+    switch (desc.kind) {
+      case scene::ModelKind::kPosition:
+        world_.positions.model[position] = {row};
+        models.part[row] = position++;
+        break;
+      case scene::ModelKind::kRanger:
+        world_.rangers.model[ranger] = {row};
+        world_.rangers.first_sensor[ranger] = sensor;
+        for (const scene::RangerSensorDesc& each : desc.sensors) {
+          world_.sensors.ranger[sensor] = {ranger};
+          world_.sensors.first_beam[sensor++] = beam;
+          beam += each.samples;
+        }
+        models.part[row] = ranger++;
+        break;
+      case scene::ModelKind::kFiducial:
+        world_.fiducials.model[fiducial] = {row};
+        models.part[row] = fiducial++;
+        break;
+      case scene::ModelKind::kPlain:
+        models.part[row] = kNone;
+        break;
+    }
+  }
+}
+
+/// A tree is as movable as its most movable part; one that came during the run is loose at least, unless it
+/// has a bitmap, which only walls have.
+void Population::derive_mobility(std::uint32_t first) {
+  Models& models = world_.models;
+  const auto scene_models = static_cast<std::uint32_t>(world_.scene().models.size());
+  for (std::uint32_t row = first; row < models.size(); ++row) {
+    const bool came = models.root[row] == row && models.id[row].value >= scene_models;
+    models.mobility[row] = came ? Mobility::kLoose : Mobility::kFixed;
+  }
+  for (std::uint32_t row = first; row < models.size(); ++row) {
+    Mobility& top = models.mobility[models.root[row]];
+    const scene::ModelDesc& desc = world_.desc({row});
+    top = std::max(top, mobility_of_part(desc));
+    if (!desc.bitmaps.empty() && top == Mobility::kLoose) top = Mobility::kFixed;
+  }
+  for (std::uint32_t row = first; row < models.size(); ++row) models.mobility[row] = models.mobility[models.root[row]];
+}
+
+void Population::settle(std::uint32_t first) {
+  derive_mobility(first);
+  world_.names_known_ = false;
+  ++world_.population_;
+}
+
+geom::Pose Population::start_of(ModelRow row) const {
+  const auto given = world_.given_.find(world_.id(row));
+  return given == world_.given_.end() ? world_.desc(row).X_PM : given->second.X_WM;
+}
+
+PrototypeRange prototype_of(const scene::SceneDesc& scene, std::uint32_t row) {
+  if (row >= scene.models.size() || scene.models[row].parent >= 0) return {};
+  std::uint32_t end = row + 1;
+  while (end < scene.models.size() && scene.models[end].parent >= static_cast<std::int32_t>(row)) ++end;
+  return {row, end - row};
+}
+
+namespace {
+
+/// The prototype's name with the least number behind it that nobody has.
+std::string fresh_name(const World& world, const std::string& name) {
+  for (std::uint32_t number = 2;; ++number) {
+    std::string candidate = name + "~" + std::to_string(number);
+    if (!world.find(candidate)) return candidate;
+  }
+}
+
+}  // namespace
+
+Result<ModelId> spawn(World& world, std::uint32_t prototype, const geom::Pose& X_WM, std::string name) {
+  const PrototypeRange range = prototype_of(world.scene(), prototype);
+  if (range.count == 0) return Error{{}, "there is no such prototype"};
+  if (!is_place(X_WM)) return Error{{}, "the pose is not finite, or too far away"};
+  Population population(world);
+  std::vector<std::uint32_t> descs(range.count);
+  std::iota(descs.begin(), descs.end(), prototype);
+  if (const Result<void> room = population.check_room(descs); !room) return room.error();
+  if (population.next_id() > ModelId::kNone - range.count) return Error{{}, "the run has no more ids to give"};
+  if (name.empty()) {
+    name = fresh_name(world, world.scene().models[prototype].name);
+  } else if (world.find(name)) {
+    return Error{{}, "there is a model " + in_quotes(name) + " already"};
+  }
+
+  const geom::Pose X{X_WM.x, X_WM.y, X_WM.z, geom::normalize(X_WM.a)};
+  const ModelId top{population.next_id()};
+  const auto first = count32(world.models.id);
+  population.next_id() += range.count;
+  population.given()[top] = {std::move(name), X};
+  for (std::uint32_t i = 0; i < range.count; ++i) {
+    const scene::ModelDesc& desc = world.scene().models[prototype + i];
+    const ModelRow parent = i == 0 ? ModelRow{} : ModelRow{first + static_cast<std::uint32_t>(desc.parent) - prototype};
+    population.append({top.value + i}, prototype + i, parent, i == 0 ? X : desc.X_PM);
+  }
+  population.settle(first);
+  world.changes.add({Change::Kind::kSpawn, top, {}, range.count, world.models.mobility[first]});
+  return top;
+}
+
+Result<void> despawn(World& world, ModelId model) {
+  const ModelRow row = world.row(model);
+  if (!row) return no_model();
+  if (world.models.parent_id[row.index]) return Error{{}, "it is a part of another model"};
+  // What was attached to the tree, wherever in it.
+  std::vector<ModelId> attached;
+  for (std::uint32_t part = 0; part < world.models.size(); ++part)
+    if (part != row.index && world.models.root[part] == row.index && was_attached(world, part))
+      attached.push_back(world.models.id[part]);
+  for (const ModelId part : attached) {
+    const Result<void> detached = detach(world, part);
+    PLAYHOUSE_ASSERT(detached.ok());
+  }
+  const std::uint32_t count = prototype_of(world.scene(), world.models.desc[row.index]).count;
+  const Mobility mobility = world.models.mobility[row.index];
+  Population population(world);
+  population.given().erase(model);
+  population.erase(row.index, row.index + count);  // what came together has ids, and so rows, in a run
+  const bool derived = population.derive();
+  PLAYHOUSE_ASSERT(derived);
+  world.changes.add({Change::Kind::kDespawn, model, {}, count, mobility});
+  return {};
+}
+
+Result<void> attach(World& world, ModelId child, ModelId parent, const geom::Pose& X_PC) {
+  const ModelRow child_row = world.row(child), parent_row = world.row(parent);
+  if (!child_row || !parent_row) return no_model();
+  Models& models = world.models;
+  if (!is_place(X_PC)) return Error{{}, "the pose is not finite, or too far away"};
+  if (models.parent_id[child_row.index]) return Error{{}, "it is a part of another model"};
+  if (models.root[parent_row.index] == child_row.index) return Error{{}, "it cannot be a part of itself"};
+  const Mobility mobility = models.mobility[child_row.index];
+  if (mobility != Mobility::kLoose) return Error{{}, "only what is loose can be attached"};
+  models.parent_id[child_row.index] = parent;
+  Population population(world);
+  if (!population.derive()) {
+    models.parent_id[child_row.index] = {};
+    population.derive();
+    return Error{{}, "too many models would be attached to each other"};
+  }
+  models.X_PM[child_row.index] = {X_PC.x, X_PC.y, X_PC.z, geom::normalize(X_PC.a)};
+  place_tree(world, child_row);
+  world.changes.add({Change::Kind::kAttach, child, parent, 0, mobility});
+  return {};
+}
+
+Result<void> detach(World& world, ModelId child) {
+  const ModelRow row = world.row(child);
+  if (!row) return no_model();
+  if (!was_attached(world, row.index)) return Error{{}, "it is not attached to anything"};
+  const ModelId parent = world.models.parent_id[row.index];
+  world.models.parent_id[row.index] = {};
+  world.models.X_PM[row.index] = world.models.X_WM[row.index];
+  Population population(world);
+  const bool derived = population.derive();
+  PLAYHOUSE_ASSERT(derived);
+  world.changes.add({Change::Kind::kDetach, child, parent, 0, world.models.mobility[row.index]});
+  return {};
+}
+
+}  // namespace playhouse::world

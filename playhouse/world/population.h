@@ -1,0 +1,78 @@
+#pragma once
+
+/// Population: models that come, go, and become parts of each other between ticks. Every function checks what
+/// it is asked, does all of it or nothing, and leaves an entry in world.changes. Rows move; ids do not.
+/// Thread: the tick thread, between steps, or a phase that runs alone.
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "playhouse/base/result.h"
+#include "playhouse/world/world.h"
+
+namespace playhouse::world {
+
+/// A new tree like the scene's at row `prototype` of SceneDesc::models, a top-level one, at X_WM. An empty
+/// name stands for the prototype's with the least number behind it that makes it new ("r0~2"). Its sensors
+/// measure and its wheels turn once somebody subscribes, as with any model. Gives the id of the top; ids of
+/// the rest follow it. Cost: the size of the tree. Fails on a prototype that is none, a pose that is no
+/// place, a name that is taken, and where the world has no room (base/limits.h).
+Result<ModelId> spawn(World& world, std::uint32_t prototype, const geom::Pose& X_WM, std::string name = {});
+
+/// Takes a top-level model and all its own parts out of the world; what was attached to it stays where it
+/// is. Cost: the population. Fails if there is no such model or it is a part.
+Result<void> despawn(World& world, ModelId model);
+
+/// Makes a top-level model a part of another tree, at X_PC in `parent`. Fails where the parent is in the
+/// child's own tree, the child drives or is fixed, or either does not exist.
+Result<void> attach(World& world, ModelId child, ModelId parent, const geom::Pose& X_PC);
+
+/// Makes a model that was attached a top-level one again, where it is now. Fails for any other.
+Result<void> detach(World& world, ModelId child);
+
+/// The row of SceneDesc::models of which `model`, a top, is a copy, and of how many models that consists.
+struct PrototypeRange {
+  std::uint32_t first = 0, count = 0;
+};
+PrototypeRange prototype_of(const scene::SceneDesc& scene, std::uint32_t row);
+
+/// How rows come and go, for spawn() and its like and for a world that is loaded.
+class Population {
+ public:
+  explicit Population(World& world) : world_(world) {}
+
+  /// Fails where models of these rows of SceneDesc::models would be too many with those there are, or have too
+  /// many sensors, beams or corners (base/limits.h).
+  Result<void> check_room(std::span<const std::uint32_t> descs) const;
+  /// Removes every model.
+  void clear();
+  /// A row at the end of every table that its kind has, as it is at the start of its life. `X_PM` is where the
+  /// scene, or who spawned it, puts it. Derived columns are complete if `parent` is a row that exists.
+  ModelRow append(ModelId id, std::uint32_t desc, ModelRow parent, const geom::Pose& X_PM);
+  /// Removes the rows [begin, end) of the models and what they have in other tables. derive() is due then.
+  void erase(std::uint32_t begin, std::uint32_t end);
+  /// Computes every derived column again but poses and subscribers. False, and no use of the world, if the
+  /// population columns make no trees, or deeper ones than limits::kTreeDepth.
+  bool derive();
+
+  using Given = World::Given;
+  std::uint32_t& next_id() { return world_.next_id_; }
+  std::map<ModelId, Given>& given() { return world_.given_; }
+  static std::uint32_t next_id(const World& world) { return world.next_id_; }
+  static const std::map<ModelId, Given>& given(const World& world) { return world.given_; }
+  /// Completes what append() leaves open for the models from row `first` on, and says that names changed.
+  void settle(std::uint32_t first);
+  /// Where the scene, or who spawned it, put a model in its parent.
+  geom::Pose start_of(ModelRow row) const;
+
+ private:
+  void add_part(ModelRow row);
+  bool derive_trees();
+  void derive_parts();
+  void derive_mobility(std::uint32_t first);
+
+  World& world_;
+};
+
+}  // namespace playhouse::world

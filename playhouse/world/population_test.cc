@@ -1,0 +1,258 @@
+#include "playhouse/world/population.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "playhouse/base/rng.h"
+#include "playhouse/world/columns.h"
+#include "playhouse/world/state.h"
+
+namespace playhouse::world {
+namespace {
+
+scene::ModelDesc model(const std::string& name, scene::ModelKind kind, std::int32_t parent) {
+  scene::ModelDesc desc;
+  desc.name = desc.alias = name;
+  desc.kind = kind;
+  desc.parent = parent;
+  return desc;
+}
+
+/// Row 0: a wall. 1: robot "r" with a ranger of two sensors (2), on which stands a finder (3). 4: a puck.
+/// 5: robot "s" with a ranger (6).
+scene::SceneDesc make_scene() {
+  scene::SceneDesc scene;
+  scene.models.push_back(model("wall", scene::ModelKind::kPlain, -1));
+  scene.models.push_back(model("r", scene::ModelKind::kPosition, -1));
+  scene.models.back().position.emplace();
+  scene.models.back().X_PM = {1, 2, 0, geom::kPi / 2};
+  scene.models.push_back(model("r.ranger:0", scene::ModelKind::kRanger, 1));
+  scene.models.back().X_PM = {0.5, 0, 0.1, 0};
+  scene.models.back().sensors.resize(2);
+  scene.models.back().sensors[0].samples = 3;
+  scene.models.push_back(model("r.ranger:0.fiducial:0", scene::ModelKind::kFiducial, 2));
+  scene.models.back().fiducial.emplace();
+  scene.models.push_back(model("puck", scene::ModelKind::kPlain, -1));
+  scene.models.back().gripper_return = true;
+  scene.models.back().X_PM = {3, 3, 0, 0};
+  scene.models.push_back(model("s", scene::ModelKind::kPosition, -1));
+  scene.models.back().position.emplace();
+  scene.models.push_back(model("s.ranger:0", scene::ModelKind::kRanger, 5));
+  scene.models.back().sensors.resize(1);
+  return scene;
+}
+
+class PopulationTest : public ::testing::Test {
+ protected:
+  ModelId spawned(std::uint32_t prototype, const geom::Pose& X_WM, const std::string& name = {}) {
+    const Result<ModelId> id = spawn(world, prototype, X_WM, name);
+    EXPECT_TRUE(id.ok());
+    return id.ok() ? *id : ModelId{};
+  }
+
+  /// Every derived column is what it would be if it were derived anew.
+  void expect_whole() {
+    std::vector<std::byte> bytes;
+    ASSERT_TRUE(save_state(world, bytes).ok());
+    World again(scene, 1);
+    const Result<void> loaded = load_state(again, bytes);
+    ASSERT_TRUE(loaded.ok()) << loaded.error().line();
+    each_column(
+        [](const auto& column, const auto& values, const auto& values_again) {
+          if (column.role != Role::kUse) EXPECT_EQ(values, values_again) << column.name;
+        },
+        world, again);
+    EXPECT_EQ(world.hash(), again.hash());
+    EXPECT_EQ(first_difference(world, again), std::nullopt);
+  }
+
+  std::string name(ModelId id) const { return world.name(world.row(id)); }
+
+  const scene::SceneDesc scene = make_scene();
+  World world{scene, 1};
+};
+
+TEST_F(PopulationTest, what_comes_has_the_parts_of_its_prototype_and_names_of_its_own) {
+  const ModelId top = spawned(1, {5, 5, 0, 0}, "new");
+  EXPECT_EQ(top, ModelId{7});
+  EXPECT_EQ(name(top), "new");
+  EXPECT_EQ(name({8}), "new.ranger:0");
+  EXPECT_EQ(name({9}), "new.ranger:0.fiducial:0");
+  EXPECT_EQ(world.find("new.ranger:0"), ModelRow{8});
+  EXPECT_NEAR(world.models.X_WM[8].x, 5.5, 1e-12);
+  EXPECT_EQ(world.positions.size(), 3u);
+  EXPECT_EQ(world.sensors.ranges.size(), 4u + 1u + 4u);
+  EXPECT_EQ(world.position(top), PositionRow{2});
+  EXPECT_EQ(name(spawned(1, {})), "r~2");
+  EXPECT_EQ(name(spawned(1, {})), "r~3");
+  expect_whole();
+}
+
+TEST_F(PopulationTest, what_goes_takes_its_parts_along_and_its_id_is_not_used_again) {
+  const ModelId first = spawned(5, {});
+  ASSERT_TRUE(despawn(world, {1}).ok());
+  EXPECT_FALSE(world.row({1}).valid());
+  EXPECT_FALSE(world.row({3}).valid());
+  EXPECT_FALSE(world.find("r").valid());
+  EXPECT_EQ(world.row({4}), ModelRow{1});
+  EXPECT_EQ(world.positions.size(), 2u);
+  EXPECT_EQ(world.fiducials.size(), 0u);
+  EXPECT_EQ(world.sensors.ranges.size(), 2u);
+  expect_whole();
+  ASSERT_TRUE(despawn(world, first).ok());
+  const ModelId second = spawned(5, {});
+  EXPECT_GT(second, first);
+  EXPECT_EQ(name(second), "s~2") << "names of those that are gone are free";
+  expect_whole();
+}
+
+TEST_F(PopulationTest, who_comes_or_goes_changes_nobody_elses_hash) {
+  const auto of_all_but_the_run = [&] {
+    std::vector<std::byte> bytes;
+    EXPECT_TRUE(save_state(world, bytes).ok());
+    return world.hash();
+  };
+  const geom::Twist error = world.positions.odom_error[1];
+  ASSERT_TRUE(despawn(world, {1}).ok());
+  EXPECT_EQ(world.positions.odom_error[0], error);
+  const std::uint64_t before = of_all_but_the_run();
+  const ModelId id = spawned(1, {});
+  EXPECT_NE(of_all_but_the_run(), before);
+  ASSERT_TRUE(despawn(world, id).ok());
+  EXPECT_NE(of_all_but_the_run(), before) << "the next id is another";
+}
+
+TEST_F(PopulationTest, a_puck_is_carried_and_put_down) {
+  ASSERT_TRUE(attach(world, {4}, {2}, {0.1, 0, 0, 0}).ok());
+  EXPECT_EQ(world.models.root[4], 1u);
+  EXPECT_EQ(world.models.mobility[4], Mobility::kDriven);
+  EXPECT_NEAR(world.models.X_WM[4].y, 2.6, 1e-12);
+  ASSERT_TRUE(set_pose(world, {1}, {1, 3, 0, geom::kPi / 2}));
+  EXPECT_NEAR(world.models.X_WM[4].y, 3.6, 1e-12);
+  expect_whole();
+  ASSERT_TRUE(detach(world, {4}).ok());
+  EXPECT_EQ(world.models.root[4], 4u);
+  EXPECT_EQ(world.models.mobility[4], Mobility::kLoose);
+  EXPECT_NEAR(world.models.X_PM[4].y, 3.6, 1e-12);
+  expect_whole();
+}
+
+TEST_F(PopulationTest, what_a_robot_carried_stays_when_it_goes) {
+  ASSERT_TRUE(attach(world, {4}, {3}, {}).ok());
+  const geom::Pose there = world.models.X_WM[4];
+  ASSERT_TRUE(despawn(world, {1}).ok());
+  ASSERT_TRUE(world.row({4}).valid());
+  EXPECT_EQ(world.models.X_WM[world.row({4}).index], there);
+  expect_whole();
+}
+
+TEST_F(PopulationTest, refuses_what_makes_no_world) {
+  const std::uint64_t before = world.hash();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(spawn(world, 2, {}).ok()) << "a part";
+  EXPECT_FALSE(spawn(world, 99, {}).ok());
+  EXPECT_FALSE(spawn(world, 1, {nan, 0, 0, 0}).ok());
+  EXPECT_FALSE(spawn(world, 1, {}, "puck").ok());
+  EXPECT_FALSE(despawn(world, {2}).ok()) << "a part";
+  EXPECT_FALSE(despawn(world, {99}).ok());
+  EXPECT_FALSE(attach(world, {0}, {1}, {}).ok()) << "fixed";
+  EXPECT_FALSE(attach(world, {5}, {1}, {}).ok()) << "drives";
+  EXPECT_FALSE(attach(world, {4}, {4}, {}).ok());
+  EXPECT_FALSE(attach(world, {4}, {99}, {}).ok());
+  EXPECT_FALSE(attach(world, {4}, {1}, {0, nan, 0, 0}).ok());
+  EXPECT_FALSE(detach(world, {4}).ok());
+  EXPECT_FALSE(detach(world, {2}).ok()) << "part of the robot as the scene has it";
+  EXPECT_EQ(world.hash(), before);
+  EXPECT_EQ(world.changes.end(), 0u);
+}
+
+TEST_F(PopulationTest, every_change_is_in_the_list) {
+  const ModelId id = spawned(4, {1, 1, 0, 0});
+  ASSERT_TRUE(attach(world, id, {1}, {}).ok());
+  ASSERT_TRUE(detach(world, id).ok());
+  ASSERT_TRUE(set_pose(world, world.row(id), {2, 2, 0, 0}));
+  set_color(world, world.row(id), {});
+  ASSERT_TRUE(despawn(world, id).ok());
+  using Kind = Change::Kind;
+  std::vector<Kind> kinds;
+  for (const Change& change : world.changes.since(0)) {
+    EXPECT_EQ(change.model, id);
+    EXPECT_EQ(change.mobility, Mobility::kLoose);
+    kinds.push_back(change.kind);
+  }
+  EXPECT_EQ(kinds, (std::vector<Kind>{Kind::kSpawn, Kind::kAttach, Kind::kDetach, Kind::kPlace, Kind::kSet,
+                                      Kind::kDespawn}));
+  world.changes.drop_before(4);
+  EXPECT_EQ(world.changes.since(0).size(), 2u);
+  EXPECT_EQ(world.changes.since(5).size(), 1u);
+  EXPECT_EQ(world.changes.end(), 6u);
+}
+
+TEST_F(PopulationTest, returns_to_the_start_with_whoever_is_there) {
+  ASSERT_TRUE(despawn(world, {5}).ok());
+  const ModelId id = spawned(5, {7, 8, 0, 1});
+  ASSERT_TRUE(attach(world, {4}, {1}, {}).ok());
+  ASSERT_TRUE(set_pose(world, world.row(id), {}));
+  return_to_start(world);
+  EXPECT_EQ(world.models.X_WM[world.row(id).index], (geom::Pose{7, 8, 0, 1}));
+  EXPECT_EQ(world.models.X_WM[4], (geom::Pose{3, 3, 0, 0}));
+  EXPECT_FALSE(world.models.parent_id[4].valid());
+  expect_whole();
+}
+
+TEST_F(PopulationTest, any_sequence_leaves_a_whole_world) {
+  Rng rng(7);
+  const auto some = [&](std::size_t below) { return static_cast<std::uint32_t>(rng.bits() % below); };
+  const std::uint32_t prototypes[] = {0, 1, 4, 5};
+  for (int step = 0; step < 400; ++step) {
+    const ModelId any = world.models.size() > 0 ? world.models.id[some(world.models.size())] : ModelId{};
+    const geom::Pose X{rng.uniform(-5, 5), rng.uniform(-5, 5), 0, rng.uniform(-3, 3)};
+    switch (some(5)) {
+      case 0:
+      case 1:
+        EXPECT_TRUE(spawn(world, prototypes[some(4)], X).ok());
+        break;
+      case 2:
+        static_cast<void>(despawn(world, any).ok());
+        break;
+      case 3:
+        if (world.models.size() > 0)
+          static_cast<void>(attach(world, any, world.models.id[some(world.models.size())], X).ok());
+        break;
+      default:
+        static_cast<void>(detach(world, any).ok());
+    }
+    if (step % 20 == 0) expect_whole();
+  }
+  EXPECT_GT(world.models.size(), 0u);
+}
+
+/// A state that somebody made up does no harm, whatever it says.
+TEST_F(PopulationTest, a_state_cut_or_changed_anywhere_is_refused_or_is_a_whole_world) {
+  spawned(1, {1, 1, 0, 0});
+  ASSERT_TRUE(attach(world, {4}, {2}, {}).ok());
+  ASSERT_TRUE(despawn(world, {5}).ok());
+  std::vector<std::byte> bytes;
+  ASSERT_TRUE(save_state(world, bytes).ok());
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    World other(scene, 1);
+    EXPECT_FALSE(load_state(other, std::span(bytes).first(size)).ok()) << size;
+  }
+  for (std::size_t at = 0; at < bytes.size(); ++at) {
+    for (const int flip : {0x01, 0x80, 0xff}) {
+      std::vector<std::byte> changed = bytes;
+      changed[at] ^= static_cast<std::byte>(flip);
+      World other(scene, 1);
+      if (!load_state(other, changed).ok()) continue;
+      std::vector<std::byte> again;
+      ASSERT_TRUE(save_state(other, again).ok());
+      EXPECT_EQ(again, changed) << at;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace playhouse::world

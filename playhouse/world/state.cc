@@ -1,0 +1,337 @@
+#include "playhouse/world/state.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <type_traits>
+#include <utility>
+
+#include "playhouse/base/in_quotes.h"
+#include "playhouse/base/limits.h"
+#include "playhouse/base/packing.h"
+#include "playhouse/world/columns.h"
+#include "playhouse/world/population.h"
+#include "playhouse/world/values.h"
+
+namespace playhouse::world {
+namespace {
+
+template <typename Number>
+void put(Packer& out, Number number) {
+  if constexpr (std::is_same_v<Number, double>) {
+    out.f64(number);
+  } else if constexpr (std::is_same_v<Number, float>) {
+    out.f32(number);
+  } else if constexpr (sizeof(Number) == 1) {
+    out.u8(static_cast<std::uint8_t>(number));
+  } else if constexpr (sizeof(Number) == 4) {
+    out.u32(static_cast<std::uint32_t>(number));
+  } else {
+    static_assert(sizeof(Number) == 8);
+    out.u64(static_cast<std::uint64_t>(number));
+  }
+}
+
+template <typename Number>
+void get(Unpacker& in, Number& number) {
+  if constexpr (std::is_same_v<Number, double>) {
+    number = in.f64();
+  } else if constexpr (std::is_same_v<Number, float>) {
+    number = in.f32();
+  } else if constexpr (sizeof(Number) == 1) {
+    number = static_cast<Number>(in.u8());
+  } else if constexpr (sizeof(Number) == 4) {
+    number = static_cast<Number>(in.u32());
+  } else {
+    number = static_cast<Number>(in.u64());
+  }
+}
+
+template <typename T>
+void put_value(Packer& out, const T& value) {
+  if constexpr (kIsList<T>) {
+    out.varint(value.size());
+    for (const auto& element : value) put_value(out, element);
+  } else {
+    each_number(value, [&](auto number) { put(out, number); });
+  }
+}
+
+/// Values that arithmetic can go on with.
+template <typename T>
+bool is_good(const T& value) {
+  if constexpr (std::is_same_v<T, geom::Pose>) return is_place(value);
+  if constexpr (std::is_same_v<T, ControlMode>) return value <= ControlMode::kHeading;
+  bool good = true;
+  if constexpr (!kIsList<T>)
+    each_number(value, [&](auto number) {
+      if constexpr (std::is_floating_point_v<decltype(number)>) good = good && std::isfinite(number);
+    });
+  return good;
+}
+
+/// False: the bytes end, or the value is none.
+template <typename T>
+bool get_value(Unpacker& in, T& value) {
+  if constexpr (kIsList<T>) {
+    const std::uint64_t size = in.varint();
+    if (!in.ok() || size > in.left()) return false;
+    value.resize(static_cast<std::size_t>(size));
+    for (auto& element : value)
+      if (!get_value(in, element)) return false;
+  } else {
+    each_number(value, [&](auto& number) { get(in, number); });
+  }
+  return in.ok() && is_good(value);
+}
+
+template <typename Column, typename Values>
+void put_column(Packer& out, const Column& column, const Values& values) {
+  out.text(column.name);
+  out.varint(values.size());
+  for (const auto& value : values) put_value(out, value);
+}
+
+Error damaged(std::string_view what) {
+  return Error{{}, fmt::format("is damaged: {}", what)};
+}
+
+/// The head of a column, which must be the one that is expected, with its number of values.
+Result<std::uint64_t> get_head(Unpacker& in, const char* name) {
+  const std::string found = in.text();
+  const std::uint64_t size = in.varint();
+  if (!in.ok()) return damaged("it ends too early");
+  if (found != name)
+    return Error{{}, fmt::format("has column {} where {} is expected: another version wrote it", in_quotes(found), name)};
+  if (size > in.left()) return damaged(fmt::format("{} has more values than there are bytes", name));
+  return size;
+}
+
+template <typename T>
+Result<void> get_column(Unpacker& in, const char* name, std::vector<T>& values) {
+  const Result<std::uint64_t> size = get_head(in, name);
+  if (!size) return size.error();
+  values.resize(static_cast<std::size_t>(*size));
+  for (T& value : values)
+    if (!get_value(in, value)) return damaged(fmt::format("{} has a value that is none", name));
+  return {};
+}
+
+/// Who there is, as it is read and before it is believed.
+struct Census {
+  std::vector<ModelId> id, parent;
+  std::vector<std::uint32_t> desc;
+};
+
+Result<void> check(const Census& census, std::uint32_t next_id, const scene::SceneDesc& scene) {
+  const std::size_t count = census.id.size();
+  if (census.desc.size() != count || census.parent.size() != count) return damaged("its columns differ in length");
+  for (std::size_t row = 0; row < count; ++row) {
+    if (row > 0 && census.id[row] <= census.id[row - 1]) return damaged("its models are out of order");
+    if (census.id[row].value >= next_id) return damaged("a model has an id that was never given");
+    if (census.desc[row] >= scene.models.size()) return damaged("a model is none of its scene");
+  }
+  return {};
+}
+
+/// Subscribers of models that the new state has as well.
+class KeptUsers {
+ public:
+  explicit KeptUsers(const Models& models) {
+    for (std::uint32_t row = 0; row < models.size(); ++row)
+      users_[models.id[row]] = {models.subscribers[row], models.controllers[row]};
+  }
+  void give_back(Models& models) const {
+    for (std::uint32_t row = 0; row < models.size(); ++row) {
+      const auto kept = users_.find(models.id[row]);
+      if (kept != users_.end()) std::tie(models.subscribers[row], models.controllers[row]) = kept->second;
+    }
+  }
+
+ private:
+  std::map<ModelId, std::pair<std::uint32_t, std::uint32_t>> users_;
+};
+
+class Loader {
+ public:
+  Loader(World& world, Unpacker& in) : world_(world), in_(in), population_(world) {}
+
+  Result<void> load() {
+    const KeptUsers users(world_.models);
+    if (const Result<void> read = read_head(); !read) return read;
+    if (const Result<void> read = read_population(); !read) return read;
+    if (const Result<void> read = read_columns(); !read) return read;
+    for (std::uint32_t row = 0; row < world_.models.size(); ++row)
+      if (world_.models.root[row] == row) place(row);
+    users.give_back(world_.models);
+    world_.changes.add({Change::Kind::kReload, {}, {}, 0, Mobility::kFixed});
+    return read_deciders();
+  }
+
+ private:
+  Result<void> read_head() {
+    if (in_.u64() != world_.seed() && in_.ok()) return damaged("it has another seed");
+    tick_ = in_.u64();
+    next_id_ = in_.u32();
+    const std::uint64_t given = in_.varint();
+    if (!in_.ok() || given > in_.left()) return damaged("it ends too early");
+    if (tick_ > kTicksMost) return damaged("its time is out of range");
+    for (std::uint64_t i = 0; i < given; ++i) {
+      Population::Given entry;
+      ModelId id;
+      const bool good = get_value(in_, id) && get_value(in_, entry.name) && get_value(in_, entry.X_WM);
+      if (!good) return damaged("a name is none");
+      given_.emplace(id, std::move(entry));
+    }
+    return {};
+  }
+
+  Result<void> read_population() {
+    Census census;
+    Result<void> read = get_column(in_, "models.id", census.id);
+    if (read) read = get_column(in_, "models.desc", census.desc);
+    if (read) read = get_column(in_, "models.parent_id", census.parent);
+    if (read) read = check(census, next_id_, world_.scene());
+    if (!read) return read;
+    population_.clear();
+    if (const Result<void> room = population_.check_room(census.desc); !room) return room;
+    for (std::size_t row = 0; row < census.id.size(); ++row)
+      population_.append(census.id[row], census.desc[row], {}, {});
+    world_.models.parent_id = std::move(census.parent);
+    population_.next_id() = next_id_;
+    population_.given() = std::move(given_);
+    world_.tick_ = tick_;
+    return population_.derive() ? Result<void>() : damaged("its models make no trees");
+  }
+
+  Result<void> read_columns() {
+    Result<void> result;
+    each_column(
+        [&](const auto& column, auto& values) {
+          if (!result || !is_saved(column.role) || column.role == Role::kPopulation) return;
+          const std::size_t size = values.size();
+          result = get_column(in_, column.name, values);
+          if (result && values.size() != size)
+            result = damaged(fmt::format("{} has {} values where {} are expected", column.name, values.size(), size));
+        },
+        world_);
+    return result ? check_ticks() : result;
+  }
+
+  /// What was measured later than now would not be measured again for ages.
+  Result<void> check_ticks() {
+    for (const auto* column : {&world_.rangers.measured_tick, &world_.fiducials.measured_tick})
+      for (const std::uint64_t tick : *column)
+        if (tick > tick_) return damaged("a sensor measured in the future");
+    return {};
+  }
+
+  void place(std::uint32_t row) {
+    Models& models = world_.models;
+    const std::uint32_t parent = models.parent[row];
+    models.X_WM[row] = parent == ModelRow::kNone ? models.X_PM[row] : geom::compose(models.X_WM[parent], models.X_PM[row]);
+    for (const std::uint32_t child : world_.children({row})) place(child);
+  }
+
+  Result<void> read_deciders() {
+    for (const std::unique_ptr<Decider>& decider : world_.deciders) decider->follow(world_);
+    const std::uint64_t count = in_.varint();
+    if (!in_.ok() || count != world_.deciders.size()) return damaged("it has other controllers");
+    for (const std::unique_ptr<Decider>& decider : world_.deciders) {
+      if (in_.text() != decider->name()) return damaged("it has other controllers");
+      if (!decider->load(world_, in_))
+        return damaged(fmt::format("what controller {} remembers is none", in_quotes(decider->name())));
+    }
+    return in_.ok() && in_.at_end() ? Result<void>() : damaged("something follows its end");
+  }
+
+  static constexpr std::uint64_t kTicksMost = 1ull << 53;  // time() is exact up to here
+
+  World& world_;
+  Unpacker& in_;
+  Population population_;
+  std::uint64_t tick_ = 0;
+  std::uint32_t next_id_ = 0;
+  std::map<ModelId, Population::Given> given_;
+};
+
+std::uint64_t hash_of(const Decider& decider) {
+  Hash hash;
+  decider.hash(hash);
+  return hash.value();
+}
+
+/// The first column of a model, which has the same row in both, that differs.
+std::optional<std::string> differing_column(const World& a, const World& b, std::uint32_t row) {
+  std::optional<std::string> found;
+  const bool sensed = a.models.controllers[row] > 0 || b.models.controllers[row] > 0;
+  each_value_of(
+      a, row,
+      [&](const auto& column, const auto& values_a, const auto& values_b, Range range) {
+        if (found || !(is_done(column.role) || (sensed && column.role == Role::kSensed))) return;
+        if (range.end > values_b.size() ||
+            !std::equal(values_a.begin() + range.begin, values_a.begin() + range.end, values_b.begin() + range.begin))
+          found = column.name;
+      },
+      a, b);
+  return found;
+}
+
+}  // namespace
+
+std::string Difference::text() const {
+  return model ? fmt::format("model {}, column {}", model.value, column) : column;
+}
+
+Result<void> save_state(const World& world, std::vector<std::byte>& bytes) {
+  Packer out(bytes);
+  out.u64(world.seed());
+  out.u64(world.tick());
+  out.u32(Population::next_id(world));
+  const auto& given = Population::given(world);
+  out.varint(given.size());
+  for (const auto& [id, entry] : given) {
+    put_value(out, id);
+    put_value(out, entry.name);
+    put_value(out, entry.X_WM);
+  }
+  each_column(
+      [&](const auto& column, const auto& values) {
+        if (is_saved(column.role)) put_column(out, column, values);
+      },
+      world);
+  out.varint(world.deciders.size());
+  for (const std::unique_ptr<Decider>& decider : world.deciders) {
+    out.text(decider->name());
+    if (const Result<void> saved = decider->save(out); !saved) return saved;
+  }
+  return {};
+}
+
+Result<void> load_state(World& world, std::span<const std::byte> state) {
+  Unpacker in(state);
+  return Loader(world, in).load();
+}
+
+std::optional<Difference> first_difference(const World& a, const World& b) {
+  if (a.tick() != b.tick()) return Difference{{}, "tick"};
+  const std::size_t rows = std::min(a.models.size(), b.models.size());
+  for (std::uint32_t row = 0; row < rows; ++row) {
+    if (a.models.id[row] != b.models.id[row]) return Difference{std::min(a.models.id[row], b.models.id[row]), "models.id"};
+    if (std::optional<std::string> column = differing_column(a, b, row))
+      return Difference{a.models.id[row], std::move(*column)};
+  }
+  if (a.models.size() != b.models.size()) {
+    const World& longer = a.models.size() > b.models.size() ? a : b;
+    return Difference{longer.models.id[rows], "models.id"};
+  }
+  for (std::size_t i = 0; i < std::min(a.deciders.size(), b.deciders.size()); ++i)
+    if (hash_of(*a.deciders[i]) != hash_of(*b.deciders[i]))
+      return Difference{{}, fmt::format("controller {}", a.deciders[i]->name())};
+  if (a.hash() != b.hash()) return Difference{{}, "hash"};
+  return std::nullopt;
+}
+
+}  // namespace playhouse::world
