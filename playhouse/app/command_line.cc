@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "playhouse/base/in_quotes.h"
@@ -23,6 +24,9 @@ constexpr const char* kExamples = R"(Examples:
   playhouse run my.world --port 7000 --web off       Player clients alone
   playhouse run my.world --fast --headless --duration 60 --json
                                                      a minute of simulated time, as fast as it goes
+  playhouse run my.world --save-at 60 minute.run     the state after a minute, into a file
+  playhouse run --from minute.run                    on from there
+  playhouse verify my.world --ticks 100              whether it is the same run on any number of workers
   playhouse serve simple.cfg                         devices as a Player configuration file names them
   playhouse devices 127.0.0.1:6665                   what a server offers
   playhouse watch 127.0.0.1 laser:0                  a device's data as JSON lines
@@ -36,6 +40,9 @@ constexpr const char* kRunExamples = R"(Examples:
   playhouse run worlds/cave.world
   playhouse run worlds/cave.world --port 7000 --web off
   playhouse run worlds/cave.world --fast --headless --duration 60 --json)";
+constexpr const char* kVerifyExamples = R"(Examples:
+  playhouse verify worlds/cave.world --ticks 100
+  playhouse verify worlds/cave.world --ticks 20 --workers 1,3)";
 constexpr const char* kServeExamples = R"(Examples:
   playhouse serve my.cfg
   playhouse serve my.cfg --bind 0.0.0.0 --paused)";
@@ -66,12 +73,14 @@ constexpr const char* kVersion =
 struct Raw {
   RunOptions run;
   ServeOptions serve;
+  VerifyOptions verify;
   DevicesOptions devices;
   WatchOptions watch;
   DriveOptions drive;
   CheckOptions check;
   BenchOptions bench;
   std::string web;
+  std::vector<std::pair<double, std::string>> saves;
   bool headless = false, fast = false;
 };
 
@@ -150,6 +159,14 @@ void add_serving(CLI::App& app, Raw& raw, Serving& serving) {
   app.add_flag("--headless", raw.headless, "no web page, as --web off");
 }
 
+void add_allowed_libraries(CLI::App& app, Running& running) {
+  app.add_option("--allow-library", running.allowed_libraries,
+                 "a controller's library that a world may load from elsewhere; may be given again")
+      ->type_name("FILE.so")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
 void add_running(CLI::App& app, Raw& raw, Running& running) {
   auto* fast = app.add_flag("--fast", raw.fast, "as fast as possible instead of real time");
   app.add_option("--speed", running.speed, "times real time; 0: as fast as possible (the file's speedup)")
@@ -163,11 +180,7 @@ void add_running(CLI::App& app, Raw& raw, Running& running) {
   app.add_option("--workers", running.workers, "threads that compute; the result does not depend on it")
       ->check(check_workers)
       ->capture_default_str();
-  app.add_option("--allow-library", running.allowed_libraries,
-                 "a controller's library that a world may load from elsewhere; may be given again")
-      ->type_name("FILE.so")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  add_allowed_libraries(app, running);
   app.add_flag("--paused", running.paused, "wait to be resumed by a viewer or a client");
   app.add_flag("--json", running.json, "print the result as the last line of standard output");
 }
@@ -175,15 +188,40 @@ void add_running(CLI::App& app, Raw& raw, Running& running) {
 void add_commands(CLI::App& app, Raw& raw) {
   CLI::App* run = app.add_subcommand("run", "simulate a world file and serve every robot of it");
   run->footer(kRunExamples);
-  run->add_option("WORLD", raw.run.world, "a .world file")->required();
+  auto* world = run->add_option("WORLD", raw.run.world, "a .world file");
   add_serving(*run, raw, raw.run.serving);
   add_running(*run, raw, raw.run.running);
+  run->add_option("--from", raw.run.from,
+                  "go on with a saved run instead; --duration counts from the start of its world")
+      ->type_name("FILE")
+      ->excludes(world)
+      ->excludes(run->get_option("--seed"));
+  run->add_option("--save-at", raw.saves, "save the state at a simulated time, and go on; may be given again")
+      ->type_name("SECONDS FILE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 
   CLI::App* serve = app.add_subcommand("serve", "serve the devices of a Player configuration file");
   serve->footer(kServeExamples);
   serve->add_option("FILE", raw.serve.file, "a .cfg file")->required();
   add_serving(*serve, raw, raw.serve.serving);
   add_running(*serve, raw, raw.serve.running);
+
+  CLI::App* verify =
+      app.add_subcommand("verify", "run a world several times side by side and compare the states");
+  verify->footer(kVerifyExamples);
+  verify->add_option("WORLD", raw.verify.world, "a .world file")->required();
+  verify->add_option("--ticks", raw.verify.ticks, "how many ticks")
+      ->check(check_count<std::uint64_t, 1>)
+      ->required();
+  verify->add_option("--workers", raw.verify.workers, "threads of each run (1,2,4)")
+      ->check(check_workers)
+      ->delimiter(',')
+      ->type_name("N,N,...");
+  verify->add_option("--seed", raw.verify.running.seed, "seed of all random numbers")
+      ->check(check_count<std::uint64_t>)
+      ->capture_default_str();
+  add_allowed_libraries(*verify, raw.verify.running);
 
   CLI::App* devices = app.add_subcommand("devices", "list the devices of a server");
   devices->footer(kDevicesExamples);
@@ -285,6 +323,7 @@ CommandLine chosen(const CLI::App& app, Raw& raw) {
   finish(raw, raw.serve.serving, raw.serve.running);
   if (name == "run") return raw.run;
   if (name == "serve") return raw.serve;
+  if (name == "verify") return raw.verify;
   if (name == "devices") return raw.devices;
   if (name == "watch") return raw.watch;
   if (name == "drive") return raw.drive;
@@ -321,6 +360,14 @@ Result<CommandLine> parse_command_line(std::span<const char* const> words) {
                                  twice ? "is given more than once" : "wants a value")};
   } catch (const CLI::ParseError& error) {
     return Error{"", error.what()};
+  }
+  const bool runs = app.get_subcommands().front()->get_name() == "run";
+  if (runs && raw.run.world.empty() && raw.run.from.empty())
+    return Error{"", "run wants a WORLD, or --from with a saved run"};
+  for (const auto& [seconds, file] : raw.saves) {
+    if (!std::isfinite(seconds) || seconds < 0)
+      return Error{"", "--save-at wants a number of seconds that is not negative, and a file"};
+    raw.run.saves.push_back({seconds, file});
   }
   if (raw.bench.scenario == "server" && raw.bench.duration > 0)
     return Error{"", "--duration: bench server measures for a time of its own"};

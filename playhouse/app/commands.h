@@ -8,6 +8,7 @@ namespace playhouse::app {
 
 int run(const RunOptions& options);
 int serve(const ServeOptions& options);
+int verify(const VerifyOptions& options);
 int devices(const DevicesOptions& options);
 int watch(const WatchOptions& options);
 int drive(const DriveOptions& options);

@@ -31,6 +31,7 @@ struct Dispatch {
   }
   int operator()(const RunOptions& options) const { return run(options); }
   int operator()(const ServeOptions& options) const { return serve(options); }
+  int operator()(const VerifyOptions& options) const { return verify(options); }
   int operator()(const DevicesOptions& options) const { return devices(options); }
   int operator()(const WatchOptions& options) const { return watch(options); }
   int operator()(const DriveOptions& options) const { return drive(options); }

@@ -36,8 +36,16 @@ struct Running {
   bool json = false;  // the result as the last line of standard output
 };
 
+/// A state to be saved while a run goes on.
+struct SaveAt {
+  double seconds = 0;  // simulated; at the first tick at or after it
+  std::string file;
+};
+
 struct RunOptions {
   std::string world;
+  std::string from;  // a saved run, in place of a world
+  std::vector<SaveAt> saves;
   Serving serving;
   Running running;
 };
@@ -45,6 +53,13 @@ struct RunOptions {
 struct ServeOptions {
   std::string file;  // .cfg
   Serving serving;
+  Running running;
+};
+
+struct VerifyOptions {
+  std::string world;
+  std::uint64_t ticks = 0;
+  std::vector<unsigned> workers;  // of the runs side by side
   Running running;
 };
 

@@ -12,8 +12,13 @@ namespace playhouse::app {
 
 int run(const RunOptions& options) {
   Service service(options.serving, options.running, QuitTime::kHonoured);
-  return run_service(
-      service, [&] { return service.read_world(options.world); }, options.running);
+  const int code = run_service(
+      service,
+      [&] {
+        return options.from.empty() ? service.read_world(options.world) : service.read_saved(options.from);
+      },
+      options.running, {}, options.saves);
+  return code == kDone && !service.all_saved() ? kFailed : code;
 }
 
 int serve(const ServeOptions& options) {

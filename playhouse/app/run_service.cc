@@ -9,11 +9,13 @@
 namespace playhouse::app {
 
 int run_service(Service& service, const std::function<Result<void>()>& read, const Running& running,
-                const std::function<void()>& opened) {
+                const std::function<void()>& opened, const std::vector<SaveAt>& saves) {
   if (const Result<void> step = read(); !step) return fail_in_file(step.error(), service.other_errors());
   if (const Result<void> step = service.open_ports(); !step) return fail(step.error());
   if (const Result<void> step = service.make_devices(); !step)
     return fail_in_file(step.error(), service.other_errors());
+  for (const SaveAt& save : saves)
+    if (const Result<void> step = service.save_at(save); !step) return fail(step.error());
   if (const Result<void> step = service.open_page(); !step) return fail(step.error());
 
   for (const std::string& place : service.places()) log::say(place);

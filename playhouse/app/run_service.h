@@ -1,14 +1,16 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "playhouse/app/service.h"
 
 namespace playhouse::app {
 
 /// Takes a service through all its steps, beginning with `read`, runs it, prints where it is and how it went,
-/// and returns the program's exit code. `opened` is called when clients can connect.
+/// and returns the program's exit code. `opened` is called when clients can connect; the state is saved at
+/// the times of `saves`.
 int run_service(Service& service, const std::function<Result<void>()>& read, const Running& running,
-                const std::function<void()>& opened = {});
+                const std::function<void()>& opened = {}, const std::vector<SaveAt>& saves = {});
 
 }  // namespace playhouse::app

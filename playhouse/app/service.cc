@@ -8,11 +8,14 @@
 #include <csignal>
 #include <cstdlib>
 #include <set>
+#include <span>
 #include <thread>
 #include <utility>
 
 #include "playhouse/app/fail.h"
 #include "playhouse/app/interrupt.h"
+#include "playhouse/app/whole_file.h"
+#include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/log_output.h"
 #include "playhouse/drivers/simulated/auto_map.h"
@@ -20,6 +23,7 @@
 #include "playhouse/drivers/simulated/simulated_driver.h"
 #include "playhouse/scene/world_loader.h"
 #include "playhouse/web_server/page_files.h"
+#include "playhouse/world/state.h"
 
 namespace playhouse::app {
 namespace {
@@ -66,11 +70,58 @@ Service::~Service() {
 }
 
 Result<void> Service::read_world(const std::string& path, scene::NamedBy by) {
-  Result<scene::SceneDesc> scene = scene::load_world(path, by, &other_errors_);
+  Result<scene::SceneDesc> scene = scene::load_world(path, by, &other_errors_, &sources_);
   if (!scene) return scene.error();
   scene_ = std::move(*scene);
   for (const std::string& warning : scene_.warnings) warn_(warning);
   return {};
+}
+
+Result<void> Service::read_saved(const std::string& path) {
+  const Result<std::string> bytes = read_file(path);
+  if (!bytes) return bytes.error();
+  Result<world::SavedRun> run = world::decode_saved_run(std::as_bytes(std::span(*bytes)));
+  if (!run) return Error{escaped(path), run.error().text};
+  saved_ = std::move(*run);
+  sources_ = saved_->sources;
+  running_.seed = saved_->seed;
+  scene::MemoryFiles files(sources_.files, sources_.search_path);
+  Result<scene::SceneDesc> scene =
+      scene::load_world_text(sources_.files.at(sources_.path), sources_.path, files, {}, &other_errors_);
+  if (!scene) return Error{escaped(path), "its scene cannot be read: " + scene.error().line()};
+  scene_ = std::move(*scene);
+  return {};
+}
+
+Result<void> Service::save(const world::World& world, const std::string& file) const {
+  world::SavedRun run{sources_, running_.seed, {}};
+  if (const Result<void> saved = world::save_state(world, run.state); !saved) return saved;
+  return write_file(file, world::encode(run));
+}
+
+Result<void> Service::save_at(const SaveAt& save) {
+  // Who cannot be saved is told now, not after an hour.
+  std::vector<std::byte> ignored;
+  if (const Result<void> saved = world::save_state(simulation().world(), ignored); !saved) return saved;
+  if (saves_.empty())
+    simulation().add_listener([this](const world::World& world, const world::Pace&) { save_due(world); });
+  saves_.push_back(save);
+  save_due(simulation().world());
+  return {};
+}
+
+void Service::save_due(const world::World& world) {
+  std::erase_if(saves_, [&](const SaveAt& due) {
+    if (world.time() < due.seconds) return false;
+    const Result<void> saved = save(world, due.file);
+    if (saved) {
+      log::info("saved {:.1f} s to {}", world.time(), escaped(due.file));
+    } else {
+      log::error("{}", saved.error().line());
+      saving_works_ = false;
+    }
+    return true;
+  });
 }
 
 Result<void> Service::read_cfg(const std::string& path) {
@@ -143,6 +194,10 @@ Result<std::unique_ptr<drivers::Simulation>> Service::open_world(const std::stri
   }
   Result<std::unique_ptr<world::Engine>> engine = make_engine(scene_, running_, libraries_, warn_);
   if (!engine) return engine.error();
+  if (saved_) {
+    const Result<void> loaded = world::load_state((*engine)->world(), saved_->state);
+    if (!loaded) return Error{{}, "the saved run " + loaded.error().text};
+  }
   return std::make_unique<drivers::Simulation>(std::move(*engine),
                                                pace_of(scene_, serving_, running_, quit_time_));
 }
@@ -222,6 +277,9 @@ Outcome Service::run(const std::function<void(int signal)>& ended) {
   signals.join();
   end_at_once_on_signals();  // the loop takes them no more
   if (shows_progress) log::show_progress("");
+  for (const SaveAt& save : saves_)
+    log::error("{}: not saved: the run ended at {} s, before {} s", escaped(save.file),
+               simulation().world().time(), save.seconds);
   return outcome(wall_time);
 }
 

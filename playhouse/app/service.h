@@ -23,6 +23,7 @@
 #include "playhouse/scene/source_text.h"
 #include "playhouse/server/server.h"
 #include "playhouse/web_server/web_server.h"
+#include "playhouse/world/saved_run.h"
 
 namespace playhouse::app {
 
@@ -58,6 +59,13 @@ class Service final : private drivers::Surroundings {
   /// devices.
   Result<void> read_world(const std::string& path, scene::NamedBy by = scene::NamedBy::kPerson);
   Result<void> read_cfg(const std::string& path);
+  /// A saved run: its world goes on where it was saved, with its seed.
+  Result<void> read_saved(const std::string& path);
+  /// Saves the state once the run has come to a time; before run(). Fails where a controller cannot be saved,
+  /// which make_devices() must have made.
+  Result<void> save_at(const SaveAt& save);
+  /// False: something was not saved; the log says what.
+  bool all_saved() const { return saves_.empty() && saving_works_; }
   /// A scene made in memory, in place of a file.
   void take_scene(scene::SceneDesc scene) { scene_ = std::move(scene); }
   /// Opens the ports for Player clients; they are served once run() is called.
@@ -93,6 +101,8 @@ class Service final : private drivers::Surroundings {
   Result<void> make_drivers();
   void catch_signals();
   void show_progress();
+  void save_due(const world::World& world);
+  Result<void> save(const world::World& world, const std::string& file) const;
   Outcome outcome(double wall_time);
 
   Serving serving_;
@@ -104,6 +114,10 @@ class Service final : private drivers::Surroundings {
 
   // In order of construction; what is below uses what is above.
   std::optional<scene::CfgFile> cfg_;
+  scene::SourceFiles sources_;  // of scene_
+  std::optional<world::SavedRun> saved_;
+  std::vector<SaveAt> saves_;  // not done yet
+  bool saving_works_ = true;
   scene::SceneDesc scene_;
   net::IoLoop loop_;
   net::IoLoop

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Little-endian numbers and varints in bytes: packets of viewers, saved runs. Reading never passes the end: the reader's
-/// error is sticky and checked once.
+/// Little-endian numbers and varints in bytes: packets of viewers, saved runs. Reading never passes the end:
+/// the reader's error is sticky and checked once.
 
 #include <bit>
 #include <cstddef>
@@ -35,7 +35,8 @@ class Packer {
   /// A text or bytes, their length in front.
   void text(std::string_view value) {
     varint(value.size());
-    for (const char letter : value) u8(static_cast<std::uint8_t>(letter));
+    const auto bytes = std::as_bytes(std::span(value));
+    out_.insert(out_.end(), bytes.begin(), bytes.end());
   }
   void varint(std::uint64_t value) {
     for (; value >= 0x80; value >>= 7) u8(static_cast<std::uint8_t>(value | 0x80));

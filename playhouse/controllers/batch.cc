@@ -95,9 +95,11 @@ void Batch::follow(World& world) {
     for (std::uint32_t row = 0; row < world.models.size(); ++row) take(world.models.id[row]);
     return;
   }
-  const std::vector<world::Change> changes(world.changes.since(first).begin(), world.changes.since(first).end());
+  const std::vector<world::Change> changes(world.changes.since(first).begin(),
+                                           world.changes.since(first).end());
   for (const world::Change& change : changes)
-    for (std::uint32_t i = 0; change.kind == Kind::kSpawn && i < change.count; ++i) take({change.model.value + i});
+    for (std::uint32_t i = 0; change.kind == Kind::kSpawn && i < change.count; ++i)
+      take({change.model.value + i});
 }
 
 void Batch::join_late(World& world, const Post& post) {

@@ -118,7 +118,8 @@ class BatchOf : public Batch {
  private:
   template <typename Visit>
   void each_column(const Visit& visit) const {
-    std::apply([&](const auto&... column) { (visit(column), ...); }, Self::memory(static_cast<const Self&>(*this)));
+    std::apply([&](const auto&... column) { (visit(column), ...); },
+               Self::memory(static_cast<const Self&>(*this)));
   }
   template <typename Visit>
   void each_column(const Visit& visit) {

@@ -2,11 +2,11 @@
 
 /// Controller: what you write to drive a robot from inside the simulation. Build it as a shared library and
 /// name it in a world file, `ctrl "shy 0.3"` for shy.so with the argument "0.3"; docs/controllers.md shows
-/// how. This header is all a controller includes, and changes only together with kControllerVersion; libraries
-/// built for an older one from kControllerVersionLeast on still load. One
-/// object per robot. Objects of different robots may run at the same time, so share nothing that changes;
-/// take random numbers from Robot::random and time from Robot::time, and a run repeats to the bit. Frames: O
-/// odometry (the world, if the robot localises by "gps"), R robot.
+/// how. This header is all a controller includes, and changes only together with kControllerVersion;
+/// libraries built for an older one from kControllerVersionLeast on still load. One object per robot. Objects
+/// of different robots may run at the same time, so share nothing that changes; take random numbers from
+/// Robot::random and time from Robot::time, and a run repeats to the bit. Frames: O odometry (the world, if
+/// the robot localises by "gps"), R robot.
 
 #include <cstdint>
 #include <span>
@@ -80,9 +80,9 @@ class Controller {
 
   // From version 2 on; called between ticks.
 
-  /// Puts all that decide() remembers from tick to tick into `memory`, as bytes of any form, so that a run can
-  /// be saved and goes on the same; true also if there is nothing to remember. False, as long as this is not
-  /// overridden: a run with this controller cannot be saved, and who asks is told its name.
+  /// Puts all that decide() remembers from tick to tick into `memory`, as bytes of any form, so that a run
+  /// can be saved and goes on the same; true also if there is nothing to remember. False, as long as this is
+  /// not overridden: a run with this controller cannot be saved, and who asks is told its name.
   virtual bool save(std::string& memory) const { return static_cast<void>(memory), false; }
   /// Remembers what save() put there, after start(), maybe in another run of the program. Throw a
   /// std::exception where it cannot be that.

@@ -42,14 +42,17 @@ Result<Library> Library::open(const std::filesystem::path& path) {
   library.version_ = version();
   if (library.version_ < kControllerVersionLeast || library.version_ > kControllerVersion) {
     return Error{escaped(file), "is built for controller version " + std::to_string(library.version_) +
-                                    ", this program takes " + std::to_string(kControllerVersionLeast) + " to " +
-                                    std::to_string(kControllerVersion) + "; build it again"};
+                                    ", this program takes " + std::to_string(kControllerVersionLeast) +
+                                    " to " + std::to_string(kControllerVersion) + "; build it again"};
   }
   return library;
 }
 
 Library::Library(Library&& other) noexcept
-    : handle_(std::exchange(other.handle_, nullptr)), make_(other.make_), file_(std::move(other.file_)), version_(other.version_) {}
+    : handle_(std::exchange(other.handle_, nullptr)),
+      make_(other.make_),
+      file_(std::move(other.file_)),
+      version_(other.version_) {}
 
 Library& Library::operator=(Library&& other) noexcept {
   std::swap(handle_, other.handle_);

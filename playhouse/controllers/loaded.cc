@@ -186,8 +186,9 @@ Result<void> Loaded::save_of(std::size_t i, Packer& out) const {
   std::string memory, why;
   if (!remember(seat, memory, why)) {
     if (why.empty()) why = "it does not override Controller::save (docs/controllers.md)";
-    return Error{{}, "controller " + in_quotes(seat.controller_name) + " of " + in_quotes(seat.name) +
-                         " cannot be saved: " + why};
+    return Error{{},
+                 "controller " + in_quotes(seat.controller_name) + " of " + in_quotes(seat.name) +
+                     " cannot be saved: " + why};
   }
   out.u8(seat.ended);
   out.varint(seat.seen.size());

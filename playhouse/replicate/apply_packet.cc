@@ -1,7 +1,7 @@
 #include <limits>
 
-#include "playhouse/replicate/delta.h"
 #include "playhouse/base/packing.h"
+#include "playhouse/replicate/delta.h"
 
 namespace playhouse::replicate {
 namespace {

@@ -74,6 +74,12 @@ std::vector<std::string> DiskFiles::search_path() const {
   return folders;
 }
 
+Result<std::string> RecordedFiles::read(const std::string& path) {
+  Result<std::string> text = files_.read(path);
+  if (text) kept_.files[path] = *text;
+  return text;
+}
+
 Result<std::string> MemoryFiles::read(const std::string& path) {
   const auto found = files_.find(path);
   if (found == files_.end()) return Error{{}, "cannot be opened: no such file"};

@@ -59,6 +59,26 @@ class MemoryFiles final : public FileReader {
   std::vector<std::string> search_path_;
 };
 
+/// The files that a scene was made of, by the paths under which they were read, to make it again without
+/// them.
+struct SourceFiles {
+  std::string path;  // of the top-level one
+  std::map<std::string, std::string> files;
+  std::vector<std::string> search_path;
+};
+
+/// Reads as another reader does, and keeps all that was read in `kept`.
+class RecordedFiles final : public FileReader {
+ public:
+  RecordedFiles(FileReader& files, SourceFiles& kept) : files_(files), kept_(kept) {}
+  Result<std::string> read(const std::string& path) override;
+  std::vector<std::string> search_path() const override { return files_.search_path(); }
+
+ private:
+  FileReader& files_;
+  SourceFiles& kept_;
+};
+
 /// Owns every text of one scene, so that views into them stay valid as long as it lives.
 class SourceTexts {
  public:

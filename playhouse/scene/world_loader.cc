@@ -352,18 +352,28 @@ Result<SceneDesc> load_world_text(std::string text, const std::string& path, Fil
   return scene;
 }
 
-Result<SceneDesc> load_world(const std::string& path, NamedBy by, std::vector<Error>* others) {
-  DiskFiles files;
+Result<SceneDesc> load_world(const std::string& path, NamedBy by, std::vector<Error>* others,
+                             SourceFiles* sources) {
+  DiskFiles disk;
+  SourceFiles unused;
+  SourceFiles& kept = sources ? *sources : unused;
+  kept = {path, {}, disk.search_path()};
+  RecordedFiles recorded(disk, kept);
+  FileReader& files = sources ? static_cast<FileReader&>(recorded) : disk;
+  const auto load = [&](std::string text, const std::string& found) {
+    kept.path = found;
+    if (sources) kept.files[found] = text;
+    return load_world_text(std::move(text), found, files, {}, others);
+  };
   Result<std::string> text = DiskFiles(by).read(path);
-  if (text) return load_world_text(std::move(*text), path, files, {}, others);
+  if (text) return load(std::move(*text), path);
   const char* folders = std::getenv("STAGEPATH");
   std::string_view rest = folders ? folders : "";
   while (!rest.empty()) {
     const std::size_t end = std::min(rest.find(':'), rest.size());
     const std::string found = std::string(rest.substr(0, end)) + "/" + path.substr(folder_of(path).size());
     rest.remove_prefix(std::min(end + 1, rest.size()));
-    if (Result<std::string> elsewhere = files.read(found))
-      return load_world_text(std::move(*elsewhere), found, files, {}, others);
+    if (Result<std::string> elsewhere = disk.read(found)) return load(std::move(*elsewhere), found);
   }
   return Error{escaped(path), text.error().text + (folders ? ", also not in STAGEPATH" : "")};
 }

@@ -14,9 +14,10 @@ namespace playhouse::scene {
 
 /// Loads a world file. When `path` cannot be opened, its base name is looked for in the folders of the
 /// environment variable STAGEPATH. Fails with one error, "file:line: what (did you mean "x"?)"; lesser faults
-/// are warnings. `others`, if given, gets the errors after the first, up to limits::kWarningsOfAKind in all.
+/// are warnings. `others`, if given, gets the errors after the first, up to limits::kWarningsOfAKind in all;
+/// `sources` gets the files.
 Result<SceneDesc> load_world(const std::string& path, NamedBy by = NamedBy::kPerson,
-                             std::vector<Error>* others = nullptr);
+                             std::vector<Error>* others = nullptr, SourceFiles* sources = nullptr);
 
 /// How much a world may hold; smaller in fuzzers than limits.h allows.
 struct WorldLimits {

@@ -124,7 +124,8 @@ void put_in_place(Solids& solids, const world::Models& models, std::size_t first
 /// A model and all attached to it, parents first, behind the others.
 void add_tree(Trees& trees, const world::World& world, std::uint32_t row) {
   trees.models.push_back(row);
-  if (world.models.kind[row] == scene::ModelKind::kPosition) trees.positions.push_back(world.models.part[row]);
+  if (world.models.kind[row] == scene::ModelKind::kPosition)
+    trees.positions.push_back(world.models.part[row]);
   for (const std::uint32_t child : world.children({row})) add_tree(trees, world, child);
 }
 
@@ -164,7 +165,8 @@ Solids make_fixed_solids(const world::World& world, Shapes& shapes) {
   Solids solids;
   solids.first_vertex.push_back(0);
   for (std::uint32_t row = 0; row < world.models.size(); ++row)
-    if (world.models.mobility[row] == world::Mobility::kFixed) add_model_solids(solids, world, shapes, row, kNone);
+    if (world.models.mobility[row] == world::Mobility::kFixed)
+      add_model_solids(solids, world, shapes, row, kNone);
   solids.fixed = solids.size();
   put_in_place(solids, world.models, 0);
   return solids;
@@ -173,7 +175,8 @@ Solids make_fixed_solids(const world::World& world, Shapes& shapes) {
 void replace_moving_solids(Solids& solids, const world::World& world, Shapes& shapes, Trees& trees) {
   const std::size_t fixed = solids.fixed, vertices = solids.first_vertex[fixed];
   for (auto* column : {&solids.model, &solids.root, &solids.tree}) column->resize(fixed);
-  for (auto* column : {&solids.z_min_M, &solids.z_max_M, &solids.radius, &solids.width, &solids.ranger_return})
+  for (auto* column :
+       {&solids.z_min_M, &solids.z_max_M, &solids.radius, &solids.width, &solids.ranger_return})
     column->resize(fixed);
   for (auto* column : {&solids.convex, &solids.obstacle}) column->resize(fixed);
   solids.center_M.resize(fixed);

@@ -26,6 +26,7 @@ Solids posts(const std::vector<Vec2>& corners, double side) {
     solids.ranger_return.push_back(1);
   }
   solids.p.resize(solids.p.size() + Solids::kSpare);
+  solids.fixed = solids.size();
   return solids;
 }
 

@@ -188,8 +188,8 @@ bool Motion::meets_other(const Surroundings& in, std::size_t solid, const Outlin
   const bool meets_now = meets_at(outline_now(in.solids, other));
   const std::uint32_t tree = in.solids.tree[other];
   if (tree > in.solids.tree[solid] || !proposes_[tree]) return meets_now;
-  const bool meets_then =
-      meets_at(outline_at(in.solids, other, center_[place_of(other)], p_.data() + vertex_of(in.solids, other)));
+  const bool meets_then = meets_at(
+      outline_at(in.solids, other, center_[place_of(other)], p_.data() + vertex_of(in.solids, other)));
   if (meets_now == meets_then) return meets_now;
   return sweep.add({tree, meets_then});
 }

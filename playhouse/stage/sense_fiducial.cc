@@ -84,8 +84,9 @@ void FiducialSense::find(world::World& world, const Space& space, std::uint32_t 
     const double range = std::sqrt(squared);
     if (!in_sight(space, X_WB.xy(), X_WB.z, disc.center, range, own, disc.root)) return;
     const Pose& X_WT = world.models.X_WM[disc.row];
-    hits.push_back({world.id(target), range < limits.range_max_id ? world.models.fiducial_return[disc.row] : 0, range,
-                    bearing, geom::normalize(X_WT.a - X_WB.a), world.desc(target).size});
+    hits.push_back({world.id(target),
+                    range < limits.range_max_id ? world.models.fiducial_return[disc.row] : 0, range, bearing,
+                    geom::normalize(X_WT.a - X_WB.a), world.desc(target).size});
   });
   std::sort(hits.begin(), hits.end(), [](const auto& a, const auto& b) { return a.target < b.target; });
 }

@@ -66,11 +66,12 @@ std::string machine_name() {
 
 /// Models of a robot that measure.
 std::vector<world::ModelId> sensing_models(const world::World& world, const replicate::Layout& layout,
-                                            std::uint32_t robot) {
+                                           std::uint32_t robot) {
   std::vector<world::ModelId> models;
   for (const std::uint32_t row : layout.tree(robot)) {
     const scene::ModelKind kind = world.models.kind[row];
-    if (kind == scene::ModelKind::kRanger || kind == scene::ModelKind::kFiducial) models.push_back(world.id({row}));
+    if (kind == scene::ModelKind::kRanger || kind == scene::ModelKind::kFiducial)
+      models.push_back(world.id({row}));
   }
   return models;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Changes of who is in a world and of what is put where, as entries of one list that the engine, viewers, the
-/// device table, controllers and recordings read. The functions of population.h and world.h add to it.
+/// Changes of who is in a world and of what is put where, as entries of one list that the engine, viewers,
+/// the device table, controllers and recordings read. The functions of population.h and world.h add to it.
 
 #include <cstdint>
 #include <span>

@@ -161,7 +161,8 @@ Range range_of(const Tables& tables, std::uint32_t model, Per per) {
     static_assert(std::is_same_v<Table, Sensors>);
     if (models.kind[model] != scene::ModelKind::kRanger) return {};
     const std::uint32_t ranger = models.part[model];
-    const std::uint32_t first = tables.rangers.first_sensor[ranger], count = tables.rangers.sensor_count[ranger];
+    const std::uint32_t first = tables.rangers.first_sensor[ranger],
+                        count = tables.rangers.sensor_count[ranger];
     if (per == Per::kRow || count == 0) return {first, per == Per::kRow ? first + count : first};
     const Sensors& sensors = tables.sensors;
     const std::uint32_t last = first + count - 1;
@@ -169,8 +170,8 @@ Range range_of(const Tables& tables, std::uint32_t model, Per per) {
   }
 }
 
-/// Calls visit(column, values..., range) for every column of every table in which a model has values; `tables`
-/// says which.
+/// Calls visit(column, values..., range) for every column of every table in which a model has values;
+/// `tables` says which.
 template <typename Visit, typename... Worlds>
 void each_value_of(const Tables& tables, std::uint32_t model, const Visit& visit, Worlds&... worlds) {
   const auto each_of = [&]<typename Table>(Table Tables::*table) {

@@ -43,7 +43,8 @@ void add_position(World& world, const scene::PositionDesc& desc, ModelRow model)
   positions.velocity.push_back({});
   positions.X_OM.push_back(geom::compose(geom::inverse(X_WO), X_WM));
   positions.X_WO.push_back(X_WO);
-  positions.odom_error.push_back(desc.odom_error.value_or(draw_odometry_error(world.seed(), world.id(model))));
+  positions.odom_error.push_back(
+      desc.odom_error.value_or(draw_odometry_error(world.seed(), world.id(model))));
   positions.stall.push_back(0);
   positions.motor_on.push_back(1);
 }
@@ -171,7 +172,8 @@ void Population::erase(std::uint32_t begin, std::uint32_t end) {
     // Tables are in the order of the models, so what a run of models has is a run as well.
     Range rows, beams;
     for (std::uint32_t model = begin; model < end; ++model) {
-      const Range r = range_of<Table>(world_, model, Per::kRow), b = range_of<Table>(world_, model, Per::kBeam);
+      const Range r = range_of<Table>(world_, model, Per::kRow),
+                  b = range_of<Table>(world_, model, Per::kBeam);
       if (r.begin < r.end) rows = {rows.begin < rows.end ? rows.begin : r.begin, r.end};
       if (b.begin < b.end) beams = {beams.begin < beams.end ? beams.begin : b.begin, b.end};
     }
@@ -190,16 +192,16 @@ void Population::erase(std::uint32_t begin, std::uint32_t end) {
 }
 
 Result<void> Population::check_room(std::span<const std::uint32_t> descs) const {
-  std::size_t models = world_.models.size(), sensors = world_.sensors.size(), beams = world_.sensors.ranges.size(),
-              corners = world_.corners_;
+  std::size_t models = world_.models.size(), sensors = world_.sensors.size(),
+              beams = world_.sensors.ranges.size(), corners = world_.corners_;
   for (const std::uint32_t row : descs) {
     const scene::ModelDesc& desc = world_.scene().models[row];
     ++models;
     sensors += desc.sensors.size();
     for (const scene::RangerSensorDesc& sensor : desc.sensors) beams += sensor.samples;
     corners += corners_of(desc);
-    const bool has_room = models <= limits::kModels && sensors <= limits::kSensors && beams <= limits::kBeams &&
-                          corners <= limits::kCorners;
+    const bool has_room = models <= limits::kModels && sensors <= limits::kSensors &&
+                          beams <= limits::kBeams && corners <= limits::kCorners;
     if (!has_room)
       return Error{{}, "the world is full: it has " + std::to_string(world_.models.size()) + " models"};
   }
@@ -286,7 +288,8 @@ void Population::derive_mobility(std::uint32_t first) {
     top = std::max(top, mobility_of_part(desc));
     if (!desc.bitmaps.empty() && top == Mobility::kLoose) top = Mobility::kFixed;
   }
-  for (std::uint32_t row = first; row < models.size(); ++row) models.mobility[row] = models.mobility[models.root[row]];
+  for (std::uint32_t row = first; row < models.size(); ++row)
+    models.mobility[row] = models.mobility[models.root[row]];
 }
 
 void Population::settle(std::uint32_t first) {
@@ -327,7 +330,8 @@ Result<ModelId> spawn(World& world, std::uint32_t prototype, const geom::Pose& X
   std::vector<std::uint32_t> descs(range.count);
   std::iota(descs.begin(), descs.end(), prototype);
   if (const Result<void> room = population.check_room(descs); !room) return room.error();
-  if (population.next_id() > ModelId::kNone - range.count) return Error{{}, "the run has no more ids to give"};
+  if (population.next_id() > ModelId::kNone - range.count)
+    return Error{{}, "the run has no more ids to give"};
   if (name.empty()) {
     name = fresh_name(world, world.scene().models[prototype].name);
   } else if (world.find(name)) {
@@ -341,7 +345,8 @@ Result<ModelId> spawn(World& world, std::uint32_t prototype, const geom::Pose& X
   population.given()[top] = {std::move(name), X};
   for (std::uint32_t i = 0; i < range.count; ++i) {
     const scene::ModelDesc& desc = world.scene().models[prototype + i];
-    const ModelRow parent = i == 0 ? ModelRow{} : ModelRow{first + static_cast<std::uint32_t>(desc.parent) - prototype};
+    const ModelRow parent =
+        i == 0 ? ModelRow{} : ModelRow{first + static_cast<std::uint32_t>(desc.parent) - prototype};
     population.append({top.value + i}, prototype + i, parent, i == 0 ? X : desc.X_PM);
   }
   population.settle(first);

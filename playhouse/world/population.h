@@ -42,13 +42,13 @@ class Population {
  public:
   explicit Population(World& world) : world_(world) {}
 
-  /// Fails where models of these rows of SceneDesc::models would be too many with those there are, or have too
-  /// many sensors, beams or corners (base/limits.h).
+  /// Fails where models of these rows of SceneDesc::models would be too many with those there are, or have
+  /// too many sensors, beams or corners (base/limits.h).
   Result<void> check_room(std::span<const std::uint32_t> descs) const;
   /// Removes every model.
   void clear();
-  /// A row at the end of every table that its kind has, as it is at the start of its life. `X_PM` is where the
-  /// scene, or who spawned it, puts it. Derived columns are complete if `parent` is a row that exists.
+  /// A row at the end of every table that its kind has, as it is at the start of its life. `X_PM` is where
+  /// the scene, or who spawned it, puts it. Derived columns are complete if `parent` is a row that exists.
   ModelRow append(ModelId id, std::uint32_t desc, ModelRow parent, const geom::Pose& X_PM);
   /// Removes the rows [begin, end) of the models and what they have in other tables. derive() is due then.
   void erase(std::uint32_t begin, std::uint32_t end);

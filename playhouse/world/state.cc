@@ -104,7 +104,9 @@ Result<std::uint64_t> get_head(Unpacker& in, const char* name) {
   const std::uint64_t size = in.varint();
   if (!in.ok()) return damaged("it ends too early");
   if (found != name)
-    return Error{{}, fmt::format("has column {} where {} is expected: another version wrote it", in_quotes(found), name)};
+    return Error{
+        {},
+        fmt::format("has column {} where {} is expected: another version wrote it", in_quotes(found), name)};
   if (size > in.left()) return damaged(fmt::format("{} has more values than there are bytes", name));
   return size;
 }
@@ -127,7 +129,8 @@ struct Census {
 
 Result<void> check(const Census& census, std::uint32_t next_id, const scene::SceneDesc& scene) {
   const std::size_t count = census.id.size();
-  if (census.desc.size() != count || census.parent.size() != count) return damaged("its columns differ in length");
+  if (census.desc.size() != count || census.parent.size() != count)
+    return damaged("its columns differ in length");
   for (std::size_t row = 0; row < count; ++row) {
     if (row > 0 && census.id[row] <= census.id[row - 1]) return damaged("its models are out of order");
     if (census.id[row].value >= next_id) return damaged("a model has an id that was never given");
@@ -214,7 +217,8 @@ class Loader {
           const std::size_t size = values.size();
           result = get_column(in_, column.name, values);
           if (result && values.size() != size)
-            result = damaged(fmt::format("{} has {} values where {} are expected", column.name, values.size(), size));
+            result = damaged(
+                fmt::format("{} has {} values where {} are expected", column.name, values.size(), size));
         },
         world_);
     return result ? check_ticks() : result;
@@ -231,7 +235,8 @@ class Loader {
   void place(std::uint32_t row) {
     Models& models = world_.models;
     const std::uint32_t parent = models.parent[row];
-    models.X_WM[row] = parent == ModelRow::kNone ? models.X_PM[row] : geom::compose(models.X_WM[parent], models.X_PM[row]);
+    models.X_WM[row] =
+        parent == ModelRow::kNone ? models.X_PM[row] : geom::compose(models.X_WM[parent], models.X_PM[row]);
     for (const std::uint32_t child : world_.children({row})) place(child);
   }
 
@@ -272,7 +277,8 @@ std::optional<std::string> differing_column(const World& a, const World& b, std:
       [&](const auto& column, const auto& values_a, const auto& values_b, Range range) {
         if (found || !(is_done(column.role) || (sensed && column.role == Role::kSensed))) return;
         if (range.end > values_b.size() ||
-            !std::equal(values_a.begin() + range.begin, values_a.begin() + range.end, values_b.begin() + range.begin))
+            !std::equal(values_a.begin() + range.begin, values_a.begin() + range.end,
+                        values_b.begin() + range.begin))
           found = column.name;
       },
       a, b);
@@ -319,7 +325,8 @@ std::optional<Difference> first_difference(const World& a, const World& b) {
   if (a.tick() != b.tick()) return Difference{{}, "tick"};
   const std::size_t rows = std::min(a.models.size(), b.models.size());
   for (std::uint32_t row = 0; row < rows; ++row) {
-    if (a.models.id[row] != b.models.id[row]) return Difference{std::min(a.models.id[row], b.models.id[row]), "models.id"};
+    if (a.models.id[row] != b.models.id[row])
+      return Difference{std::min(a.models.id[row], b.models.id[row]), "models.id"};
     if (std::optional<std::string> column = differing_column(a, b, row))
       return Difference{a.models.id[row], std::move(*column)};
   }

@@ -6,6 +6,7 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
+#include <mutex>
 
 #ifdef PLAYHOUSE_THREAD_SANITIZER
 #include <sanitizer/tsan_interface.h>
@@ -33,12 +34,23 @@ static void leave(char*) {}
 static void enter(char*) {}
 #endif
 
-struct Workers::Arena {
-  explicit Arena(unsigned count)
-      : allowance(oneapi::tbb::global_control::max_allowed_parallelism, count),
-        threads(static_cast<int>(count)) {}
+/// Lets TBB make as many threads as asked for, also on a machine with fewer cores. The least of all controls
+/// counts for the whole process, so there is one, for the most that anybody asked for.
+static void allow(unsigned count) {
+  using oneapi::tbb::global_control;
+  static std::mutex mutex;
+  static std::unique_ptr<global_control> allowance;
+  static unsigned allowed = 1;
+  const std::lock_guard lock(mutex);
+  if (count <= allowed) return;
+  allowed = count;
+  allowance.reset();
+  allowance = std::make_unique<global_control>(global_control::max_allowed_parallelism, count);
+}
 
-  oneapi::tbb::global_control allowance;  // as many threads as asked for, also on a machine with fewer cores
+struct Workers::Arena {
+  explicit Arena(unsigned count) : threads(static_cast<int>(count)) { allow(count); }
+
   oneapi::tbb::task_arena threads;
   char started = 0;  // only addresses, of the two orders: caller before bodies, bodies before caller
   char done = 0;

@@ -229,8 +229,7 @@ bool set_pose(World& world, ModelRow model, const geom::Pose& X_PM) {
   if (!is_place(X_PM)) return false;
   world.models.X_PM[model.index] = {X_PM.x, X_PM.y, X_PM.z, geom::normalize(X_PM.a)};
   place_tree(world, model);
-  world.changes.add(
-      {Change::Kind::kPlace, world.id(model), {}, 0, world.models.mobility[model.index]});
+  world.changes.add({Change::Kind::kPlace, world.id(model), {}, 0, world.models.mobility[model.index]});
   return true;
 }
 

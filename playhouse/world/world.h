@@ -1,11 +1,11 @@
 #pragma once
 
-/// World: the state that both engines share, as tables of columns, and the few ways to change it from outside.
-/// An engine's step() turns commands and state N into state N+1; between steps everyone reads a const World.
-/// Rows are dense and in the order of the models' ids; they are for the tick and hold until the population
-/// changes (population.h). Everyone else names models by id. Units, frames, roles and writers of all columns
-/// are in columns.h. Thread: the tick thread, between steps.
-/// Frames: W world, P parent, M model, B body (M moved by the origin), O odometry.
+/// World: the state that both engines share, as tables of columns, and the few ways to change it from
+/// outside. An engine's step() turns commands and state N into state N+1; between steps everyone reads a
+/// const World. Rows are dense and in the order of the models' ids; they are for the tick and hold until the
+/// population changes (population.h). Everyone else names models by id. Units, frames, roles and writers of
+/// all columns are in columns.h. Thread: the tick thread, between steps. Frames: W world, P parent, M model,
+/// B body (M moved by the origin), O odometry.
 
 #include <cmath>
 #include <cstdint>
@@ -33,13 +33,13 @@ using FiducialRow = Row<struct FiducialTable>;  // fiducial finders
 
 /// Every model (n rows).
 struct Models {
-  std::vector<ModelId> id;                    // ascending
-  std::vector<std::uint32_t> desc;            // row of SceneDesc::models that says what it is
-  std::vector<ModelId> parent_id;             // none for a top-level model
-  std::vector<std::uint32_t> parent;          // the same as a row, or Row::kNone
-  std::vector<geom::Pose> X_PM;               // pose in the parent
-  std::vector<geom::Pose> X_WM;               // pose in the world
-  std::vector<std::uint32_t> root;            // top of the tree; its own row for a top-level model
+  std::vector<ModelId> id;            // ascending
+  std::vector<std::uint32_t> desc;    // row of SceneDesc::models that says what it is
+  std::vector<ModelId> parent_id;     // none for a top-level model
+  std::vector<std::uint32_t> parent;  // the same as a row, or Row::kNone
+  std::vector<geom::Pose> X_PM;       // pose in the parent
+  std::vector<geom::Pose> X_WM;       // pose in the world
+  std::vector<std::uint32_t> root;    // top of the tree; its own row for a top-level model
   std::vector<scene::ModelKind> kind;
   std::vector<std::uint32_t> part;            // row in the kind's own table, or Row::kNone
   std::vector<std::uint32_t> first_child;     // rows or Row::kNone; see World::children()
@@ -50,7 +50,7 @@ struct Models {
   std::vector<std::int32_t> fiducial_return;  // 0: unseen
   std::vector<std::int32_t> flags;            // tokens carried (source, sink)
   std::vector<scene::Color> color;
-  std::vector<std::string> say;               // speech bubble; starts as the scene's `say`
+  std::vector<std::string> say;  // speech bubble; starts as the scene's `say`
   std::size_t size() const { return X_PM.size(); }
 };
 
@@ -74,7 +74,8 @@ struct Positions {
   std::size_t size() const { return model.size(); }
 };
 
-/// Models that measure ranges; sensor rows first_sensor .. first_sensor + sensor_count - 1 belong to a ranger.
+/// Models that measure ranges; sensor rows first_sensor .. first_sensor + sensor_count - 1 belong to a
+/// ranger.
 struct Rangers {
   std::vector<ModelRow> model;
   std::vector<std::uint32_t> first_sensor, sensor_count;
@@ -94,11 +95,11 @@ struct Sensors {
 
 struct FiducialHit {
   ModelId target;
-  std::int32_t id = 0;       // 0 beyond range_max_id
-  double range = 0;          // m, centre to centre
-  double bearing = 0;        // rad, in the finder's frame
-  double heading = 0;        // rad, target relative to the finder
-  geom::Size size;           // m, of the target
+  std::int32_t id = 0;  // 0 beyond range_max_id
+  double range = 0;     // m, centre to centre
+  double bearing = 0;   // rad, in the finder's frame
+  double heading = 0;   // rad, target relative to the finder
+  geom::Size size;      // m, of the target
   friend bool operator==(const FiducialHit&, const FiducialHit&) = default;
 };
 
@@ -149,9 +150,9 @@ class World : public Tables {
   class Children;
   Children children(ModelRow row) const;
 
-  /// Hash of what robots do: of every column that a later tick depends on, what controllers sense and remember,
-  /// and the tick. What is only measured for people and clients is no part of it: whoever watches changes
-  /// nothing. A sum over models, so that neither their order nor who computed them matters.
+  /// Hash of what robots do: of every column that a later tick depends on, what controllers sense and
+  /// remember, and the tick. What is only measured for people and clients is no part of it: whoever watches
+  /// changes nothing. A sum over models, so that neither their order nor who computed them matters.
   std::uint64_t hash() const;
   /// Hash of what all sensors measured, and of who had them measure.
   std::uint64_t sensed_hash() const;
@@ -201,7 +202,8 @@ class World::Children {
     std::uint32_t row_;
   };
 
-  Children(const Models& models, std::uint32_t row) : next_(models.next_sibling), first_(models.first_child[row]) {}
+  Children(const Models& models, std::uint32_t row)
+      : next_(models.next_sibling), first_(models.first_child[row]) {}
   Iterator begin() const { return {next_, first_}; }
   Iterator end() const { return {next_, ModelRow::kNone}; }
   bool empty() const { return first_ == ModelRow::kNone; }
@@ -211,7 +213,9 @@ class World::Children {
   std::uint32_t first_;
 };
 
-inline World::Children World::children(ModelRow row) const { return {models, row.index}; }
+inline World::Children World::children(ModelRow row) const {
+  return {models, row.index};
+}
 
 /// Recomputes X_WM of a model and everything attached to it from X_PM; what robots with gps believe follows.
 void place_tree(World& world, ModelRow model);
@@ -232,8 +236,8 @@ bool command_acceleration(World& world, PositionRow robot, const geom::Twist& ac
 bool set_odometry(World& world, PositionRow robot, const geom::Pose& X_OM);
 /// Puts a model somewhere in its parent's frame, without any collision check; children follow.
 bool set_pose(World& world, ModelRow model, const geom::Pose& X_PM);
-/// Puts every model where the scene has it; robots do and believe what they did at the start. Time goes on, and
-/// what controllers remember, colours and subscriptions stay.
+/// Puts every model where the scene has it; robots do and believe what they did at the start. Time goes on,
+/// and what controllers remember, colours and subscriptions stay.
 void return_to_start(World& world);
 void set_fiducial_return(World& world, ModelRow model, std::int32_t id);
 void set_color(World& world, ModelRow model, const scene::Color& color);

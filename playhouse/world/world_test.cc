@@ -248,7 +248,7 @@ TEST_F(EveryColumn, is_seen_by_the_hash_that_its_role_names) {
     const std::uint64_t done = world.hash(), sensed = world.sensed_hash();
     each_column(
         [&](const auto& column, auto& values) {
-          if (column.role == Role::kDerived) return;  // what it follows from is seen
+          if (column.role == Role::kDerived) return;            // what it follows from is seen
           if (controlled && column.role == Role::kUse) return;  // it says who is controlled
           const bool in_done = is_done(column.role) || (column.role == Role::kSensed && controlled);
           const bool is_id = std::string_view(column.name) == "models.id";  // every hash of a model has it
@@ -326,7 +326,8 @@ TEST_F(EveryColumn, returns_to_the_start_if_it_says_how_things_move) {
   return_to_start(world);
   each_column(
       [](const auto& column, const auto& values, const auto& first_values) {
-        const bool changed = column.role == Role::kMark || column.role == Role::kSensed || column.role == Role::kUse;
+        const bool changed =
+            column.role == Role::kMark || column.role == Role::kSensed || column.role == Role::kUse;
         EXPECT_EQ(values == first_values, !changed) << column.name;
       },
       world, start);

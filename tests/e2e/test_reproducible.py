@@ -2,6 +2,7 @@
 
 import json
 import os
+import subprocess
 import unittest
 from pathlib import Path
 from unittest import mock
@@ -104,3 +105,99 @@ class Reproducible(HouseTest):
 
 if __name__ == "__main__":
     unittest.main()
+
+
+# All robots of the program share its speed, so that the second run is another.
+FORGETFUL = """
+#include "playhouse/controllers/controller.h"
+namespace pc = playhouse::controllers;
+class Forgetful : public pc::Controller {
+  void decide(pc::Robot& robot) override {
+    static int calls = 0;
+    robot.drive(0.001 * ++calls, 0);
+  }
+};
+PLAYHOUSE_CONTROLLER(Forgetful)
+"""
+
+
+class Saved(HouseTest):
+    """What is saved goes on as what ran through."""
+
+    def setUp(self):
+        super().setUp()
+        self.saved = Path(self.world("")).parent / "saved.run"
+
+    def run_of(self, *arguments) -> tuple[dict, str]:
+        done = finish("run", *arguments, "--port", 0, "--headless", "--fast", "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(done.stdout.splitlines()[-1]), done.stderr
+
+    def refused(self, *arguments) -> str:
+        done = finish("run", *arguments, "--port", 0, "--headless", "--fast")
+        self.assertNotEqual(done.returncode, 0)
+        errors = [line for line in done.stderr.splitlines() if "error" in line]
+        self.assertEqual(len(errors), 1, done.stderr)
+        return errors[0]
+
+    def test_a_saved_run_goes_on_to_the_same_end(self):
+        for world in (self.world(swarm()), self.write("watched.world", WATCHED), ROOT / "worlds/cave.world"):
+            through, _ = self.run_of(world, "--duration", 12, "--seed", 9, "--save-at", 5.05, self.saved)
+            for workers in (1, 3):
+                on, _ = self.run_of("--from", self.saved, "--duration", 12, "--workers", workers)
+                self.assertEqual((on["ticks"], on["hash"]), (through["ticks"], through["hash"]), world)
+
+    def test_the_scene_is_in_the_file(self):
+        world = Path(self.world(swarm()))
+        through, _ = self.run_of(world, "--duration", 3, "--save-at", 1, self.saved)
+        world.unlink()
+        on, _ = self.run_of("--from", self.saved, "--duration", 3)
+        self.assertEqual(on["hash"], through["hash"])
+
+    def test_a_run_is_saved_again_and_at_its_first_tick(self):
+        world, second = self.world(swarm()), self.saved.with_name("second.run")
+        through, _ = self.run_of(world, "--duration", 4, "--save-at", 0, self.saved)
+        self.run_of("--from", self.saved, "--duration", 3, "--save-at", 2, second)
+        on, _ = self.run_of("--from", second, "--duration", 4)
+        self.assertEqual(on["hash"], through["hash"])
+
+    def test_a_file_that_is_no_saved_run_is_refused_in_one_line(self):
+        self.run_of(self.world(swarm()), "--duration", 1, "--save-at", 1, self.saved)
+        whole = self.saved.read_bytes()
+        other = self.saved.with_name("other.run")
+        for content, why in ((b"", "no saved run"), (b"name \"x\"", "no saved run"), (whole[:15], "no saved run"),
+                             (whole[:40], "cut"), (whole[:-1], "cut"), (whole + b"x", "damaged"),
+                             (whole.replace(b"run 1\n", b"run 7\n", 1), "version \"7\""),
+                             (whole[:200] + bytes([whole[200] ^ 1]) + whole[201:], "damaged")):
+            other.write_bytes(content)
+            line = self.refused("--from", other)
+            self.assertIn(str(other), line)
+            self.assertIn(why, line)
+        self.assertIn("cannot be read", self.refused("--from", other.with_name("none.run")))
+
+    def test_a_save_that_fails_is_an_error(self):
+        self.assertIn("before 9 s", self.refused(self.world(swarm()), "--duration", 1, "--save-at", 9, self.saved))
+        nowhere = self.saved.parent / "none" / "x.run"
+        self.assertIn("cannot be written", self.refused(self.world(swarm()), "--duration", 1, "--save-at", 1, nowhere))
+
+    def test_verify_finds_runs_the_same(self):
+        done = finish("verify", self.world(swarm()), "--ticks", 30, "--workers", "1,2,4")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("30 ticks are the same with 1, 2, 4 workers", done.stdout)
+
+    def test_verify_names_what_differs(self):
+        release = self.release()
+        source = self.write("forgetful.cc", FORGETFUL)
+        folder = source.parent
+        built = subprocess.run(["g++", "-std=c++20", "-shared", "-fPIC", "-I", ROOT, "-o", folder / "forgetful.so", source],
+                               capture_output=True, text=True)
+        self.assertEqual(built.returncode, 0, built.stderr)
+        world = self.world('position( name "a" alwayson 1 )\nposition( name "b" alwayson 1 ctrl "forgetful" )\n')
+        done = finish("verify", world, "--ticks", 20, program=release)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn('model "b" (id 1), column positions.command', done.stdout)
+        done = finish("run", world, "--port", 0, "--headless", "--fast", "--duration", 1, "--save-at", 1, self.saved,
+                      program=release)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn('controller "forgetful" of "b" cannot be saved', done.stderr)
+

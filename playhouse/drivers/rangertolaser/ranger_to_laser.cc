@@ -198,7 +198,8 @@ Result<std::unique_ptr<device::Driver>> make_ranger_to_laser(const scene::CfgSec
     Simulation* const simulation = site.simulation();
     if (simulation == nullptr) return {};
     const world::ModelId model = simulation->directory().model_of(address);
-    const std::size_t sensors = model ? simulation->world().desc(simulation->world().row(model)).sensors.size() : 1;
+    const std::size_t sensors =
+        model ? simulation->world().desc(simulation->world().row(model)).sensors.size() : 1;
     if (sensors != 1)
       return Error{where, fmt::format("{} has {} sensors, and a laser shows the scan of one", in_quotes(text),
                                       sensors)};

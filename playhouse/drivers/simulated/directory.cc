@@ -38,10 +38,9 @@ std::string escaped_field(std::string_view name) {
 
 std::string line_of(const world::World& world, const Directory& directory, world::ModelRow row) {
   const std::uint32_t parent = world.models.parent[row.index];
-  std::string line =
-      fmt::format("{}\t{}\t{}\t{}\t", world.id(row).value, escaped_field(world.name(row)),
-                  escaped_field(world.desc(row).type),
-                  parent == world::ModelRow::kNone ? "" : escaped_field(world.name({parent})));
+  std::string line = fmt::format("{}\t{}\t{}\t{}\t", world.id(row).value, escaped_field(world.name(row)),
+                                 escaped_field(world.desc(row).type),
+                                 parent == world::ModelRow::kNone ? "" : escaped_field(world.name({parent})));
   const char* separator = "";
   for (const device::Address& address : directory.devices_of(world.id(row))) {
     fmt::format_to(std::back_inserter(line), "{}{}:{}", separator, address.robot, name_within_port(address));

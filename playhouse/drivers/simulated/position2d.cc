@@ -81,12 +81,13 @@ void Position2d::request(const device::Message& message, device::Replier replier
       return;
     case p2d::kReqMotorPower:
       if (const auto value = wire::decode<p2d::PowerConfig>(message.body)) {
-        ask_world(std::move(replier), [id = model(), on = value->state != 0](world::World& world) -> std::optional<Bytes> {
-          const world::PositionRow robot = world.position(id);
-          if (!robot) return std::nullopt;
-          world.positions.motor_on[robot.index] = on;
-          return Bytes();
-        });
+        ask_world(std::move(replier),
+                  [id = model(), on = value->state != 0](world::World& world) -> std::optional<Bytes> {
+                    const world::PositionRow robot = world.position(id);
+                    if (!robot) return std::nullopt;
+                    world.positions.motor_on[robot.index] = on;
+                    return Bytes();
+                  });
       }
       return;
     default:

@@ -28,7 +28,8 @@ std::optional<RangerRows> fresh_rows(const world::World& world, world::ModelId i
   const world::ModelRow model = world.row(id);
   if (!model) return std::nullopt;
   const RangerRows rows = ranger_rows(world, model);
-  if (rows.sensor_count == 0 || world.rangers.measured_tick[rows.ranger.index] != world.tick()) return std::nullopt;
+  if (rows.sensor_count == 0 || world.rangers.measured_tick[rows.ranger.index] != world.tick())
+    return std::nullopt;
   return rows;
 }
 

@@ -62,9 +62,8 @@ Result<world::ModelRow> choose_model(const scene::CfgSection& section, const sce
   const world::World& world = site.simulation()->world();
   const world::ModelRow model = find_model(world, top, interf, site.taken_models());
   if (!model) {
-    return Error{section.at("provides"),
-                 fmt::format("model {} has nothing left for {}", in_quotes(world.name(top)),
-                             in_quotes(provided.text()))};
+    return Error{section.at("provides"), fmt::format("model {} has nothing left for {}",
+                                                     in_quotes(world.name(top)), in_quotes(provided.text()))};
   }
   site.taken_models().emplace(interf, model.index);
   return model;

@@ -1,0 +1,44 @@
+#include "playhouse/app/whole_file.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <sstream>
+#include <system_error>
+
+#include "playhouse/base/in_quotes.h"
+
+namespace playhouse::app {
+namespace {
+
+Error fault(const std::string& path, const std::string& what, int code) {
+  return {escaped(path), what + ": " + std::generic_category().message(code)};
+}
+
+}  // namespace
+
+Result<std::string> read_file(const std::string& path) {
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  if (file && file.peek() != std::ifstream::traits_type::eof()) text << file.rdbuf();
+  if (!file.is_open() || file.bad() || (file.fail() && errno != 0))
+    return fault(path, "cannot be read", errno);
+  return std::move(text).str();
+}
+
+Result<void> write_file(const std::string& path, std::span<const std::byte> bytes) {
+  const std::string unfinished = path + ".part";
+  std::FILE* const file = std::fopen(unfinished.c_str(), "wb");
+  if (!file) return fault(path, "cannot be written", errno);
+  const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
+  const int write_error = errno;
+  const bool closed = std::fclose(file) == 0;
+  if (written && closed && std::rename(unfinished.c_str(), path.c_str()) == 0) return {};
+  const int code = written ? errno : write_error;
+  std::remove(unfinished.c_str());
+  return fault(path, "cannot be written", code);
+}
+
+}  // namespace playhouse::app

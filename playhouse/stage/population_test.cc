@@ -1,0 +1,156 @@
+/// Models that come, go and are carried while the engine runs: every table follows, and what is saved at any
+/// tick goes on as what ran through.
+
+#include "playhouse/world/population.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <vector>
+
+#include "playhouse/stage/engine.h"
+#include "playhouse/stage/testing_scenes.h"
+#include "playhouse/world/state.h"
+
+namespace playhouse::stage {
+namespace {
+
+using testing::box;
+using testing::laser;
+using testing::pioneer;
+using testing::sonar_ring;
+using world::ModelId;
+
+/// Walls (rows 0 to 3), a robot with sonars and a laser (4 to 6), a puck (7), a robot with a fiducial finder
+/// (8, 9).
+scene::SceneDesc make_scene() {
+  scene::SceneDesc scene;
+  scene.name = "yard";
+  testing::add_arena(scene, 8);
+  scene.models.push_back(pioneer("r", {-2, 0, 0, 0}));
+  scene.models.back().position->velocity = {0.3, 0, 0, 0.2};
+  scene.models.push_back(sonar_ring("r.ranger:0", 4));
+  scene.models.push_back(laser("r.ranger:1", 4));
+  scene.models.push_back(box("puck", {0, -1, 0, 0}, {0.1, 0.1, 0.2}));
+  scene.models.back().gripper_return = true;
+  scene.models.back().fiducial_return = 3;
+  scene.models.push_back(pioneer("f", {2, 1, 0, 2}));
+  scene.models.back().position->velocity = {0.2, 0, 0, -0.3};
+  scene::ModelDesc finder;
+  finder.name = finder.alias = "f.fiducial:0";
+  finder.kind = scene::ModelKind::kFiducial;
+  finder.parent = 8;
+  finder.alwayson = true;
+  finder.fiducial.emplace();
+  scene.models.push_back(finder);
+  return scene;
+}
+
+constexpr std::uint32_t kRobot = 4, kPuck = 7, kFinder = 8;
+
+/// What is done to the world before a tick. One of these happens in each tick of a run of 40.
+void change(world::World& world, std::uint64_t tick) {
+  switch (tick) {
+    case 3:
+      EXPECT_TRUE(world::spawn(world, kRobot, {1, -2, 0, 1}).ok());
+      break;
+    case 6:
+      EXPECT_TRUE(world::attach(world, {kPuck}, {kRobot}, {0.4, 0, 0, 0}).ok());
+      break;
+    case 9:
+      EXPECT_TRUE(world::spawn(world, kPuck, {0, 2, 0, 0}).ok());
+      EXPECT_TRUE(world::spawn(world, kFinder, {-1, 2, 0, 0}).ok());
+      break;
+    case 14:
+      EXPECT_TRUE(world::detach(world, {kPuck}).ok());
+      break;
+    case 18:
+      EXPECT_TRUE(world::despawn(world, {kRobot}).ok());
+      break;
+    case 22:
+      EXPECT_TRUE(world::set_pose(world, world.row({kPuck}), {2, 2, 0, 0}));
+      break;
+    case 25:  // a wall comes, and one goes
+      EXPECT_TRUE(world::despawn(world, {0}).ok());
+      EXPECT_TRUE(world::spawn(world, 1, {-3, 0, 0, 0}).ok());
+      break;
+    default:
+      break;
+  }
+}
+
+std::unique_ptr<world::Engine> engine_of(const scene::SceneDesc& scene, unsigned workers = 1) {
+  Result<std::unique_ptr<world::Engine>> engine = make_engine(scene, {.seed = 5, .workers = workers});
+  EXPECT_TRUE(engine.ok());
+  return std::move(*engine);
+}
+
+void run(world::Engine& engine, std::uint64_t until) {
+  while (engine.world().tick() < until) {
+    change(engine.world(), engine.world().tick());
+    engine.step();
+  }
+}
+
+TEST(ChangingPopulation, goes_on_from_any_tick_as_if_it_had_run_through) {
+  const scene::SceneDesc scene = make_scene();
+  constexpr std::uint64_t kEnd = 40;
+  const auto through = engine_of(scene);
+  run(*through, kEnd);
+  for (std::uint64_t tick = 0; tick < kEnd; ++tick) {
+    const auto first = engine_of(scene);
+    run(*first, tick);
+    std::vector<std::byte> saved;
+    ASSERT_TRUE(world::save_state(first->world(), saved).ok());
+    const auto second = engine_of(scene, 1 + tick % 3);
+    const Result<void> loaded = world::load_state(second->world(), saved);
+    ASSERT_TRUE(loaded.ok()) << loaded.error().line();
+    EXPECT_EQ(second->world().hash(), first->world().hash()) << tick;
+    run(*second, kEnd);
+    EXPECT_EQ(second->world().hash(), through->world().hash()) << tick;
+    EXPECT_EQ(second->world().sensed_hash(), through->world().sensed_hash()) << tick;
+    EXPECT_EQ(world::first_difference(second->world(), through->world()), std::nullopt) << tick;
+  }
+}
+
+TEST(ChangingPopulation, robots_see_who_came_and_no_longer_who_went) {
+  const scene::SceneDesc scene = make_scene();
+  const auto engine = engine_of(scene);
+  world::World& world = engine->world();
+  world::command_velocity(world, world.position({kRobot}), {});
+  engine->step();
+  const auto ahead = [&] {
+    const std::uint32_t laser = world.models.part[world.row({kRobot + 2}).index];
+    return world.sensors.ranges[world.sensors.first_beam[world.rangers.first_sensor[laser]] + 90];
+  };
+  const float free = ahead();
+  const geom::Pose at = world.models.X_WM[kRobot];
+  const geom::Pose before = geom::compose(at, {1.5, 0, 0, 0});
+  const Result<ModelId> other = world::spawn(world, kFinder, before);
+  ASSERT_TRUE(other.ok());
+  engine->step();
+  EXPECT_NEAR(ahead(), 1.5 - 0.26, 0.1);
+  ASSERT_TRUE(world::despawn(world, *other).ok());
+  engine->step();
+  EXPECT_NEAR(ahead(), free, 0.1);
+}
+
+TEST(ChangingPopulation, a_robot_that_came_is_in_the_way_and_what_it_carries_as_well) {
+  const scene::SceneDesc scene = make_scene();
+  const auto engine = engine_of(scene);
+  world::World& world = engine->world();
+  const Result<ModelId> blocker = world::spawn(world, kFinder, {-1, 0, 0, 0});
+  ASSERT_TRUE(blocker.ok());
+  world::command_velocity(world, world.position(*blocker), {});
+  world::command_velocity(world, world.position({kRobot}), {0.5, 0, 0, 0});
+  for (int i = 0; i < 30; ++i) engine->step();
+  EXPECT_EQ(world.positions.stall[world.position({kRobot}).index], 1);
+  const double x = world.models.X_WM[kRobot].x;
+  EXPECT_LT(x, -1.4);
+  ASSERT_TRUE(world::despawn(world, *blocker).ok());
+  for (int i = 0; i < 5; ++i) engine->step();
+  EXPECT_GT(world.models.X_WM[kRobot].x, x + 0.1);
+}
+
+}  // namespace
+}  // namespace playhouse::stage

@@ -1,0 +1,27 @@
+#pragma once
+
+/// A saved run: all that a run needs to go on, as one file: the files of its scene, its seed and its state.
+/// docs/saved-runs.md draws the layout.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "playhouse/base/result.h"
+#include "playhouse/scene/source_text.h"
+
+namespace playhouse::world {
+
+struct SavedRun {
+  scene::SourceFiles sources;
+  std::uint64_t seed = 1;
+  std::vector<std::byte> state;  // state.h
+};
+
+std::vector<std::byte> encode(const SavedRun& run);
+
+/// Fails on bytes that are no saved run, of another version, cut or changed; the error names no file.
+Result<SavedRun> decode_saved_run(std::span<const std::byte> bytes);
+
+}  // namespace playhouse::world
