@@ -52,6 +52,10 @@ std::vector<std::byte> encode(const SavedRun& run) {
   }
   out.text(text_of(run.state));
 
+  return with_head(body);
+}
+
+std::vector<std::byte> with_head(std::span<const std::byte> body) {
   std::vector<std::byte> bytes;
   append(bytes, kMagic);
   append(bytes, kVersion);

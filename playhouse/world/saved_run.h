@@ -20,6 +20,8 @@ struct SavedRun {
 };
 
 std::vector<std::byte> encode(const SavedRun& run);
+/// The file with this body: its head, with the hash of the body, before it.
+std::vector<std::byte> with_head(std::span<const std::byte> body);
 
 /// Fails on bytes that are no saved run, of another version, cut or changed; the error names no file.
 Result<SavedRun> decode_saved_run(std::span<const std::byte> bytes);

@@ -185,7 +185,7 @@ class Loader {
       Population::Given entry;
       ModelId id;
       const bool good = get_value(in_, id) && get_value(in_, entry.name) && get_value(in_, entry.X_WM);
-      if (!good) return damaged("a name is none");
+      if (!good || (!given_.empty() && id <= given_.rbegin()->first)) return damaged("a name is none");
       given_.emplace(id, std::move(entry));
     }
     return {};

@@ -1,0 +1,49 @@
+// Any bytes are a saved run that goes on, or are refused: with the head that fits them, so that what is behind it is
+// looked at.
+
+#include <cstdint>
+#include <span>
+
+#include "playhouse/scene/world_loader.h"
+#include "playhouse/stage/engine.h"
+#include "playhouse/world/saved_run.h"
+#include "playhouse/world/state.h"
+
+namespace {
+
+using namespace playhouse;
+
+/// Small, so that a run takes milliseconds.
+constexpr scene::WorldLimits kLimits{.models = 64,
+                                     .fields = 1 << 12,
+                                     .pixels = 1 << 12,
+                                     .bitmap_bytes = 1 << 14,
+                                     .corners = 1 << 10,
+                                     .beams = 1 << 10,
+                                     .sensors = 64,
+                                     .text_bytes = 1 << 14};
+
+void go_on(const world::SavedRun& run) {
+  scene::MemoryFiles files(run.sources.files, run.sources.search_path);
+  const auto scene =
+      scene::load_world_text(run.sources.files.at(run.sources.path), run.sources.path, files, kLimits);
+  if (!scene) return;
+  const auto engine = stage::make_engine(*scene, {.seed = run.seed});
+  if (!engine) return;
+  world::World& world = (*engine)->world();
+  const Result<void> loaded = world::load_state(world, run.state);
+  PLAYHOUSE_ASSERT(loaded.ok() || !loaded.error().text.empty());
+  if (!loaded || world.models.size() > 4 * kLimits.models) return;
+  std::vector<std::byte> again;
+  PLAYHOUSE_ASSERT(world::save_state(world, again).ok() && again == run.state);
+  for (int tick = 0; tick < 2; ++tick) (*engine)->step();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  const Result<world::SavedRun> run =
+      world::decode_saved_run(world::with_head(std::as_bytes(std::span(bytes, size))));
+  if (run) go_on(*run);
+  return 0;
+}
