@@ -150,7 +150,7 @@ Result<void> Service::open_ports() {
 Result<void> Service::make_devices() {
   drivers::Surroundings& surroundings = *this;  // a private base, which make_unique cannot see
   site_ = std::make_unique<drivers::Site>(surroundings, serving_.port);
-  site_->tap().pass_to(*server_);
+  site_->data_flow().pass_to(*server_);
   const Result<void> made = cfg_ ? make_drivers() : add_robots();
   // Before anybody is told where to connect: who reads that may end us at once.
   if (made) catch_signals();

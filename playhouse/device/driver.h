@@ -1,7 +1,8 @@
 #pragma once
 
-/// Driver: the code behind devices. The server calls a driver on the io thread and never waits for it; a
-/// driver answers requests through a Replier and sends data through a Publisher, both from any thread.
+/// Driver: the code behind devices. The server calls a driver on the io thread and never waits for it; other
+/// drivers command it and ask it from any thread (client.h). A driver answers requests through a Replier and
+/// sends data through a Publisher, both from any thread.
 
 #include <cstddef>
 #include <cstdint>
@@ -87,7 +88,8 @@ class Driver {
   /// The name clients are told ("stage", "rangertolaser", ...), below limits::kDriverNameBytes.
   virtual std::string_view name() const = 0;
 
-  /// Called by the table for the first open and after the last close of one device. Must not block.
+  /// Called by the table for the first open and after the last close of one device. Must not block. Io
+  /// thread; all that follows is called on any thread.
   virtual Result<void> start(DeviceId device) = 0;
   virtual void stop(DeviceId device) = 0;
 

@@ -6,6 +6,7 @@
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/drivers/rangertolaser/ranger_to_laser.h"
 #include "playhouse/drivers/stage_driver/stage_driver.h"
+#include "playhouse/drivers/vfh/vfh.h"
 
 namespace playhouse::drivers {
 namespace {
@@ -17,7 +18,7 @@ Result<void> keep_open(const scene::CfgSection& section, Site& site) {
     if (!address) return Error{section.at("provides"), address.error().text};
     const auto device = site.find(*address);
     if (!device) continue;
-    if (const Result<void> held = site.surroundings().hold(device->id); !held) {
+    if (const Result<void> held = site.surroundings().hold(*device); !held) {
       return Error{section.at("alwayson"), held.error().text};
     }
   }
@@ -29,6 +30,7 @@ Result<void> keep_open(const scene::CfgSection& section, Site& site) {
 void register_drivers(Registry& registry) {
   registry.add("stage", make_stage_driver);
   registry.add("rangertolaser", make_ranger_to_laser);
+  registry.add("vfh", make_vfh);
 }
 
 Result<std::unique_ptr<device::Driver>> Registry::make(const scene::CfgSection& section, Site& site) const {

@@ -4,9 +4,16 @@
 
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
+#include "playhouse/device/device_table.h"
+#include "playhouse/drivers/data_order.h"
 #include "playhouse/wire/messages.h"
 
 namespace playhouse::drivers {
+namespace {
+
+constexpr std::size_t kCircleShown = 8;  // devices of a circle that an error names
+
+}  // namespace
 
 Result<device::Address> Site::resolve(const scene::DeviceAddress& address) const {
   if (!address.host.empty() && address.host != "localhost" && address.host != "127.0.0.1") {
@@ -29,15 +36,15 @@ Result<device::DeviceId> Site::add_device(device::Address address, device::Drive
   return id;
 }
 
-std::optional<Site::Neighbour> Site::find(device::Address address) const {
+std::optional<device::DeviceId> Site::find(device::Address address) const {
   const auto found = devices_.find(address);
   if (found == devices_.end()) return std::nullopt;
-  return found->second;
+  return found->second.id;
 }
 
 std::set<std::uint32_t> Site::ports() const {
   std::set<std::uint32_t> ports;
-  for (const auto& [address, neighbour] : devices_) ports.insert(address.robot);
+  for (const auto& [address, provided] : devices_) ports.insert(address.robot);
   return ports;
 }
 
@@ -45,13 +52,73 @@ Result<void> Site::open_world(const std::string& path) {
   Result<std::unique_ptr<Simulation>> simulation = surroundings_.open_world(path);
   if (!simulation) return simulation.error();
   simulation_ = std::move(*simulation);
-  simulation_->publish_to(tap_);
+  simulation_->publish_to(data_flow_);
   return {};
 }
 
+std::string Site::shown(device::Address address) const {
+  const std::string whole = device::describe(address);
+  return address.robot == default_port_ ? whole.substr(whole.find(':') + 1) : whole;
+}
+
+Result<void> Site::check_provided(const User& user) const {
+  for (const device::Address& wanted : user.devices) {
+    if (devices_.contains(wanted)) continue;
+    std::vector<std::string> names;
+    for (const auto& [address, provided] : devices_) names.push_back(shown(address));
+    const std::vector<std::string_view> words(names.begin(), names.end());
+    return Error{user.where, fmt::format("nothing provides {}{}", in_quotes(shown(wanted)),
+                                         did_you_mean(shown(wanted), words))};
+  }
+  return {};
+}
+
+Result<std::vector<const Site::User*>> Site::in_order_of_data() const {
+  std::map<const device::Driver*, std::size_t> places;
+  for (std::size_t i = 0; i < users_.size(); ++i) places[users_[i].driver] = i;
+  const auto provider = [&](device::Address address) { return places.find(devices_.at(address).driver); };
+
+  std::vector<std::vector<std::size_t>> required(users_.size());
+  for (std::size_t i = 0; i < users_.size(); ++i) {
+    for (const device::Address& address : users_[i].devices)
+      if (const auto found = provider(address); found != places.end()) required[i].push_back(found->second);
+  }
+  const DataOrder data = data_order(required);
+  if (!data.circle.empty()) return circle_error(data.circle);
+  std::vector<const User*> users;
+  for (const std::size_t place : data.order) users.push_back(&users_[place]);
+  return users;
+}
+
+/// Each of the users requires a device of the next, the last one of the first.
+Error Site::circle_error(std::span<const std::size_t> circle) const {
+  std::vector<std::string> devices;  // which each requires of the next
+  for (std::size_t i = 0; i < circle.size() && i < kCircleShown; ++i) {
+    const User& next = users_[circle[(i + 1) % circle.size()]];
+    for (const device::Address& address : users_[circle[i]].devices) {
+      if (devices_.at(address).driver != next.driver) continue;
+      devices.push_back(in_quotes(shown(address)));
+      break;
+    }
+  }
+  if (circle.size() > kCircleShown) devices.push_back("...");
+  return {users_[circle.front()].where,
+          fmt::format("devices require each other in a circle: {}, which requires the first",
+                      fmt::join(devices, ", which requires "))};
+}
+
 Result<void> Site::finish() {
-  for (const auto& task : std::exchange(later_, {})) {
-    if (const Result<void> done = task(); !done) return done.error();
+  for (const User& user : users_)
+    if (const Result<void> provided = check_provided(user); !provided) return provided.error();
+  const Result<std::vector<const User*>> users = in_order_of_data();
+  if (!users) return users.error();
+  for (const User* user : *users) {
+    for (std::size_t i = 0; i < user->devices.size(); ++i) {
+      const Provided& provided = devices_.at(user->devices[i]);
+      user->client->use(i, provided.id, *provided.driver);
+    }
+    user->client->join(data_flow_);
+    if (const Result<void> connected = user->connected(); !connected) return connected.error();
   }
   return {};
 }

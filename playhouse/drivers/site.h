@@ -17,22 +17,19 @@
 #include <vector>
 
 #include "playhouse/base/result.h"
+#include "playhouse/device/client.h"
+#include "playhouse/device/data_flow.h"
 #include "playhouse/device/driver.h"
 #include "playhouse/drivers/simulated/simulation.h"
-#include "playhouse/drivers/tap.h"
 #include "playhouse/scene/device_address.h"
 
 namespace playhouse::drivers {
 
 /// Makes the program's server and engine do things.
-class Surroundings {
+class Surroundings : public device::Opener {
  public:
-  virtual ~Surroundings() = default;
   /// Makes a device known to clients.
   virtual Result<device::DeviceId> add_device(device::Address address, device::Driver& driver) = 0;
-  /// Opens a device on behalf of a driver, and undoes it.
-  virtual Result<void> hold(device::DeviceId device) = 0;
-  virtual void release(device::DeviceId device) = 0;
   /// Loads a world file into an engine that is ready to run.
   virtual Result<std::unique_ptr<Simulation>> open_world(const std::string& path) = 0;
 };
@@ -44,30 +41,40 @@ class Site {
       : surroundings_(surroundings), default_port_(default_port) {}
 
   Surroundings& surroundings() { return surroundings_; }
-  /// What drivers read of each other's data; the program lets every publication pass through it.
-  Tap& tap() { return tap_; }
+  /// Where drivers publish; the program says where it leads.
+  device::DataFlow& data_flow() { return data_flow_; }
 
   /// The address as clients know it. Fails on an unknown interface and on a device of another host.
   Result<device::Address> resolve(const scene::DeviceAddress& address) const;
 
+  /// As files name it: without the port where it is the default one.
+  std::string shown(device::Address address) const;
+
   /// Makes a device known to clients and to other drivers.
   Result<device::DeviceId> add_device(device::Address address, device::Driver& driver);
-  struct Neighbour {
-    device::DeviceId id;
-    device::Driver* driver = nullptr;
-  };
   /// A device added by any driver so far; none if there is none.
-  std::optional<Neighbour> find(device::Address address) const;
+  std::optional<device::DeviceId> find(device::Address address) const;
   std::size_t device_count() const { return devices_.size(); }
   /// Every port that has devices.
   std::set<std::uint32_t> ports() const;
 
   /// The world, once a driver has opened it.
-  Simulation* simulation() { return simulation_.get(); }
+  Simulation* simulation() const { return simulation_.get(); }
   Result<void> open_world(const std::string& path);
 
-  /// `task` runs when every driver of the file is made: time to look for neighbours.
-  void when_all_made(std::function<Result<void>()> task) { later_.push_back(std::move(task)); }
+  /// A driver that uses devices of others, whose sections may follow.
+  struct User {
+    device::Driver* driver = nullptr;
+    device::Client* client = nullptr;
+    std::vector<device::Address> devices;  // of the client, in its order
+    std::string where;                     // "file:line" of the section's `requires`
+    /// Runs once the client has its devices, and they theirs.
+    std::function<Result<void>()> connected;
+  };
+  void add_user(User user) { users_.push_back(std::move(user)); }
+  /// When every driver of the file is made: gives clients their devices, in the order in which data pass from
+  /// driver to driver. Fails on a device that nobody provides and on devices that require each other in a
+  /// circle.
   Result<void> finish();
 
   /// Lines for the person who wrote the file.
@@ -78,12 +85,20 @@ class Site {
   std::set<std::pair<std::uint16_t, std::uint32_t>>& taken_models() { return taken_models_; }
 
  private:
+  Result<void> check_provided(const User& user) const;
+  Result<std::vector<const User*>> in_order_of_data() const;
+  Error circle_error(std::span<const std::size_t> circle) const;
+
   Surroundings& surroundings_;
   std::uint16_t default_port_;
   std::unique_ptr<Simulation> simulation_;
-  Tap tap_;
-  std::map<device::Address, Neighbour> devices_;
-  std::vector<std::function<Result<void>()>> later_;
+  device::DataFlow data_flow_;
+  struct Provided {
+    device::DeviceId id;
+    device::Driver* driver = nullptr;
+  };
+  std::map<device::Address, Provided> devices_;
+  std::vector<User> users_;
   std::vector<std::string> warnings_;
   std::set<std::pair<std::uint16_t, std::uint32_t>> taken_models_;
 };

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "playhouse/base/in_quotes.h"
-#include "playhouse/base/nearest_word.h"
+#include "playhouse/drivers/section_devices.h"
 #include "playhouse/geom/pose.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/header.h"
@@ -18,6 +18,7 @@ namespace lsr = wire::laser;
 
 namespace {
 
+constexpr std::size_t kRanger = 0;  // of the client's devices
 constexpr std::uint8_t kReq = static_cast<std::uint8_t>(wire::MessageType::kReq);
 
 lsr::Config laser_config(const rng::Config& config) {
@@ -53,15 +54,14 @@ void convert_answer(device::Replier& replier, const std::optional<std::vector<st
   replier.ack(wire::encode(convert(*value)));
 }
 
-/// What to say of addresses that lack the one interface that is wanted, when one of them nearly is it.
-std::string interface_hint(const std::vector<scene::DeviceAddress>& addresses, std::string_view wanted) {
-  const std::string_view words[] = {wanted};
-  for (const scene::DeviceAddress& address : addresses) {
-    if (address.interf == wanted) continue;
-    if (const std::string hint = did_you_mean(address.interf, words); !hint.empty())
-      return ", found " + in_quotes(address.text()) + hint;
-  }
-  return {};
+/// A laser shows the scan of one sensor. What is no ranger of the simulated world is not looked into.
+Result<void> check_sensors(const Site& site, const std::string& where, device::Address ranger) {
+  const world::World& world = site.simulation()->world();
+  const world::ModelRow model = world.row(site.simulation()->directory().model_of(ranger));
+  const std::size_t sensors = model ? world.desc(model).sensors.size() : 1;
+  if (sensors == 1) return {};
+  return Error{where, fmt::format("{} has {} sensors, and a laser shows the scan of one",
+                                  in_quotes(site.shown(ranger)), sensors)};
 }
 
 }  // namespace
@@ -81,9 +81,16 @@ lsr::Data laser_scan(const rng::Config& config, const rng::DataRange& ranges,
   return scan;
 }
 
+RangerToLaser::RangerToLaser(device::Opener& opener)
+    : client_(opener, 1),
+      ranges_(client_.latest(kRanger, rng::kDataRange)),
+      intensities_(client_.latest(kRanger, rng::kDataIntns)) {
+  client_.when_news([this](std::vector<device::Publication>& more) { convert(more); });
+}
+
 Result<void> RangerToLaser::start(device::DeviceId) {
-  if (const Result<void> held = surroundings_.hold(ranger_.id); !held) return held.error();
-  ask_ranger(rng::kReqGetConfig, {}, [this](std::optional<std::vector<std::byte>> body) {
+  if (const Result<void> opened = client_.open(); !opened) return opened;
+  client_.ask(kRanger, rng::kReqGetConfig, {}, [this](const std::optional<std::vector<std::byte>>& body) {
     const Result<rng::Config> config = wire::decode<rng::Config>(body.value_or(std::vector<std::byte>()));
     if (!config) return;
     const std::lock_guard lock(mutex_);
@@ -93,11 +100,9 @@ Result<void> RangerToLaser::start(device::DeviceId) {
 }
 
 void RangerToLaser::stop(device::DeviceId) {
-  {
-    const std::lock_guard lock(mutex_);
-    config_.reset();
-  }
-  surroundings_.release(ranger_.id);
+  client_.close();
+  const std::lock_guard lock(mutex_);
+  config_.reset();
 }
 
 void RangerToLaser::request(const device::Message& message, device::Replier replier) {
@@ -105,19 +110,18 @@ void RangerToLaser::request(const device::Message& message, device::Replier repl
   auto shared = std::make_shared<device::Replier>(std::move(replier));  // std::function wants to be copied
   switch (message.subtype) {
     case lsr::kReqGetGeom:
-      ask_ranger(rng::kReqGetGeom, {}, [shared](const std::optional<std::vector<std::byte>>& body) {
+      client_.ask(kRanger, rng::kReqGetGeom, {}, [shared](const std::optional<std::vector<std::byte>>& body) {
         convert_answer<rng::Geom>(*shared, body, laser_geom);
       });
       return;
     case lsr::kReqGetConfig:
-      ask_ranger(rng::kReqGetConfig, {}, [shared](const std::optional<std::vector<std::byte>>& body) {
-        convert_answer<rng::Config>(*shared, body, laser_config);
-      });
+      client_.ask(kRanger, rng::kReqGetConfig, {},
+                  [shared](const std::optional<std::vector<std::byte>>& body) {
+                    convert_answer<rng::Config>(*shared, body, laser_config);
+                  });
       return;
     default:  // POWER, which both have with the same payload
-      ask_ranger(rng::kReqPower, message.body, [shared](const std::optional<std::vector<std::byte>>& body) {
-        if (body) shared->ack();
-      });
+      client_.forward(kRanger, rng::kReqPower, message.body, std::move(*shared));
   }
 }
 
@@ -126,86 +130,42 @@ bool RangerToLaser::capable(device::DeviceId, std::uint8_t type, std::uint8_t su
          (subtype == lsr::kReqGetGeom || subtype == lsr::kReqGetConfig || subtype == lsr::kReqPower);
 }
 
-void RangerToLaser::ask_ranger(std::uint8_t subtype, std::span<const std::byte> body, Heard heard) {
-  std::uint64_t ticket = 0;
-  {
-    const std::lock_guard lock(mutex_);
-    ticket = next_ticket_++;
-    asked_[ticket] = std::move(heard);
-  }
-  ranger_.driver->request({ranger_.id, kReq, subtype, body}, device::Replier(*this, ticket));
-}
-
-void RangerToLaser::answer(std::uint64_t ticket, bool ack, std::vector<std::byte> body) {
-  Heard heard;
-  {
-    const std::lock_guard lock(mutex_);
-    const auto found = asked_.find(ticket);
-    if (found == asked_.end()) return;
-    heard = std::move(found->second);
-    asked_.erase(found);
-  }
-  heard(ack ? std::optional(std::move(body)) : std::nullopt);
-}
-
-void RangerToLaser::read(std::span<const device::Publication> batch, std::vector<device::Publication>& more) {
-  const std::lock_guard lock(mutex_);
-  if (!config_) return;
-  const device::Publication* ranges = nullptr;
-  const device::Publication* intensities = nullptr;
-  for (const device::Publication& publication : batch) {
-    if (publication.device != ranger_.id) continue;
-    if (publication.subtype == rng::kDataRange) ranges = &publication;
-    if (publication.subtype == rng::kDataIntns) intensities = &publication;
-  }
-  if (ranges == nullptr) return;
+void RangerToLaser::convert(std::vector<device::Publication>& more) {
+  const std::optional<device::Publication> ranges = ranges_.take_latest();
+  const std::optional<device::Publication> intensities = intensities_.take_latest();
+  if (!ranges) return;
   const Result<rng::DataRange> range_values = wire::decode<rng::DataRange>(ranges->body);
   if (!range_values) return;
   rng::DataIntns intensity_values;
-  if (intensities != nullptr) {
+  if (intensities) {
     if (Result<rng::DataIntns> values = wire::decode<rng::DataIntns>(intensities->body))
-      intensity_values = *values;
+      intensity_values = std::move(*values);
   }
+  const std::lock_guard lock(mutex_);
+  if (!config_) return;
   const lsr::Data scan = laser_scan(*config_, *range_values, intensity_values, ++scans_);
   more.push_back({laser_, lsr::kDataScan, ranges->timestamp, wire::encode(scan)});
 }
 
 Result<std::unique_ptr<device::Driver>> make_ranger_to_laser(const scene::CfgSection& section, Site& site) {
-  const std::vector<scene::DeviceAddress> provides = section.addresses("provides");
-  const std::vector<scene::DeviceAddress> needs = section.addresses("requires");
-  if (provides.size() != 1 || provides.front().interf != "laser") {
-    return Error{section.at("provides"), "driver \"rangertolaser\" provides one laser, e.g. [\"laser:0\"]" +
-                                             interface_hint(provides, "laser")};
-  }
-  if (needs.size() != 1 || needs.front().interf != "ranger") {
-    return Error{section.at("requires"), "driver \"rangertolaser\" requires one ranger, e.g. [\"ranger:0\"]" +
-                                             interface_hint(needs, "ranger") + section.slip_for("requires")};
-  }
-  const Result<device::Address> laser = site.resolve(provides.front());
-  if (!laser) return Error{section.at("provides"), laser.error().text};
-  const Result<device::Address> ranger = site.resolve(needs.front());
-  if (!ranger) return Error{section.at("requires"), ranger.error().text};
+  const auto provided = section_devices(section, site, "provides", {"laser"});
+  if (!provided) return provided.error();
+  const auto required = section_devices(section, site, "requires", {"ranger"});
+  if (!required) return required.error();
 
-  auto driver = std::make_unique<RangerToLaser>(site.surroundings(), site.tap());
-  const Result<device::DeviceId> id = site.add_device(*laser, *driver);
+  auto driver = std::make_unique<RangerToLaser>(site.surroundings());
+  const device::Address laser = provided->front(), ranger = required->front();
+  const Result<device::DeviceId> id = site.add_device(laser, *driver);
   if (!id) return Error{section.at("provides"), id.error().text};
   driver->set_laser(*id);
-  site.when_all_made([&site, where = section.at("requires"), text = needs.front().text(), address = *ranger,
-                      shown = *laser, converter = driver.get()]() -> Result<void> {
-    const auto neighbour = site.find(address);
-    if (!neighbour) return Error{where, fmt::format("nothing provides {}", in_quotes(text))};
-    converter->set_ranger(*neighbour);
-    Simulation* const simulation = site.simulation();
-    if (simulation == nullptr) return {};
-    const world::ModelId model = simulation->directory().model_of(address);
-    const std::size_t sensors =
-        model ? simulation->world().desc(simulation->world().row(model)).sensors.size() : 1;
-    if (sensors != 1)
-      return Error{where, fmt::format("{} has {} sensors, and a laser shows the scan of one", in_quotes(text),
-                                      sensors)};
-    simulation->directory().add(model, shown);
+  const auto connected = [&site, where = section.at("requires"), laser, ranger]() -> Result<void> {
+    if (site.simulation() == nullptr) return {};
+    if (const Result<void> checked = check_sensors(site, where, ranger); !checked) return checked;
+    Directory& directory = site.simulation()->directory();
+    directory.add(directory.model_of(ranger), laser);
     return {};
-  });
+  };
+  site.add_user({driver.get(), &driver->client(), *required, section.at("requires"), connected});
   return std::unique_ptr<device::Driver>(std::move(driver));
 }
 

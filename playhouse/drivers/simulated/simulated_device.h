@@ -2,7 +2,7 @@
 
 /// SimulatedDevice: one model seen as one Player device. A subclass per interface says which messages it
 /// knows and how columns become bytes. What never changes (geometry, configuration) is encoded once, when the
-/// device is made, and answered on the io thread at once; what needs the world is posted to the tick thread.
+/// device is made, and answered at once; what needs the world is posted to the tick thread.
 
 #include <cstdint>
 #include <functional>
@@ -40,7 +40,7 @@ class SimulatedDevice : public Source {
   virtual world::ModelId robot() const { return {}; }
   void set_id(device::DeviceId id) { id_ = id; }
 
-  // Io thread. Only messages of served() arrive.
+  // Any thread. Only messages of served() arrive.
   virtual std::span<const Served> served() const = 0;
   virtual device::Taken command(const device::Message& message) {
     return static_cast<void>(message), device::Taken::kNo;

@@ -1,7 +1,7 @@
 #pragma once
 
 /// SimulatedDriver: the code behind the devices of a simulated world, as the server sees it. Routes each
-/// message to its device, and lets a model be simulated while its device is open. Io thread.
+/// message to its device, and lets a model be simulated while its device is open.
 
 #include <map>
 #include <memory>

@@ -30,7 +30,7 @@ class SimulationDevice final : public SimulatedDevice {
   void property(const device::Message& message, device::Replier replier);
   void list_models(std::uint32_t first, device::Replier replier);
 
-  std::atomic<std::uint64_t> newest_reset_ = 0;  // that was posted; io thread writes
+  std::atomic<std::uint64_t> newest_reset_ = 0;  // that was posted
 
   // Tick thread.
   std::optional<Bytes> model_page(const world::World& world, std::uint32_t first);

@@ -18,7 +18,7 @@ namespace playhouse::drivers::testing {
 class MemorySite final : public Surroundings {
  public:
   explicit MemorySite(std::string world) : world_text_(std::move(world)), site_(*this, 6665) {
-    site_.tap().pass_to(recorder);
+    site_.data_flow().pass_to(recorder);
   }
   ~MemorySite() override {
     if (site_.simulation() != nullptr) site_.simulation()->discard();
@@ -46,8 +46,8 @@ class MemorySite final : public Surroundings {
     }
     return lines;
   }
-  device::DeviceId id(device::Address address) const { return site_.find(address)->id; }
-  device::Driver& driver(device::Address address) const { return *site_.find(address)->driver; }
+  device::DeviceId id(device::Address address) const { return *site_.find(address); }
+  device::Driver& driver(device::Address address) const { return *added_[id(address).row].second; }
   Site& site() { return site_; }
   void run(int ticks) {
     site_.simulation()->extend(static_cast<std::uint64_t>(ticks));

@@ -1,0 +1,113 @@
+#include "playhouse/device/client.h"
+
+#include <utility>
+
+#include "playhouse/base/assert.h"
+#include "playhouse/wire/header.h"
+
+namespace playhouse::device {
+namespace {
+
+constexpr std::uint8_t kCmd = static_cast<std::uint8_t>(wire::MessageType::kCmd);
+constexpr std::uint8_t kReq = static_cast<std::uint8_t>(wire::MessageType::kReq);
+
+}  // namespace
+
+Client::Client(Opener& opener, std::size_t devices) : opener_(opener), used_(devices) {}
+
+Subscription& Client::latest(std::size_t device, std::uint8_t subtype) {
+  return *used_[device].subscriptions.emplace_back(std::make_unique<Subscription>(subtype, 1));
+}
+
+Subscription& Client::queue(std::size_t device, std::size_t limit) {
+  return *used_[device].subscriptions.emplace_back(std::make_unique<Subscription>(std::nullopt, limit));
+}
+
+void Client::use(std::size_t device, DeviceId id, Driver& driver) {
+  PLAYHOUSE_ASSERT(device < used_.size() && used_[device].driver == nullptr);
+  used_[device].id = id;
+  used_[device].driver = &driver;
+}
+
+void Client::join(DataFlow& flow) {
+  std::vector<DeviceId> devices;
+  for (const Used& used : used_) devices.push_back(used.id);
+  flow.add(*this, devices);
+}
+
+Result<void> Client::open() {
+  for (const Used& used : used_)
+    for (const auto& subscription : used.subscriptions) subscription->clear();
+  for (std::size_t device = 0; device < used_.size(); ++device) {
+    const Result<void> held = opener_.hold(used_[device].id);
+    if (held) continue;
+    while (device > 0) opener_.release(used_[--device].id);
+    return held;
+  }
+  open_ = true;
+  return {};
+}
+
+void Client::close() {
+  open_ = false;
+  for (const Used& used : used_) opener_.release(used.id);
+}
+
+Taken Client::command(std::size_t device, std::uint8_t subtype, std::span<const std::byte> body) {
+  if (!open_) return Taken::kNo;
+  return used_[device].driver->command({used_[device].id, kCmd, subtype, body});
+}
+
+void Client::ask(std::size_t device, std::uint8_t subtype, std::span<const std::byte> body, Heard heard) {
+  forward(device, subtype, body, replier_for(std::move(heard)));
+}
+
+void Client::forward(std::size_t device, std::uint8_t subtype, std::span<const std::byte> body,
+                     Replier replier) {
+  used_[device].driver->request({used_[device].id, kReq, subtype, body}, std::move(replier));
+}
+
+bool Client::capable(std::size_t device, std::uint8_t type, std::uint8_t subtype) const {
+  return used_[device].driver->capable(used_[device].id, type, subtype);
+}
+
+void Client::barrier(Replier replier) {
+  // The last of those who wait for a driver lets go of it.
+  const std::shared_ptr<Replier> all(new Replier(std::move(replier)), [](Replier* done) {
+    done->ack();
+    delete done;
+  });
+  for (const Used& used : used_)
+    used.driver->barrier(replier_for([all](const std::optional<std::vector<std::byte>>&) {}));
+}
+
+Replier Client::replier_for(Heard heard) {
+  const std::lock_guard lock(mutex_);
+  asked_[next_ticket_] = std::move(heard);
+  return {*this, next_ticket_++};
+}
+
+void Client::answer(std::uint64_t ticket, bool ack, std::vector<std::byte> body) {
+  Heard heard;
+  {
+    const std::lock_guard lock(mutex_);
+    const auto found = asked_.find(ticket);
+    PLAYHOUSE_ASSERT(found != asked_.end());  // a replier answers once
+    heard = std::move(found->second);
+    asked_.erase(found);
+  }
+  heard(ack ? std::optional(std::move(body)) : std::nullopt);
+}
+
+void Client::read(std::span<const Publication* const> fresh, std::vector<Publication>& more) {
+  if (!open_) return;
+  for (const Publication* publication : fresh) {
+    for (const Used& used : used_) {
+      if (used.id != publication->device) continue;
+      for (const auto& subscription : used.subscriptions) subscription->put(*publication);
+    }
+  }
+  if (news_) news_(more);
+}
+
+}  // namespace playhouse::device

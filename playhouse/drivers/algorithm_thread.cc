@@ -1,0 +1,101 @@
+#include "playhouse/drivers/algorithm_thread.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "playhouse/base/assert.h"
+
+namespace playhouse::drivers {
+
+AlgorithmThread::~AlgorithmThread() {
+  {
+    const Lock lock(mutex_);
+    ending_ = true;
+  }
+  changed_.notify_all();
+  if (thread_.joinable()) thread_.join();
+}
+
+void AlgorithmThread::follow_ticks(std::uint64_t tick, std::uint64_t delay) {
+  const Lock lock(mutex_);
+  PLAYHOUSE_ASSERT(last_number_ == 0);
+  tick_ = tick;
+  delay_ = delay;
+}
+
+void AlgorithmThread::post(Step step) {
+  {
+    const Lock lock(mutex_);
+    if (!tick_) std::erase_if(jobs_, [](const Job& job) { return job.step != nullptr; });
+    jobs_.push_back({++last_number_, tick_.value_or(0) + 1 + delay_, std::move(step), std::nullopt});
+    if (!thread_.joinable()) thread_ = std::thread([this] { run(); });
+  }
+  changed_.notify_all();
+}
+
+void AlgorithmThread::clear() {
+  Lock lock(mutex_);
+  jobs_.clear();
+  fresh_ = true;
+  changed_.notify_all();  // the tick may wait for one of them
+  changed_.wait(lock, [this] { return !delivering_; });
+}
+
+void AlgorithmThread::ticked(std::uint64_t tick) {
+  Lock lock(mutex_);
+  tick_ = tick;
+  while (!jobs_.empty() && jobs_.front().due <= tick) {
+    const std::uint64_t number = jobs_.front().number;
+    changed_.wait(lock, [&] {
+      const Job* job = find(number);
+      return job == nullptr || job->result.has_value();
+    });
+    if (find(number) != nullptr) deliver_first(lock);
+  }
+}
+
+void AlgorithmThread::run() {
+  Lock lock(mutex_);
+  for (;;) {
+    changed_.wait(lock, [this] { return ending_ || next_to_begin() != nullptr; });
+    if (ending_) return;
+    run_step(lock, *next_to_begin());
+  }
+}
+
+void AlgorithmThread::run_step(Lock& lock, Job& job) {
+  const std::uint64_t number = job.number;
+  const Step step = std::exchange(job.step, nullptr);
+  const bool fresh = std::exchange(fresh_, false);
+  lock.unlock();
+  Delivery result = step(fresh);
+  lock.lock();
+  Job* const done = find(number);
+  if (done == nullptr) return;  // cleared meanwhile
+  done->result = std::move(result);
+  if (!tick_) return deliver_first(lock);
+  changed_.notify_all();
+}
+
+void AlgorithmThread::deliver_first(Lock& lock) {
+  const Delivery result = std::move(*jobs_.front().result);
+  jobs_.pop_front();
+  delivering_ = true;
+  lock.unlock();
+  result();
+  lock.lock();
+  delivering_ = false;
+  changed_.notify_all();
+}
+
+AlgorithmThread::Job* AlgorithmThread::next_to_begin() {
+  const auto found = std::ranges::find_if(jobs_, [](const Job& job) { return job.step != nullptr; });
+  return found == jobs_.end() ? nullptr : &*found;
+}
+
+AlgorithmThread::Job* AlgorithmThread::find(std::uint64_t number) {
+  const auto found = std::ranges::find(jobs_, number, &Job::number);
+  return found == jobs_.end() ? nullptr : &*found;
+}
+
+}  // namespace playhouse::drivers

@@ -1,0 +1,204 @@
+#include "playhouse/drivers/vfh/vfh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "playhouse/base/log.h"
+#include "playhouse/drivers/section_devices.h"
+#include "playhouse/drivers/vfh/vfh_options.h"
+#include "playhouse/wire/codec.h"
+#include "playhouse/wire/header.h"
+
+namespace playhouse::drivers {
+
+namespace lsr = wire::laser;
+namespace p2d = wire::position2d;
+
+namespace {
+
+// Of the client's devices.
+constexpr std::size_t kRobot = 0;
+constexpr std::size_t kLaser = 1;
+
+constexpr std::size_t kStatesKept = 64;  // of one batch, all of which pass on
+constexpr std::uint64_t kDelay = 1;      // ticks from a scan to the command that follows from it
+
+using Body = std::optional<std::vector<std::byte>>;
+
+/// The answer to a question for T; nothing if there is none that can be used.
+template <typename T>
+std::optional<T> value_of(const Body& body) {
+  if (!body) return std::nullopt;
+  const Result<T> value = wire::decode<T>(*body);
+  if (!value) return std::nullopt;
+  return *value;
+}
+
+geom::Pose pose_of(const wire::Pose2d& pose) {
+  return {pose.px, pose.py, 0, geom::normalize(pose.pa)};
+}
+
+bool is_finite(const wire::Pose2d& pose) {
+  return std::isfinite(pose.px) && std::isfinite(pose.py) && std::isfinite(pose.pa);
+}
+
+}  // namespace
+
+Vfh::Vfh(device::Opener& opener, const VfhOptions& options)
+    : options_(options),
+      client_(opener, 2),
+      position_(client_.queue(kRobot, kStatesKept)),
+      scans_(client_.latest(kLaser, lsr::kDataScan)) {
+  client_.when_news([this](std::vector<device::Publication>& more) { take_news(more); });
+}
+
+Result<void> Vfh::start(device::DeviceId) {
+  if (const Result<void> opened = client_.open(); !opened) return opened;
+  ask_geometry();
+  return {};
+}
+
+void Vfh::ask_geometry() {
+  client_.ask(kRobot, p2d::kReqGetGeom, {}, [this](const Body& body) {
+    const std::optional<p2d::Geom> geom = value_of<p2d::Geom>(body);
+    if (!geom) return log::warn("driver vfh: its robot does not tell its size, so it drives to no goals");
+    const std::lock_guard lock(mutex_);
+    radius_ = std::max(geom->size.sl, geom->size.sw) / 2;
+  });
+  client_.ask(kLaser, lsr::kReqGetGeom, {}, [this](const Body& body) {
+    const std::optional<lsr::Geom> geom = value_of<lsr::Geom>(body);
+    if (!geom) return log::warn("driver vfh: its laser does not tell its place, so it drives to no goals");
+    const std::lock_guard lock(mutex_);
+    X_RS_ = {geom->pose.px, geom->pose.py, geom->pose.pz, geom::normalize(geom->pose.pyaw)};
+  });
+}
+
+void Vfh::stop(device::DeviceId) {
+  if (set_goal(std::nullopt)) drive(0, 0);  // the robot may go on without us
+  client_.close();
+  const std::lock_guard lock(mutex_);
+  state_.reset();
+}
+
+device::Taken Vfh::command(const device::Message& message) {
+  if (!client_.is_open()) return device::Taken::kNo;  // a goal must not wait for whoever opens it next
+  if (message.subtype != p2d::kCmdPos) {
+    const bool was_driving = set_goal(std::nullopt);
+    const device::Taken taken = client_.command(kRobot, message.subtype, message.body);
+    if (was_driving && taken == device::Taken::kNo) drive(0, 0);  // nobody steers any more
+    return taken;
+  }
+  const Result<p2d::CmdPos> command = wire::decode<p2d::CmdPos>(message.body);
+  if (!command || !is_finite(command->pos)) return device::Taken::kNo;
+  set_goal(pose_of(command->pos));
+  return device::Taken::kLatest;
+}
+
+/// Replaces the goal, if any; true if there was one. No command for the old one comes afterwards.
+bool Vfh::set_goal(std::optional<geom::Pose> X_OG) {
+  bool had_one = false;
+  {
+    const std::lock_guard lock(mutex_);
+    had_one = goal_.has_value();
+    goal_.reset();
+    if (X_OG) goal_ = {*X_OG, ++goals_};
+  }
+  thread_.clear();
+  return had_one;
+}
+
+void Vfh::request(const device::Message& message, device::Replier replier) {
+  client_.forward(kRobot, message.subtype, message.body, std::move(replier));
+}
+
+bool Vfh::capable(device::DeviceId, std::uint8_t type, std::uint8_t subtype) const {
+  constexpr auto kCmd = static_cast<std::uint8_t>(wire::MessageType::kCmd);
+  return (type == kCmd && subtype == p2d::kCmdPos) || client_.capable(kRobot, type, subtype);
+}
+
+void Vfh::take_news(std::vector<device::Publication>& more) {
+  for (device::Publication& message : position_.take()) {
+    if (message.subtype == p2d::kDataState) take_state(message);
+    message.device = device_;
+    more.push_back(std::move(message));
+  }
+  if (const std::optional<device::Publication> scan = scans_.take_latest()) take_scan(*scan);
+}
+
+void Vfh::take_state(const device::Publication& message) {
+  const Result<p2d::Data> state = wire::decode<p2d::Data>(message.body);
+  if (!state || !is_finite(state->pos) || !std::isfinite(state->vel.px)) return;
+  const std::lock_guard lock(mutex_);
+  state_ = *state;
+}
+
+void Vfh::take_scan(const device::Publication& message) {
+  VfhIn in;
+  VfhRobot robot;
+  std::uint64_t goal = 0;
+  {
+    const std::lock_guard lock(mutex_);
+    if (!goal_ || !state_ || !radius_ || !X_RS_) return;
+    goal = goal_->number;
+    robot = {*radius_, *X_RS_};
+    in.X_OG = goal_->X_OG;
+    in.X_OR = pose_of(state_->pos);
+    in.speed = state_->vel.px;
+    in.stall = state_->stall != 0;
+  }
+  const Result<lsr::Data> scan = wire::decode<lsr::Data>(message.body);
+  if (!scan) return;
+  in.time = message.timestamp;
+  in.max_range = scan->max_range;
+  in.first_angle = scan->min_angle;
+  in.angle_step = scan->resolution;
+  in.ranges = scan->ranges;
+  thread_.post([this, goal, robot, in = std::move(in)](bool fresh) -> AlgorithmThread::Delivery {
+    if (fresh) memory_ = {};
+    const VfhOut out = vfh_step(options_, robot, in, memory_);
+    return [this, goal, out] { steer(goal, out); };
+  });
+}
+
+void Vfh::steer(std::uint64_t goal, const VfhOut& out) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!goal_ || goal_->number != goal) return;
+    if (out.done) goal_.reset();
+  }
+  drive(out.speed, out.turn_rate);
+}
+
+void Vfh::drive(double speed, double turn_rate) {
+  client_.command(kRobot, p2d::kCmdVel, wire::encode(p2d::CmdVel{{speed, 0, turn_rate}, 1}));
+}
+
+Result<std::unique_ptr<device::Driver>> make_vfh(const scene::CfgSection& section, Site& site) {
+  const auto provided = section_devices(section, site, "provides", {"position2d"});
+  if (!provided) return provided.error();
+  const auto required = section_devices(section, site, "requires", {"position2d", "laser"});
+  if (!required) return required.error();
+  const Result<VfhOptions> options = vfh_options(section);
+  if (!options) return options.error();
+
+  auto driver = std::make_unique<Vfh>(site.surroundings(), *options);
+  const device::Address shown = provided->front(), robot = required->front();
+  const Result<device::DeviceId> id = site.add_device(shown, *driver);
+  if (!id) return Error{section.at("provides"), id.error().text};
+  driver->set_device(*id);
+  const auto connected = [&site, shown, robot, &thread = driver->thread()]() -> Result<void> {
+    Simulation* const simulation = site.simulation();
+    if (simulation == nullptr) return {};
+    Directory& directory = simulation->directory();
+    directory.add(directory.model_of(robot), shown);
+    thread.follow_ticks(simulation->world().tick(), kDelay);
+    simulation->add_listener(
+        [&thread](const world::World& world, const world::Pace&) { thread.ticked(world.tick()); });
+    return {};
+  };
+  site.add_user({driver.get(), &driver->client(), *required, section.at("requires"), connected});
+  return std::unique_ptr<device::Driver>(std::move(driver));
+}
+
+}  // namespace playhouse::drivers
