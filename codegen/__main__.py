@@ -1,4 +1,4 @@
-"""python3 -m codegen            writes everything that is generated from interfaces/
+"""python3 -m codegen            writes everything that is generated from interfaces/ and kinds/
 python3 -m codegen --check    changes nothing; fails if what is checked in is not what would be written
 """
 
@@ -7,13 +7,16 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from codegen import emit_cpp, emit_cpp_fields, emit_docs, emit_python
-from codegen.model import SchemaError, load
+from codegen import emit_cpp, emit_cpp_fields, emit_docs, emit_kinds_cpp, emit_kinds_docs, emit_python
+from codegen.checks import SchemaError
+from codegen.kinds import load_kinds
+from codegen.model import load
 
 ROOT = Path(__file__).resolve().parent.parent
-EMITTERS = [emit_cpp, emit_cpp_fields, emit_docs, emit_python]
+EMITTERS = [emit_cpp, emit_cpp_fields, emit_docs, emit_python]  # of interfaces/
+KIND_EMITTERS = [emit_kinds_cpp, emit_kinds_docs]
 # Folders that belong to the emitters alone: a file there that no emitter writes is left over.
-OWNED = [emit_cpp.FOLDER, emit_docs.FOLDER, emit_python.FOLDER]
+OWNED = [emit_cpp.FOLDER, emit_docs.FOLDER, emit_python.FOLDER, emit_kinds_cpp.FOLDER, emit_kinds_docs.FOLDER]
 
 
 def wanted() -> dict[str, str]:
@@ -21,6 +24,9 @@ def wanted() -> dict[str, str]:
     files: dict[str, str] = {}
     for emitter in EMITTERS:
         files |= emitter.emit(schema)
+    kinds = load_kinds(ROOT / "kinds", schema)
+    for emitter in KIND_EMITTERS:
+        files |= emitter.emit(kinds)
     return files
 
 
@@ -37,7 +43,7 @@ def stale(files: dict[str, str]) -> list[str]:
         if not target.exists():
             out.append(f"{path}: is missing")
         elif target.read_text(encoding="utf-8") != content:
-            out.append(f"{path}: is not what interfaces/ says")
+            out.append(f"{path}: is not what the definitions say")
     return out + [f"{path}: is left over" for path in left_over(files)]
 
 

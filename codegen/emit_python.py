@@ -9,9 +9,8 @@ from __future__ import annotations
 import keyword
 import textwrap
 
-from codegen.model import (
-    COMMON, OPAQUE, SCALARS, Constants, Field, Interface, Message, Schema, SchemaError, Struct,
-)
+from codegen.checks import SchemaError
+from codegen.model import COMMON, OPAQUE, SCALARS, Constants, Field, Interface, Message, Schema, Struct
 
 FOLDER = "clients/python/playhouse_client/generated"
 WIDTH = 110

@@ -12,6 +12,8 @@ import tomllib
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from codegen.checks import SchemaError, documented, keys, unique
+
 COMMON = "common"
 
 # Scalar type -> bytes on the wire (everything is padded to a multiple of four).
@@ -56,10 +58,6 @@ NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*$")
 MESSAGE_NAME = re.compile(r"[A-Z][A-Z0-9_]*$")
 STRUCT_NAME = re.compile(r"[A-Z][A-Za-z0-9]*$")
 TYPE = re.compile(r"([A-Za-z_0-9]+\.)?([A-Za-z0-9]+)(\[(\d*)\])?$")
-
-
-class SchemaError(Exception):
-    """A definition that cannot be accepted: one line for a person."""
 
 
 @dataclass
@@ -240,10 +238,10 @@ def build(parsed: list[tuple[str, dict]]) -> Schema:
     if len(shared) != 1 or shared[0].name != COMMON:
         raise SchemaError(f'interfaces/: exactly one file without a code is wanted, named "{COMMON}"')
     numbered = sorted((i for i in interfaces if i.code is not None), key=lambda i: i.code)
-    _unique("interfaces/", "interface name", [i.name for i in interfaces])
-    _unique("interfaces/", "interface code", [i.code for i in numbered])
+    unique("interfaces/", "interface name", [i.name for i in interfaces])
+    unique("interfaces/", "interface code", [i.code for i in numbered])
     schema = Schema(shared[0], numbered)
-    _unique("interfaces/", "c_name", [s.c_name for i in interfaces for s in i.structs])
+    unique("interfaces/", "c_name", [s.c_name for i in interfaces for s in i.structs])
     for interface in schema.all():
         _resolve(schema, interface)
     for interface in schema.all():
@@ -256,22 +254,22 @@ def build(parsed: list[tuple[str, dict]]) -> Schema:
 
 
 def _interface(source: str, table: dict) -> Interface:
-    _keys(source, table, {"name", "doc"}, {"code", "reserved", "message", "struct", "constants"})
+    keys(source, table, {"name", "doc"}, {"code", "reserved", "message", "struct", "constants"})
     name, code = table["name"], table.get("code")
     if not NAME.match(name) or name != name.lower():
         raise SchemaError(f'{source}: "{name}" is not a name in lower case')
     if code is not None and (not isinstance(code, int) or not 0 < code < 65536):
         raise SchemaError(f"{source}: code {code} is not in 1..65535")
-    _documented(source, table["doc"])
+    documented(source, table["doc"])
     interface = Interface(name, code, table["doc"], source)
     interface.reserved = list(table.get("reserved", []))
     interface.messages = [_message(source, code, row) for row in table.get("message", [])]
     interface.structs = [_struct(source, row) for row in table.get("struct", [])]
     interface.constants = [_constants(source, name, row) for row in table.get("constants", [])]
-    _unique(source, "struct", [s.name for s in interface.structs])
-    _unique(source, "message", [m.label for m in interface.messages])
-    _unique(source, "message number", [f"{m.kind} {m.subtype}" for m in interface.messages])
-    _unique(source, "constant", [n for c in interface.constants for n in c.values])
+    unique(source, "struct", [s.name for s in interface.structs])
+    unique(source, "message", [m.label for m in interface.messages])
+    unique(source, "message number", [f"{m.kind} {m.subtype}" for m in interface.messages])
+    unique(source, "constant", [n for c in interface.constants for n in c.values])
     for message in interface.messages:
         if message.kind == "REQ" and message.subtype in interface.reserved:
             raise SchemaError(f"{source}: {message.label} uses the reserved subtype {message.subtype}")
@@ -280,7 +278,7 @@ def _interface(source: str, table: dict) -> Interface:
 
 def _message(source: str, code: int | None, row: dict) -> Message:
     where = f"{source}: message {row.get('name', '?')}"
-    _keys(where, row, {"kind", "subtype", "name", "doc"}, {"payload", "policy"})
+    keys(where, row, {"kind", "subtype", "name", "doc"}, {"payload", "policy"})
     kind, subtype = row["kind"], row["subtype"]
     if kind not in KINDS:
         raise SchemaError(f"{where}: kind {kind!r} is none of {', '.join(KINDS)}")
@@ -293,22 +291,22 @@ def _message(source: str, code: int | None, row: dict) -> Message:
     policy = row.get("policy", "")
     if (kind in ("DATA", "CMD")) != (policy in POLICIES):
         raise SchemaError(f'{where}: DATA and CMD (and only they) need policy "latest" or "queue"')
-    _documented(where, row["doc"])
+    documented(where, row["doc"])
     return Message(kind, subtype, row["name"], row.get("payload", ""), "", policy, row["doc"])
 
 
 def _struct(source: str, row: dict) -> Struct:
     name = row.get("name", "?")
     where = f"{source}: struct {name}"
-    _keys(where, row, {"name", "c_name", "doc", "fields"}, set())
+    keys(where, row, {"name", "c_name", "doc", "fields"}, set())
     if not STRUCT_NAME.match(row["name"]):
         raise SchemaError(f"{where}: not a name in PascalCase")
-    _documented(where, row["doc"])
+    documented(where, row["doc"])
     fields = [_field(source, name, entry) for entry in row["fields"]]
     if not fields:
         raise SchemaError(f"{where}: has no fields")
     names = [f.name for f in fields]
-    _unique(where, "field", names + [f.count_name for f in fields if f.has_count])
+    unique(where, "field", names + [f.count_name for f in fields if f.has_count])
     for f in fields:
         if f.count_before and (f.count_before not in names or names.index(f.count_before) >= names.index(f.name)):
             raise SchemaError(f"{where}: {f.name}: count_before names no earlier field")
@@ -322,7 +320,7 @@ def _place(source: str, struct: str, field_name: str, line: int) -> str:
 def _field(source: str, struct: str, row: dict) -> Field:
     line = row.line if isinstance(row, Row) else 0
     where = _place(source, struct, row.get("name", "?"), line)
-    _keys(where, row, {"name", "type"}, {"unit", "frame", "doc", "max", "count_before"})
+    keys(where, row, {"name", "type"}, {"unit", "frame", "doc", "max", "count_before"})
     if not NAME.match(row["name"]):
         raise SchemaError(f"{where}: not a name")
     shape = TYPE.match(row["type"])
@@ -383,8 +381,8 @@ def _shape(where: str, f: Field, brackets: str | None, length: str | None, bound
 
 def _constants(source: str, name: str, row: dict) -> Constants:
     where = f"{source}: constants"
-    _keys(where, row, {"doc", "values"}, {"c_prefix"})
-    _documented(where, row["doc"])
+    keys(where, row, {"doc", "values"}, {"c_prefix"})
+    documented(where, row["doc"])
     for key, value in row["values"].items():
         if not re.match(r"[A-Za-z0-9_]+$", key) or not isinstance(value, int):
             raise SchemaError(f"{where}: {key} = {value!r} is not a named whole number")
@@ -456,23 +454,3 @@ def _parts(schema: Schema, f: Field) -> int:
     """Numbers in one value of the field. The elements of a list without a fixed length are alike and count once."""
     one = 1 if f.is_scalar else sum(_parts(schema, inner) for inner in schema.struct_of(f).fields)
     return one * (f.length or 1)
-
-
-def _keys(where: str, row: dict, needed: set[str], optional: set[str]) -> None:
-    for key in sorted(needed - row.keys()):
-        raise SchemaError(f"{where}: {key} is missing")
-    for key in sorted(row.keys() - needed - optional):
-        raise SchemaError(f"{where}: unknown key {key!r}")
-
-
-def _documented(where: str, text: str) -> None:
-    if not isinstance(text, str) or not text.strip().endswith("."):
-        raise SchemaError(f"{where}: doc must be a sentence")
-
-
-def _unique(where: str, what: str, values: list) -> None:
-    seen = set()
-    for value in values:
-        if value in seen:
-            raise SchemaError(f"{where}: {what} {value!r} is there twice")
-        seen.add(value)

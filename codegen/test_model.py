@@ -4,7 +4,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from codegen.model import BODY_BYTES, SchemaError, build, load
+from codegen.checks import SchemaError
+from codegen.model import BODY_BYTES, build, load
 
 ROOT = Path(__file__).resolve().parent.parent
 POSE = {"name": "Pose2d", "c_name": "player_pose2d_t", "doc": "A pose.",

@@ -32,6 +32,7 @@ constexpr const char* kExamples = R"(Examples:
   playhouse watch 127.0.0.1 laser:0                  a device's data as JSON lines
   playhouse drive 127.0.0.1 guest                    a robot by the keyboard
   playhouse check my.world                           what is wrong with a file
+  playhouse kinds ranger                             what a world file can say of a ranger
   playhouse bench laser --robots 1000                one line of figures
 `playhouse COMMAND --help` tells more. Documentation: docs/cli.md)";
 
@@ -58,6 +59,10 @@ constexpr const char* kDriveExamples = R"(Examples:
 constexpr const char* kCheckExamples = R"(Examples:
   playhouse check my.cfg
   playhouse check worlds/*.world worlds/*.inc)";
+constexpr const char* kKindsExamples = R"(Examples:
+  playhouse kinds
+  playhouse kinds position
+  playhouse kinds sensor --json)";
 constexpr const char* kBenchExamples = R"(Examples:
   playhouse bench laser --robots 100 --duration 1
   playhouse bench sonar --robots 100 --duration 1 --workers 2)";
@@ -78,6 +83,7 @@ struct Raw {
   WatchOptions watch;
   DriveOptions drive;
   CheckOptions check;
+  KindsOptions kinds;
   BenchOptions bench;
   std::string web;
   std::vector<std::pair<double, std::string>> saves;
@@ -245,6 +251,11 @@ void add_commands(CLI::App& app, Raw& raw) {
   check->footer(kCheckExamples);
   check->add_option("FILE", raw.check.files, "a .world, .inc or .cfg file")->required();
 
+  CLI::App* kinds = app.add_subcommand("kinds", "list what world files can hold, and its words");
+  kinds->footer(kKindsExamples);
+  kinds->add_option("NAME", raw.kinds.name, "one of them, with its words");
+  kinds->add_flag("--json", raw.kinds.json, "a JSON object per kind, one a line");
+
   CLI::App* bench = app.add_subcommand("bench", "measure: sonar, laser, cave or server");
   bench->footer(kBenchExamples);
   bench->add_option("SCENARIO", raw.bench.scenario, "sonar, laser, cave or server")->required();
@@ -328,6 +339,7 @@ CommandLine chosen(const CLI::App& app, Raw& raw) {
   if (name == "watch") return raw.watch;
   if (name == "drive") return raw.drive;
   if (name == "check") return raw.check;
+  if (name == "kinds") return raw.kinds;
   return raw.bench;
 }
 

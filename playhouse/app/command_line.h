@@ -17,7 +17,7 @@ struct Answer {
 };
 
 using CommandLine = std::variant<Answer, RunOptions, ServeOptions, VerifyOptions, DevicesOptions,
-                                 WatchOptions, DriveOptions, CheckOptions, BenchOptions>;
+                                 WatchOptions, DriveOptions, CheckOptions, KindsOptions, BenchOptions>;
 
 /// The words after the program's name. Fails with one line for a person, with the nearest valid word.
 Result<CommandLine> parse_command_line(std::span<const char* const> words);

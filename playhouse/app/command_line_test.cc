@@ -66,6 +66,13 @@ TEST(CommandLine, files_and_libraries_may_be_several) {
   EXPECT_EQ(run.world, "w");
 }
 
+TEST(CommandLine, kinds_takes_a_name_or_none) {
+  EXPECT_EQ(parsed<KindsOptions>({"kinds"}).name, "");
+  const auto kinds = parsed<KindsOptions>({"kinds", "ranger", "--json"});
+  EXPECT_EQ(kinds.name, "ranger");
+  EXPECT_TRUE(kinds.json);
+}
+
 TEST(CommandLine, headless_and_web_off_mean_no_page) {
   EXPECT_FALSE(parsed<RunOptions>({"run", "w", "--headless"}).serving.web);
   EXPECT_FALSE(parsed<ServeOptions>({"serve", "f.cfg", "--web", "off"}).serving.web);

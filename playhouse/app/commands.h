@@ -13,6 +13,7 @@ int devices(const DevicesOptions& options);
 int watch(const WatchOptions& options);
 int drive(const DriveOptions& options);
 int check(const CheckOptions& options);
+int kinds(const KindsOptions& options);
 int bench(const BenchOptions& options);
 
 }  // namespace playhouse::app

@@ -36,6 +36,7 @@ struct Dispatch {
   int operator()(const WatchOptions& options) const { return watch(options); }
   int operator()(const DriveOptions& options) const { return drive(options); }
   int operator()(const CheckOptions& options) const { return check(options); }
+  int operator()(const KindsOptions& options) const { return kinds(options); }
   int operator()(const BenchOptions& options) const { return bench(options); }
 };
 

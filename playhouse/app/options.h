@@ -83,6 +83,11 @@ struct CheckOptions {
   std::vector<std::string> files;
 };
 
+struct KindsOptions {
+  std::string name;   // "": all
+  bool json = false;  // an object per kind
+};
+
 struct BenchOptions {
   std::string scenario;
   std::uint32_t robots = 0;  // 0: the scenario's own number

@@ -146,8 +146,9 @@ struct Bridge {
       const auto [interf, name] = kDevices[row];
       const world::ModelRow model = *name == '\0' ? world::ModelRow{} : simulation.world().find(name);
       driver.add({row}, make_device(simulation, interf, model));
-      simulation.directory().add(simulation.world().id(model),
-                                 {6665, interf, static_cast<std::uint16_t>(row)});
+      if (model)
+        simulation.directory().add(simulation.world().id(model),
+                                   {6665, interf, static_cast<std::uint16_t>(row)});
     }
   }
 

@@ -72,11 +72,13 @@ class SmallWorld {
     scanner.range_max = 8;
     scanner.fov = geom::kPi;
     scanner.samples = 5;
+    scanner.size = {};
     laser.sensors.push_back(scanner);
     scene.models.push_back(laser);
 
     scene::ModelDesc sonars = model(name + ".sonar:0", "ranger", scene::ModelKind::kRanger, root);
     sonars.sensors.resize(2);
+    for (scene::RangerSensorDesc& sensor : sonars.sensors) sensor.size = {};
     sonars.sensors[1].X_BS = {0.1, 0.1, 0, 1};
     scene.models.push_back(sonars);
 

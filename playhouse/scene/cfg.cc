@@ -8,7 +8,7 @@
 #include "playhouse/base/limits.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/scene/colors.h"
-#include "playhouse/scene/vocabulary.h"
+#include "playhouse/scene/kinds.h"
 #include "playhouse/scene/warnings.h"
 
 namespace playhouse::scene {

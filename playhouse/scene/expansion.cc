@@ -1,5 +1,7 @@
 #include "playhouse/scene/expansion.h"
 
+#include "playhouse/scene/kinds.h"
+
 namespace playhouse::scene {
 
 Result<void> Expansion::add(const Section& section, SourceLine top, int depth) {
@@ -10,8 +12,8 @@ Result<void> Expansion::add(const Section& section, SourceLine top, int depth) {
   };
   for (const Section* part : instance->parts) fields_ += 1 + part->fields.size();
   if (fields_ > limits_.fields) return too_many(limits_.fields, "properties, those of its macros included");
-  if (instance->type == "window" || instance->type == "block") return {};
-  if (instance->type == "sensor") {
+  if (const Kind* kind = find_entity(instance->type); kind && kind->entity != EntityForm::kModel) {
+    if (kind->table.empty()) return {};  // shapes are limited by their corners
     return ++sensors_ > limits_.sensors ? too_many(limits_.sensors, "sensors") : Result<void>();
   }
   if (++models_ > limits_.models) return too_many(limits_.models, "models");

@@ -10,11 +10,12 @@
 #include "playhouse/scene/body.h"
 #include "playhouse/scene/expand.h"
 #include "playhouse/scene/expansion.h"
+#include "playhouse/scene/generated/read_kinds.h"
+#include "playhouse/scene/kinds.h"
 #include "playhouse/scene/properties.h"
 #include "playhouse/scene/syntax.h"
 #include "playhouse/scene/token_names.h"
 #include "playhouse/scene/vocabulary.h"
-#include "playhouse/scene/world_models.h"
 
 namespace playhouse::scene {
 namespace {
@@ -56,23 +57,25 @@ class WorldLoader {
   void define(const Statement& statement);
   /// The section with its macros applied.
   std::optional<Instance> instance(const Section& section);
-  void load_window(const Instance& window);
+  void load_window(const Instance& window, const Kind& kind);
   /// A model and everything inside it. `siblings` counts the models of each type in the parent.
   void load_model(const Instance& instance, std::int32_t parent, std::map<std::string_view, int>& siblings);
-  /// Reads the `block` and `sensor` entities, which are parts of a model; returns all others, the models
-  /// inside it.
-  std::vector<Instance> load_parts(const Instance& entity, const ModelType& type, ModelDesc& model,
-                                   Shape& shape);
+  /// What the words of a model say, of its own kind and of every one.
+  void read_words(const Properties& properties, const Kind& kind, ModelDesc& model);
+  /// Reads the entities that are parts of a model of this kind; returns all others, the models inside it.
+  std::vector<Instance> load_parts(const Instance& entity, const Kind& kind, ModelDesc& model, Shape& shape);
+  void load_block(const Properties& properties, SourceLine where, Shape& shape);
+  void load_sensor(const Properties& properties, SourceLine where, ModelDesc& model);
   void check_holds_nothing(const Instance& entity);
   /// The shape of a model from its bitmap and its `block` entities.
-  void read_body(const Properties& properties, const ModelType& type, Shape shape, ModelDesc& model);
+  void read_body(const Properties& properties, const Kind& kind, Shape shape, ModelDesc& model);
   const Loops* load_bitmap(const Properties& properties);
   /// `path` was tried last; the error tells of `why.where`.
   const Loops* fail_bitmap(const std::string& path, SourceLine where, const Error& why);
   /// Macros and bitmaps make much of little text: a fault when the world has no room for `amount` more.
   void spend(Budget& budget, std::size_t amount, SourceLine where);
-  /// The type of a model; null, and a fault, when it has none.
-  const ModelType* type_of(const Instance& entity);
+  /// The kind of a model; null, and a fault, when it has none.
+  const Kind* kind_of(const Instance& entity);
   void fail_unknown_type(const Instance& entity);
 
   const Document& document_;
@@ -107,8 +110,9 @@ Result<SceneDesc> WorldLoader::load() {
     } else if (const Result<void> counted = expansion_.add(statement.section); !counted) {
       state_.end(counted.error());
     } else if (const auto entity = instance(statement.section)) {
-      if (entity->type == "window") {
-        load_window(*entity);
+      const Kind* kind = find_entity(entity->type);
+      if (kind && kind->entity == EntityForm::kWindow) {
+        load_window(*entity, *kind);
       } else {
         load_model(*entity, -1, siblings);
       }
@@ -122,23 +126,15 @@ Result<SceneDesc> WorldLoader::load() {
 
 void WorldLoader::read_globals() {
   const Properties properties(state_, document_.fields);
-  vocabulary_.check(Vocabulary::kWorld, "", properties);
+  vocabulary_.check(world_kind(), properties);
   const Result<Units> units = read_units(document_, properties.fields());
   if (!units) {
     state_.end(units.error());
     return;
   }
   state_.units = *units;
-  scene_.name = properties.text("name", scene_.path);
-  scene_.interval = std::round(properties.number("interval_sim", 100) * 1000) / 1e6;
-  if (!(scene_.interval > 0))
-    state_.fail(properties.where("interval_sim"), "\"interval_sim\" must be above 0 ms");
-  scene_.resolution = properties.number("resolution", scene_.resolution);
-  if (!(scene_.resolution > 0))
-    state_.fail(properties.where("resolution"), "\"resolution\" must be above 0 m");
-  scene_.quit_time = std::max(0.0, properties.number("quit_time", 0));
-  scene_.speedup = properties.number("speedup", 1);
-  scene_.paused = properties.flag("paused", false);
+  scene_.name = scene_.path;
+  read(properties, scene_);
 }
 
 void WorldLoader::define(const Statement& statement) {
@@ -159,15 +155,15 @@ std::optional<Instance> WorldLoader::instance(const Section& section) {
   return std::move(*instance);
 }
 
-void WorldLoader::load_window(const Instance& window) {
+void WorldLoader::load_window(const Instance& window, const Kind& kind) {
   if (has_window_) {
     state_.warnings.add(Warning::kNoEffect, window.where, "a second window has no effect");
     return;
   }
   has_window_ = true;
   const Properties properties(state_, window);
-  vocabulary_.check(Vocabulary::kWindow, "", properties);
-  scene_.window = read_window(properties);
+  vocabulary_.check(kind, properties);
+  read(properties, scene_.window);
   follow_where_ = properties.where("follow_model");
 }
 
@@ -181,51 +177,59 @@ void WorldLoader::fail_unknown_type(const Instance& entity) {
     state_.fail(entity.where, "macro " + in_quotes(entity.type) + " is used before its definition at " +
                                   document_.sources.at(later->section.where));
   } else {
-    state_.fail(entity.where, unknown_type(entity.type, macros_.names()));
+    state_.fail(entity.where,
+                "unknown model type " + in_quotes(entity.type) + what_instead(entity.type, macros_.names()));
   }
 }
 
-const ModelType* WorldLoader::type_of(const Instance& entity) {
-  if (entity.type == "block" || entity.type == "sensor" || entity.type == "window") {
-    const std::string_view place = entity.type == "block"    ? "a model"
-                                   : entity.type == "sensor" ? "a ranger"
-                                                             : "no model, but at the top level";
-    state_.fail(entity.where, in_quotes(entity.type) + " belongs into " + std::string(place));
-    return nullptr;
-  }
-  const ModelType* type = find_model_type(entity.type);
-  if (!type) {
+const Kind* WorldLoader::kind_of(const Instance& entity) {
+  const Kind* kind = find_entity(entity.type);
+  if (!kind) {
     fail_unknown_type(entity);
-  } else if (!type->simulated && plain_types_.insert(type->name).second) {
+  } else if (kind->entity != EntityForm::kModel) {
+    state_.fail(entity.where, in_quotes(kind->name) + " belongs into " + place_of(*kind));
+    return nullptr;
+  } else if (!kind->simulated && plain_types_.insert(kind->name).second) {
     state_.warnings.add(Warning::kNoEffect, entity.where,
-                        "model type " + in_quotes(type->name) +
+                        "model type " + in_quotes(kind->name) +
                             " is not simulated yet and loads as a plain " +
-                            (type->has_body ? "body" : "model without a body"));
+                            (kind->solid ? "body" : "model without a body"));
   }
-  return type;
+  return kind;
+}
+
+void WorldLoader::read_words(const Properties& properties, const Kind& kind, ModelDesc& model) {
+  model.size = kind.size;
+  model.color = kind.color;
+  model.gui_move = model.parent < 0;
+  read(properties, scene_.models.size(), model);
+  model.update_interval = std::max(model.update_interval, scene_.interval);
+  read_kind(properties, kind.kind, model);
 }
 
 void WorldLoader::load_model(const Instance& entity, std::int32_t parent,
                              std::map<std::string_view, int>& siblings) {
-  const ModelType* type = type_of(entity);
-  if (!type) return;
+  const Kind* kind = kind_of(entity);
+  if (!kind) return;
   const std::size_t row = scene_.models.size();
   const Properties properties(state_, entity);
-  vocabulary_.check(Vocabulary::kModel, type->name, properties);
+  vocabulary_.check(*kind, properties);
   ModelDesc model;
   model.where = entity.where;
   model.parent = parent;
-  read_model(properties, *type, row, scene_.interval, model);
+  model.type = std::string(kind->name);
+  model.kind = kind->kind;
+  read_words(properties, *kind, model);
   if (parent >= 0 && stacks_children_[static_cast<std::size_t>(parent)]) {
     model.stacked = scene_.models[static_cast<std::size_t>(parent)].size.z;
     model.X_PM.z += model.stacked;
   }
-  names_.name(model, properties.text("name", ""), siblings[type->name]++);
+  names_.name(model, properties.text("name", ""), siblings[kind->name]++);
   spend(text_bytes_, text_bytes_of(model), entity.where);
 
   Shape shape;
-  const std::vector<Instance> children = load_parts(entity, *type, model, shape);
-  read_body(properties, *type, std::move(shape), model);
+  const std::vector<Instance> children = load_parts(entity, *kind, model, shape);
+  read_body(properties, *kind, std::move(shape), model);
   stacks_children_.push_back(properties.flag("stack_children", true));
   scene_.models.push_back(std::move(model));
   std::map<std::string_view, int> grandchildren;
@@ -235,32 +239,40 @@ void WorldLoader::load_model(const Instance& entity, std::int32_t parent,
   }
 }
 
-std::vector<Instance> WorldLoader::load_parts(const Instance& entity, const ModelType& type, ModelDesc& model,
+std::vector<Instance> WorldLoader::load_parts(const Instance& entity, const Kind& kind, ModelDesc& model,
                                               Shape& shape) {
   std::vector<Instance> children;
-  for (const Section* part : entity.parts) {
-    for (const Section& section : part->sections) {
+  for (const Section* section_of : entity.parts) {
+    for (const Section& section : section_of->sections) {
       std::optional<Instance> child = instance(section);
       if (!child || state_.over) return {};
-      const bool block = child->type == "block";
-      if (!block && !(child->type == "sensor" && type.kind == ModelKind::kRanger)) {
+      const Kind* part = find_entity(child->type);
+      if (!part || !is_part_of(*part, kind)) {
         children.push_back(std::move(*child));
         continue;
       }
       check_holds_nothing(*child);
       const Properties properties(state_, *child);
-      vocabulary_.check(block ? Vocabulary::kBlock : Vocabulary::kSensor, "", properties);
-      if (block) {
-        spend(corners_, static_cast<std::size_t>(std::max(0, properties.integer("points", 0))), child->where);
-        if (state_.over) return {};
-        shape.prisms.push_back(read_block(properties));
+      vocabulary_.check(*part, properties);
+      if (part->table.empty()) {  // a shape: the world keeps no state of it
+        load_block(properties, child->where, shape);
       } else {
-        model.sensors.push_back(read_sensor(properties, scene_.models.size()));
-        spend(beams_, model.sensors.back().samples, child->where);
+        load_sensor(properties, child->where, model);
       }
+      if (state_.over) return {};
     }
   }
   return children;
+}
+
+void WorldLoader::load_block(const Properties& properties, SourceLine where, Shape& shape) {
+  spend(corners_, static_cast<std::size_t>(std::max(0, properties.integer("points", 0))), where);
+  if (!state_.over) shape.prisms.push_back(read_block(properties));
+}
+
+void WorldLoader::load_sensor(const Properties& properties, SourceLine where, ModelDesc& model) {
+  read(properties, scene_.models.size(), model.sensors.emplace_back());
+  spend(beams_, model.sensors.back().samples, where);
 }
 
 void WorldLoader::check_holds_nothing(const Instance& entity) {
@@ -270,13 +282,12 @@ void WorldLoader::check_holds_nothing(const Instance& entity) {
   }
 }
 
-void WorldLoader::read_body(const Properties& properties, const ModelType& type, Shape shape,
-                            ModelDesc& model) {
+void WorldLoader::read_body(const Properties& properties, const Kind& kind, Shape shape, ModelDesc& model) {
   const Loops* loops = load_bitmap(properties);
   if (state_.error) return;  // the world does not load, so nobody needs bodies
   const bool boundary = properties.flag("boundary", false);
   const bool replaced = loops || boundary || !shape.prisms.empty() || properties.flag("noblocks", false);
-  const bool is_box = type.has_body && !replaced;
+  const bool is_box = kind.solid && !replaced;
   if (!is_box && !loops && !boundary && shape.prisms.empty()) return;
   const std::optional<geom::Size> size = body_size(model.size, properties);
   if (!size) return;

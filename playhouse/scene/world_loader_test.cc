@@ -9,6 +9,8 @@
 #include <fstream>
 #include <thread>
 
+#include "playhouse/scene/kinds.h"
+
 namespace playhouse::scene {
 namespace {
 
@@ -620,6 +622,21 @@ TEST(WorldModels, base_properties_are_read_and_have_their_defaults) {
   EXPECT_FALSE(defaults.models[1].gui_move);
 }
 
+TEST(WorldModels, milliseconds_are_whole_microseconds_so_that_equal_times_are_equal) {
+  const SceneDesc scene = loaded("interval_sim 33.3333\nmodel( update_interval 33.3333 )");
+  EXPECT_EQ(scene.interval, 0.033333);
+  EXPECT_EQ(scene.models[0].update_interval, scene.interval);
+  EXPECT_THAT(error_of("interval_sim 0.0001"), HasSubstr("above 0 ms"));
+}
+
+TEST(WorldModels, what_is_below_0_and_makes_no_sense_is_0_with_a_warning) {
+  const SceneDesc scene = loaded("quit_time -1\nmodel( trail_length -3 )");
+  EXPECT_EQ(scene.quit_time, 0);
+  EXPECT_EQ(scene.models[0].trail_length, 0);
+  EXPECT_THAT(scene.warnings, ElementsAre("w/t.world:1: \"quit_time\" is below 0; no end is meant",
+                                          "w/t.world:2: \"trail_length\" is below 0; no trail is meant"));
+}
+
 TEST(WorldModels, a_position_has_its_drive_and_bounds) {
   const PositionDesc defaults = model_of("position( )").position.value();
   EXPECT_EQ(defaults.drive, Drive::kDiff);
@@ -680,14 +697,26 @@ TEST(WorldModels, a_fiducial_finder_has_its_ranges) {
 }
 
 TEST(WorldModels, types_that_are_not_simulated_load_as_plain_bodies_with_one_warning_each) {
-  const SceneDesc scene =
-      loaded("gripper( ) gripper( ) camera( ) blobfinder( ) bumper( bcount 1 bpose[0] [0 0 0 0] )");
-  for (const ModelDesc& model : scene.models) EXPECT_EQ(model.kind, ModelKind::kPlain);
-  EXPECT_EQ(scene.models[0].size, (geom::Size{0.2, 0.3, 0.2}));
-  EXPECT_EQ(scene.models[0].blocks.size(), 1u);
-  EXPECT_TRUE(scene.models[3].blocks.empty());
-  EXPECT_EQ(scene.models[4].type, "bumper");
-  EXPECT_EQ(scene.warnings.size(), 4u);
+  for (const Kind& kind : kinds()) {
+    if (kind.simulated) continue;
+    const std::string name(kind.name);
+    const SceneDesc scene = loaded(name + "( )\n" + name + "( mass 1 )");
+    ASSERT_EQ(scene.models.size(), 2u);
+    for (const ModelDesc& model : scene.models) {
+      EXPECT_EQ(model.kind, ModelKind::kPlain);
+      EXPECT_EQ(model.type, name);
+      EXPECT_EQ(model.size, kind.size);
+      EXPECT_EQ(model.blocks.size(), kind.solid ? 1u : 0u);
+    }
+    EXPECT_THAT(scene.warnings, ElementsAre("w/t.world:1: model type \"" + name +
+                                            "\" is not simulated yet and loads as a plain " +
+                                            (kind.solid ? "body" : "model without a body")));
+  }
+  EXPECT_THAT(loaded("bumper( bcount 1 bpose[0] [0 0 0 0] )").warnings, testing::SizeIs(testing::Le(1u)))
+      << "its words are known";
+  EXPECT_THAT(
+      loaded("blobfinder( channels_count 1 )").warnings,
+      testing::Contains(HasSubstr("\"channels_count\" of blobfinder has no effect: write colors_count")));
 }
 
 TEST(WorldModels, types_and_forms_of_older_stages_are_errors_that_say_what_to_write) {

@@ -13,6 +13,7 @@ import struct
 import subprocess
 import threading
 import time
+import tomllib
 import unittest
 from pathlib import Path
 
@@ -228,8 +229,8 @@ class Examples(HouseTest):
                         self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
                         self.assertNotEqual(done.stdout, "")
 
-    def test_those_of_check_and_bench_end_well(self):
-        for command in ("check", "bench"):
+    def test_those_of_check_and_kinds_and_bench_end_well(self):
+        for command in ("check", "kinds", "bench"):
             for line in self.examples(command):
                 with self.subTest(line):
                     done = self.shell(line)
@@ -597,6 +598,42 @@ class Check(HouseTest):
     def test_a_controller_that_does_not_exist_is_an_error(self):
         done = finish("check", self.world("position( ctrl \"wandr\" )\n"))
         self.assertEqual(done.returncode, 2, done.stdout)
+
+
+class Kinds(HouseTest):
+    """What kinds/*.toml define, as the program tells it."""
+
+    def test_each_definition_is_a_line_and_a_json_object(self):
+        defined = {}
+        for path in (ROOT / "kinds").glob("*.toml"):
+            defined[path.stem] = tomllib.loads(path.read_text(encoding="utf-8"))
+        told = {kind["name"]: kind for kind in map(json.loads, finish("kinds", "--json").stdout.splitlines())}
+        self.assertEqual(set(told), set(defined))
+        for name, kind in told.items():
+            wanted = defined[name]
+            self.assertEqual((kind["entity"], kind["doc"]), (wanted["entity"], wanted["doc"]))
+            self.assertEqual(kind["simulated"], wanted["entity"] != "model" or "number" in wanted, name)
+            words = [w["name"] for w in wanted.get("word", [])] + wanted.get("silent", []) + list(wanted.get("old", {}))
+            self.assertEqual([w["name"] for w in kind["words"]], words)
+            self.assertEqual([i["name"] for i in kind["interfaces"]], [i["name"] for i in wanted.get("interface", [])])
+        self.assertEqual([line.split()[0] for line in finish("kinds").stdout.splitlines()], list(told))
+
+    def test_a_kind_is_told_with_its_words(self):
+        done = finish("kinds", "position")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn('  wheelbase           length (m)\n', done.stdout)
+        self.assertIn('Limits: above 0. Default: 1.\n', done.stdout)
+        self.assertIn("playhouse kinds model\n", done.stdout)
+        drive = json.loads(finish("kinds", "position", "--json").stdout)["words"][0]
+        self.assertEqual((drive["name"], drive["form"], drive["default"], drive["unit"]),
+                         ("drive", '"diff" | "omni" | "car"', '"diff"', None))
+
+    def test_an_unknown_name_is_one_line_with_what_to_write(self):
+        for name, expected in (("positoin", '"positoin" is no kind (did you mean "position"?); playhouse kinds lists all'),
+                               ("laser", "Stage 4 has none: write ranger( sensor("), ("wrold", 'did you mean "world"?')):
+            done = finish("kinds", name)
+            self.assertEqual((done.returncode, done.stdout, len(done.stderr.splitlines())), (2, "", 1), done.stderr)
+            self.assertIn(expected, done.stderr)
 
 
 class PlayerLink(HouseTest):

@@ -1,0 +1,346 @@
+"""C++ for what world files can hold: playhouse/scene/generated/.
+
+kind_descs.h has the descriptions, one struct per kind with members; read_kinds.h/.cc read them from properties, with
+their errors; kind_tables.cc has what playhouse/scene/kinds.h gives to everybody: types, words, interfaces.
+"""
+
+from __future__ import annotations
+
+import textwrap
+
+from codegen.emit_kinds_text import default_text, doc_text, form_text, limits_text, unit_text
+from codegen.kind_words import RATES, Word
+from codegen.kinds import BASE, Kind, Kinds, Served
+
+FOLDER = "playhouse/scene/generated"
+WIDTH = 110
+BANNER = "// Generated from kinds/ by codegen (python3 -m codegen). Do not edit.\n"
+
+TYPES = {
+    "flag": "bool", "integer": "int", "count": "std::uint32_t", "number": "double", "length": "double",
+    "angle": "double", "text": "std::string", "texts": "std::vector<std::string>", "pose": "geom::Pose",
+    "size": "geom::Size", "point": "geom::Vec2", "twist": "geom::Twist", "color": "Color",
+}
+# Properties::NAME(word, what the member has) for these.
+READERS = {"flag": "flag", "integer": "integer", "number": "number", "length": "length", "angle": "angle", "text": "text",
+           "size": "size"}
+
+
+def emit(kinds: Kinds) -> dict[str, str]:
+    """Path from the root of the tree -> content."""
+    return {
+        f"{FOLDER}/kind_descs.h": _descs(kinds),
+        f"{FOLDER}/read_kinds.h": _readers_header(kinds),
+        f"{FOLDER}/read_kinds.cc": _readers(kinds),
+        f"{FOLDER}/kind_tables.cc": _tables(kinds),
+    }
+
+
+def described(kinds: Kinds) -> list[Kind]:
+    """Those that have a description."""
+    return [k for k in kinds.all if k.members]
+
+
+def enumerator(name: str) -> str:
+    return "k" + "".join(part.title() for part in name.split("_"))
+
+
+def _comment(text: str, indent: str = "") -> list[str]:
+    return textwrap.wrap(text, WIDTH, initial_indent=f"{indent}/// ", subsequent_indent=f"{indent}/// ")
+
+
+def _text(text: str) -> str:
+    return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'
+
+
+# --- descriptions --------------------------------------------------------------------------------------------------
+
+
+def _descs(kinds: Kinds) -> str:
+    lines = [BANNER.rstrip(), "#pragma once", ""]
+    lines += _comment("What world files say of each kind, in SI units and radians; members begin as a file has them that says "
+                      "nothing. Frames: W world, P parent, M model, B its body, S sensor, O odometry.")
+    lines += ["", "#include <cstdint>", "#include <optional>", "#include <string>", "#include <vector>", "",
+              '#include "playhouse/geom/pose.h"', '#include "playhouse/scene/values.h"', "", "namespace playhouse::scene {", ""]
+    lines += _comment("The kinds of model that this build simulates; those of any other type are kPlain.")
+    lines += ["enum class ModelKind : std::uint8_t {"]
+    lines += [f"  {enumerator(k.kind)} = {k.number}," for k in kinds.simulated()]
+    lines += ["};", ""]
+    for kind in described(kinds):
+        for word in kind.members:
+            lines += _enum(word)
+        lines += _struct(kind)
+    lines += _comment("What models say beyond PlainDesc: what is not of a model's kind is empty.")
+    lines += ["struct KindDescs {"]
+    for kind in kinds.simulated():
+        if kind.members and kind.name != BASE:
+            lines.append(f"  std::optional<{kind.desc}> {kind.name};  // {enumerator(kind.kind)}")
+        lines += [f"  std::vector<{part.desc}> {part.table};  // {enumerator(kind.kind)}" for part in kinds.parts_of(kind)
+                  if part.members]
+    lines += ["", "  friend bool operator==(const KindDescs&, const KindDescs&) = default;", "};", "",
+              "}  // namespace playhouse::scene", ""]
+    return "\n".join(lines)
+
+
+def _enum(word: Word) -> list[str]:
+    if not word.enum:
+        return []
+    names = ", ".join(enumerator(v.name) for v in word.values)
+    return [*_comment(word.doc), f"enum class {word.enum} : std::uint8_t {{ {names} }};", ""]
+
+
+def _struct(kind: Kind) -> list[str]:
+    lines = [*_comment(kind.doc), f"struct {kind.desc} {{"]
+    for word in kind.members:
+        lines += _members(word)
+    lines += ["", f"  friend bool operator==(const {kind.desc}&, const {kind.desc}&) = default;", "};", ""]
+    return lines
+
+
+def _members(word: Word) -> list[str]:
+    about = _comment(_about(word), "  ")
+    if word.type == "tuple":
+        values = word.default or [0] * len(word.parts)
+        rows = [f"  double {part.member} = {_number(value, part.scale, part.unit)};" for part, value in zip(word.parts, values)]
+        return [*about, *rows]
+    if word.type == "bounds":
+        pairs = [f"{{{_number(a, s, '')}, {_number(b, s, '')}}}" for a, b, s in
+                 zip(word.default[::2], word.default[1::2], word.scales[::2])]
+        return [*about, f"  Bounds {word.member}[4] = {{{', '.join(pairs)}}};"]
+    type_name = word.enum if word.type == "choice" else TYPES[word.type]
+    if word.optional:
+        return [*about, f"  std::optional<{type_name}> {word.member};"]
+    return [*about, f"  {type_name} {word.member}{_initial(word)};"]
+
+
+def _about(word: Word) -> str:
+    unit = unit_text(word, inside=True)
+    quantity = ", ".join(x for x in (f"frame {word.frame}" if word.frame else "", unit) if x)
+    default = f" Else {word.default_text}." if word.default_text else ""
+    return f"{word.doc}{default}" + (f" [{quantity}]" if quantity else "")
+
+
+def _initial(word: Word) -> str:
+    value = word.default
+    if word.type == "choice":
+        return f" = {word.enum}::{enumerator(next(v.name for v in word.values if v.word == value))}"
+    if word.type == "text":
+        return f" = {_text(value)}" if value else ""
+    if word.type == "flag":
+        return f" = {'true' if value else 'false'}"
+    if value is None:
+        return ""
+    if word.type == "color":
+        return "{" + ", ".join(_float(v) for v in value) + "}"
+    if isinstance(value, list):
+        return "{" + ", ".join(_number(v, s, "") for v, s in zip(value, word.scales)) + "}" if any(value) else ""
+    return f" = {_number(value, word.scales, word.unit)}"
+
+
+def _number(value: float, scale: str, unit: str) -> str:
+    """A number of a file in the unit of its member."""
+    if scale == "A" or unit == "deg":
+        return f"geom::radians({value!r})" if value else "0"
+    return f"{value / 1000!r}" if unit == "ms" else f"{value!r}"
+
+
+def _float(value: float) -> str:
+    return f"{value!r}f" if isinstance(value, float) and value != int(value) else str(int(value))
+
+
+# --- reading -------------------------------------------------------------------------------------------------------
+
+
+def _readers_header(kinds: Kinds) -> str:
+    lines = [BANNER.rstrip(), "#pragma once", ""]
+    lines += _comment("Reads the words of an entity into its description, which has what counts where a word is not there. "
+                      "Faults are kept in the state of the load. `row` is the model's: it decides what color \"random\" is.")
+    lines += ["", "#include <cstddef>", "", '#include "playhouse/scene/generated/kind_descs.h"',
+              '#include "playhouse/scene/properties.h"', "", "namespace playhouse::scene {", ""]
+    lines += [f"{_signature(k)};" for k in described(kinds) if not _through_kind(k)]
+    lines += ["", *_comment("Reads what models of a kind say beyond PlainDesc.")]
+    lines += ["void read_kind(const Properties& properties, ModelKind kind, KindDescs& to);", "",
+              "}  // namespace playhouse::scene", ""]
+    return "\n".join(lines)
+
+
+def _through_kind(kind: Kind) -> bool:
+    """Whether read_kind() is who reads it."""
+    return kind.entity == "model" and kind.name != BASE
+
+
+def _has_color(kind: Kind) -> bool:
+    return any(w.type == "color" for w in kind.members)
+
+
+def _signature(kind: Kind) -> str:
+    row = ", std::size_t row" if _has_color(kind) else ""
+    return f"void read(const Properties& properties{row}, {kind.desc}& to)"
+
+
+def _readers(kinds: Kinds) -> str:
+    inner = [k for k in described(kinds) if _through_kind(k)]
+    lines = [BANNER.rstrip(), f'#include "{FOLDER}/read_kinds.h"', "", '#include "playhouse/base/limits.h"',
+             '#include "playhouse/scene/read_word.h"', "", "namespace playhouse::scene {", "namespace {", ""]
+    for kind in inner:
+        lines += [*_reader(kind), ""]
+    lines += ["}  // namespace", ""]
+    for kind in described(kinds):
+        if not _through_kind(kind):
+            lines += [*_reader(kind), ""]
+    lines += ["void read_kind(const Properties& properties, ModelKind kind, KindDescs& to) {", "  switch (kind) {"]
+    for kind in inner:
+        lines += [f"    case ModelKind::{enumerator(kind.kind)}:", f"      read(properties, to.{kind.name}.emplace());",
+                  "      break;"]
+    for kind in kinds.simulated():
+        if kind not in inner:
+            lines.append(f"    case ModelKind::{enumerator(kind.kind)}:")
+    lines += ["      break;", "  }", "}", "", "}  // namespace playhouse::scene", ""]
+    return "\n".join(lines)
+
+
+def _reader(kind: Kind) -> list[str]:
+    lines = [f"{_signature(kind)} {{"]
+    for word in kind.members:
+        lines += [f"  {line}" for line in [*_read(word), *_check(word)]]
+    return [*lines, "}"]
+
+
+def _read(word: Word) -> list[str]:
+    key, to = _text(word.name), f"to.{word.member}"
+    if word.type == "number" and word.unit == "ms":
+        return [f"{to} = read_milliseconds(properties, {key}, {to});"]
+    if word.type in READERS:
+        return [f"{to} = properties.{READERS[word.type]}({key}, {to});"]
+    if word.type == "texts":
+        return [f"{to} = read_texts(properties, {key});"]
+    if word.type == "color":
+        return [f"{to} = properties.color({to}, row);"]
+    if word.type == "pose":
+        return [f"{to} = properties.pose({key}){'' if word.optional else f'.value_or({to})'};"]
+    if word.type == "point":
+        return [f"{to} = read_point(properties, {key}, {to});"]
+    if word.type == "count":
+        most = f"limits::{word.limit}" if word.limit else f"{word.max or 1000000000}"
+        check = [f"static_assert(limits::{word.limit} == {word.max});"] if word.limit else []
+        return [*check, f"{to} = read_count(properties, {key}, {to}, {word.min}, {most});"]
+    if word.type == "choice":
+        words = ", ".join(_text(v.word) for v in word.values)
+        return [f"static constexpr std::string_view {_choices(word)}[] = {{{words}}};",
+                f"{to} = static_cast<{word.enum}>(read_choice(properties, {key}, {_choices(word)}, static_cast<std::size_t>({to})));"]
+    if word.type == "twist":
+        form = f"[{word.form}] {RATES[word.unit]}".strip()
+        read = f"read_twist(properties, {key}, {_text(word.scales)}, {_text(form)}"
+        return [f"if (properties.has({key})) {to} = {read});"]
+    if word.type == "bounds":
+        return [f"read_bounds(properties, {key}, {_text(word.scales)}, {to});"]
+    return _read_tuple(word)
+
+
+def _choices(word: Word) -> str:
+    return "kWordsOf" + enumerator(word.name)[1:]
+
+
+def _read_tuple(word: Word) -> list[str]:
+    held = [f"geom::degrees(to.{p.member})" if p.unit == "deg" and p.scale == "N" else f"to.{p.member}" for p in word.parts]
+    lines = [f"double {word.name}[{len(word.parts)}] = {{{', '.join(held)}}};",
+             f"properties.tuple({_text(word.name)}, {_text(word.scales)}, {word.name}, {_text(f'[{word.form}]')});"]
+    if word.ascending_from is not None:
+        chain = [f"{word.ascending_from}", *(f"{word.name}[{i}]" for i in range(len(word.parts)))]
+        good = " && ".join(f"{a} <= {b}" for a, b in zip(chain, chain[1:]))
+        lines.append(f"require({good}, properties, {_text(word.name)}, {_text('needs ' + limits_text(word))});")
+    for i, part in enumerate(word.parts):
+        value = f"{word.name}[{i}]"
+        value = f"geom::radians({value})" if part.unit == "deg" and part.scale == "N" else value
+        lines.append(f"to.{part.member} = {value};")
+    return lines
+
+
+def _check(word: Word) -> list[str]:
+    """What read_count() and tuples have not checked yet."""
+    if word.type in ("count", "tuple") or (word.min is None and word.above is None):
+        return []
+    key, to = _text(word.name), f"to.{word.member}"
+    if word.clamp:
+        return [f"{to} = at_least_zero(properties, {key}, {to}, {_text(word.clamp)});"]
+    if word.above is not None:
+        unit = f" {word.unit}" if word.type == "number" and word.unit != "1" else ""
+        return [f"require({to} > 0, properties, {key}, {_text('must be above 0' + unit)});"]
+    return [f"require({to} >= 0, properties, {key}, \"must not be negative\");"]
+
+
+# --- tables --------------------------------------------------------------------------------------------------------
+
+
+def _tables(kinds: Kinds) -> str:
+    lines = [BANNER.rstrip(), '#include "playhouse/scene/kinds.h"', "", "namespace playhouse::scene {", "namespace {", ""]
+    for kind in kinds.all:
+        lines += _words(kind) + _interfaces(kind)
+    lines += [f"constexpr Kind kKinds[{len(kinds.all)}] = {{"]
+    for kind in kinds.all:
+        lines += _row(kind)
+    old = [(name, instead) for kind in kinds.all for name, instead in kind.old_types.items()]
+    lines += ["};", "", f"constexpr OldType kOldTypes[{len(old)}] = {{"]
+    lines += [f"    {{{_text(name)}, {_text(instead)}}}," for name, instead in old]
+    lines += ["};", "", "}  // namespace", "", "std::span<const Kind> kinds() { return kKinds; }", "",
+              "std::span<const OldType> old_types() { return kOldTypes; }", "", "}  // namespace playhouse::scene", ""]
+    return "\n".join(lines)
+
+
+
+def _table(kind: Kind, what: str) -> str:
+    return f"k{what}Of{enumerator(kind.name)[1:]}"
+
+
+def _words(kind: Kind) -> list[str]:
+    count = len(kind.words) + len(kind.silent) + len(kind.old)
+    if count == 0:
+        return []
+    lines = [f"constexpr Word {_table(kind, 'Words')}[{count}] = {{"]
+    for word in kind.words:
+        use = "kSilent" if not kind.simulated else enumerator(word.use)
+        fields = [("type", word.type), ("form", form_text(word)), ("unit", unit_text(word)), ("otherwise", default_text(word)),
+                  ("told", word.default_text), ("limits", limits_text(word)), ("doc", doc_text(word))]
+        told = "".join(f", .{name} = {_text(text)}" for name, text in fields if text)
+        lines.append(f"    {{.name = {_text(word.name)}, .use = Use::{use}{told}}},")
+    lines += [f"    {{.name = {_text(name)}, .use = Use::kSilent}}," for name in kind.silent]
+    for name, instead in kind.old.items():
+        told = f", .instead = {_text(instead)}" if instead else ""
+        lines.append(f"    {{.name = {_text(name)}, .use = Use::kOld{told}}},")
+    return [*lines, "};", ""]
+
+
+def _need(need: str) -> str:
+    return "Need::k" + "".join(part.title() for part in (need or "nothing").split())
+
+
+def _interface(served: Served) -> str:
+    listed = served.listed_when or served.when
+    return (f'    {{"{served.name}", {served.code}, Index::{enumerator(served.index)}, {_need(served.when)}, '
+            f"{_need(listed)}}},")
+
+
+def _interfaces(kind: Kind) -> list[str]:
+    if not kind.interfaces:
+        return []
+    return [f"constexpr KindInterface {_table(kind, 'Interfaces')}[{len(kind.interfaces)}] = {{",
+            *map(_interface, kind.interfaces), "};", ""]
+
+
+def _row(kind: Kind) -> list[str]:
+    fields = [f".name = {_text(kind.name)}", f".doc = {_text(kind.doc)}", f".entity = EntityForm::{enumerator(kind.entity)}"]
+    if kind.inside:
+        fields.append(f".inside = {_text(kind.inside)}")
+    if kind.table:
+        fields.append(f".table = {_text(kind.table)}")
+    if kind.number is not None:
+        fields.append(f".kind = ModelKind::{enumerator(kind.kind)}")
+    fields.append(f".simulated = {'true' if kind.simulated else 'false'}")
+    if kind.body:
+        size, color = ", ".join(f"{v!r}" for v in kind.body.size), ", ".join(_float(v) for v in kind.body.color)
+        fields += [f".solid = {'true' if kind.body.solid else 'false'}", f".size = {{{size}}}", f".color = {{{color}}}"]
+    if kind.words or kind.silent or kind.old:
+        fields.append(f".words = {_table(kind, 'Words')}")
+    if kind.interfaces:
+        fields.append(f".interfaces = {_table(kind, 'Interfaces')}")
+    return [f"    {{{', '.join(fields)}}},"]

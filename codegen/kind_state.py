@@ -1,0 +1,168 @@
+"""What the world keeps of a kind and what a viewer gets of it: `[[record]]`, `[[column]]` and `[[viewer]]`."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+
+from codegen.checks import SchemaError, documented, keys, one_of, typed, unique
+from codegen.kind_words import Word
+from codegen.model import FRAME, FRAME_LETTERS
+
+# Type of a column -> (how many numbers a unit may be told for, the names of its parts).
+TYPES = {
+    "flag": (0, ()), "int32": (1, ()), "uint32": (1, ()), "uint64": (1, ()), "float32": (1, ()), "float64": (1, ()),
+    "text": (0, ()), "row": (0, ()), "color": (0, ()), "size": (3, ("x", "y", "z")),
+    "pose": (4, ("x", "y", "z", "a")), "twist": (4, ("x", "y", "z", "a")),
+    "ModelKind": (0, ()), "ControlMode": (0, ()),
+}
+# A number of these has a unit, "1" where it is none.
+MEASURED = {"float32", "float64", "size", "pose", "twist"}
+
+# What a column is to a run (playhouse/world/columns.h).
+ROLES = ("fixed", "motion", "mark", "sensed", "use")
+# Phases of the tick, and the ways to change the world between ticks.
+WRITERS = ("act", "move", "sense", "controllers", "commands", "set_pose", "set_odometry", "set_fiducial_return",
+           "set_color", "subscribe", "unsubscribe", "subscribe_controller")
+# When a viewer gets a field: once with the scene; whenever it differs; that while its robot is selected; that while its
+# robot is selected, or in view of a page that shows sensors.
+TIMES = ("start", "changed", "selected", "shown")
+# How a field travels: as JSON; as a zigzag varint of the difference; as 16 bits of a turn; as one of the bits of the
+# model's state; and as what the names say.
+CODES = ("json", "difference", "turn", "bit", "rgba", "fraction", "varint", "zigzag")
+# What 1 stands for in the whole numbers that travel.
+QUANTA = ("mm", "mm/s", "mrad/s", "1/65536 turn", "1/65535 of range_max")
+QUANTIZED = {"difference", "turn", "fraction"}
+
+RECORD = re.compile(r"[A-Z][A-Za-z0-9]*$")
+NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*$")
+KEY_TYPES = {key: str for key in ("name", "doc", "type", "unit", "quantum", "frame", "role", "writer", "per", "field", "from", "code",
+                                  "when")} | {"list": bool, "fields": list}
+
+
+@dataclass
+class Quantity:
+    """A column, or a field of a record."""
+
+    name: str
+    type: str
+    unit: str
+    frame: str
+    doc: str
+    role: str = ""      # of columns
+    writer: str = ""
+    per: str = ""       # "beam": a row of the column is a beam, not a row of the table
+    list: bool = False  # a row holds any number of values
+
+
+@dataclass
+class Record:
+    name: str
+    doc: str
+    fields: list[Quantity]
+
+
+@dataclass
+class Shown:
+    """A field that a viewer gets."""
+
+    field: str
+    source: str     # a column or word, or a part of it: "X_PM.x"
+    unit: str       # of numbers in JSON
+    quantum: str    # of whole numbers
+    code: str
+    when: str
+
+
+@dataclass
+class State:
+    records: list[Record] = field(default_factory=list)
+    columns: list[Quantity] = field(default_factory=list)
+    viewer: list[Shown] = field(default_factory=list)
+
+
+def state(where: str, table: dict, words: list[Word]) -> State:
+    """`words` are those that a viewer may be told at the start."""
+    out = State()
+    for row in table.get("record", []):
+        out.records.append(_record(f"{where}: record {row.get('name', '?')}", row))
+    for row in table.get("column", []):
+        out.columns.append(_column(f"{where}: column {row.get('name', '?')}", row, out.records))
+    for row in table.get("viewer", []):
+        out.viewer.append(_shown(f"{where}: viewer {row.get('field', '?')}", row, out, words))
+    unique(where, "record", [r.name for r in out.records])
+    unique(where, "column", [c.name for c in out.columns])
+    unique(where, "viewer field", [f"{s.field} ({'start' if s.when == 'start' else 'running'})" for s in out.viewer])
+    return out
+
+
+def _record(where: str, row: dict) -> Record:
+    keys(where, row, {"name", "doc", "fields"}, set())
+    typed(where, row, KEY_TYPES)
+    if not RECORD.match(row["name"]):
+        raise SchemaError(f"{where}: not a name in PascalCase")
+    documented(where, row["doc"])
+    fields = []
+    for entry in row["fields"]:
+        inner = f"{where}: field {entry.get('name', '?')}"
+        keys(inner, entry, {"name", "type", "doc"}, {"unit", "frame"})
+        typed(inner, entry, KEY_TYPES)
+        fields.append(_quantity(inner, entry, []))
+    unique(where, "field", [f.name for f in fields])
+    return Record(row["name"], row["doc"], fields)
+
+
+def _column(where: str, row: dict, records: list[Record]) -> Quantity:
+    keys(where, row, {"name", "type", "role", "doc"}, {"unit", "frame", "writer", "per", "list"})
+    typed(where, row, KEY_TYPES)
+    out = _quantity(where, row, [r.name for r in records])
+    one_of(where, "role", row["role"], ROLES)
+    out.role, out.writer, out.per, out.list = row["role"], row.get("writer", ""), row.get("per", ""), row.get("list", False)
+    for writer in out.writer.split(", ") if out.writer else []:
+        one_of(where, "writer", writer, WRITERS)
+    if out.role != "fixed" and not out.writer:
+        raise SchemaError(f"{where}: writer is missing: only what is fixed has none")
+    if out.per:
+        one_of(where, "per", out.per, ["beam"])
+    return out
+
+
+def _quantity(where: str, row: dict, records: list[str]) -> Quantity:
+    if not NAME.match(row["name"]):
+        raise SchemaError(f"{where}: not a name")
+    one_of(where, "type", row["type"], [*TYPES, *records])
+    documented(where, row["doc"])
+    unit, frame = row.get("unit", ""), row.get("frame", "")
+    if row["type"] in MEASURED and not unit:
+        raise SchemaError(f'{where}: a {row["type"]} needs a unit ("1" for a plain number)')
+    for units in unit.split(" or ") if unit else []:
+        parts, numbers = units.count(",") + 1, TYPES.get(row["type"], (0, ()))[0]
+        if parts not in (1, numbers) or numbers == 0:
+            raise SchemaError(f"{where}: {parts} unit{'' if parts == 1 else 's'} for a value of {numbers}")
+    if row["type"] == "pose" and not frame:
+        raise SchemaError(f"{where}: a pose needs a frame")
+    if frame and not (FRAME.match(frame) and set(frame[2:]) - {"_"} <= FRAME_LETTERS):
+        raise SchemaError(f"{where}: frame {frame!r} is not a monogram such as X_OR")
+    return Quantity(row["name"], row["type"], unit, frame, row["doc"])
+
+
+def _shown(where: str, row: dict, known: State, words: list[Word]) -> Shown:
+    keys(where, row, {"field", "from", "code", "when"}, {"unit", "quantum"})
+    typed(where, row, KEY_TYPES)
+    one_of(where, "code", row["code"], CODES)
+    one_of(where, "when", row["when"], TIMES)
+    if (row["code"] == "json") != (row["when"] == "start"):
+        raise SchemaError(f"{where}: what is told at the start, and only that, travels as json")
+    if "unit" in row and row["code"] != "json":
+        raise SchemaError(f"{where}: unit is for json; what travels as a whole number has a quantum")
+    if "quantum" in row or row["code"] in QUANTIZED:
+        one_of(where, "quantum", row.get("quantum"), QUANTA)
+    name, _, part = row["from"].partition(".")
+    columns = {c.name: c for c in known.columns}
+    from_start = {w.name for w in words} if row["when"] == "start" else set()
+    one_of(where, "from", name, [*columns, *sorted(from_start)])
+    if part:
+        record = next((r for r in known.records if name in columns and r.name == columns[name].type), None)
+        parts = [f.name for f in record.fields] if record else TYPES[columns[name].type][1] if name in columns else ()
+        one_of(where, f"part of {name}", part, parts)
+    return Shown(row["field"], row["from"], row.get("unit", ""), row.get("quantum", ""), row["code"], row["when"])

@@ -1,0 +1,229 @@
+"""Loads kinds/*.toml into plain values and refuses what a world file cannot mean.
+
+A kind is what a scene can hold: a model type, a part of one, the window, or the world file itself. Emitters read the
+values below and nothing else. A `SchemaError` names the file, the line and entry, the key, and what is wrong.
+"""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from codegen.checks import SchemaError, documented, keys, one_of, typed, unique
+from codegen.kind_state import State, state
+from codegen.kind_words import WORD, Word, check_together, word
+from codegen.model import Schema
+
+ENTITIES = ("model", "part", "window", "world")
+BASE = "model"  # the type whose words every model has
+
+# How the indices of an interface count in the automatic map: there is one; it is that of the robot, whose further
+# devices, and those of models that no robot carries, come behind all robots; all are counted, over all robots.
+INDICES = ("one", "robot", "count")
+# What a model must have for an interface.
+NEEDS = ("scanner", "several sensors")
+
+KEY_TYPES = {key: str for key in ("name", "entity", "doc", "kind", "inside", "table", "index", "when", "listed_when")}
+KEY_TYPES |= {"number": int, "body": dict, "old": dict, "old_types": dict, "size": list, "color": list, "solid": bool}
+KEY_TYPES |= {key: list for key in ("silent", "word", "interface", "record", "column", "viewer")}
+
+
+@dataclass
+class Body:
+    size: list[float]       # m
+    color: list[float]      # red, green, blue, alpha from 0 to 1
+    solid: bool             # a box, unless blocks or a bitmap say otherwise
+
+
+@dataclass
+class Served:
+    """An interface of Player through which models of the kind are seen."""
+
+    name: str
+    code: int
+    index: str
+    when: str               # what the model must have; "" nothing
+    listed_when: str        # the same, for the automatic map alone
+
+
+@dataclass
+class Kind:
+    name: str
+    entity: str
+    doc: str
+    source: str             # "kinds/position.toml"
+    kind: str               # the enumerator's name, in lower case; "plain" for models
+    number: int | None      # of ModelKind; None for what is not simulated, and for what is no model
+    inside: str             # of parts: the type they belong into
+    table: str              # of the world's state, "" for none
+    body: Body | None
+    words: list[Word] = field(default_factory=list)
+    silent: list[str] = field(default_factory=list)
+    old: dict[str, str] = field(default_factory=dict)
+    old_types: dict[str, str] = field(default_factory=dict)
+    interfaces: list[Served] = field(default_factory=list)
+    state: State = field(default_factory=State)
+
+    @property
+    def simulated(self) -> bool:
+        return self.entity != "model" or self.number is not None
+
+    @property
+    def members(self) -> list[Word]:
+        """Words that the description has a member for."""
+        return [w for w in self.words if w.has_member] if self.simulated else []
+
+    @property
+    def desc(self) -> str:
+        """The name of the description."""
+        owner = self.inside if self.entity == "part" and self.inside != BASE else ""
+        return f"{owner.title()}{(self.kind or self.name).title()}Desc"
+
+
+@dataclass
+class Kinds:
+    all: list[Kind]     # models that are simulated by number, other models, then the rest, each by name
+
+    def models(self) -> list[Kind]:
+        return [k for k in self.all if k.entity == "model"]
+
+    def simulated(self) -> list[Kind]:
+        return [k for k in self.models() if k.number is not None]
+
+    def find(self, name: str) -> Kind:
+        return next(k for k in self.all if k.name == name)
+
+    def parts_of(self, kind: Kind) -> list[Kind]:
+        return [k for k in self.all if k.entity == "part" and k.inside == kind.name]
+
+
+def load_kinds(folder: Path, schema: Schema) -> Kinds:
+    """Every file of the folder, checked. Raises SchemaError."""
+    parsed = []
+    for path in sorted(folder.glob("*.toml")):
+        source = f"kinds/{path.name}"
+        try:
+            text = path.read_text(encoding="utf-8")
+            parsed.append((source, _with_lines(tomllib.loads(text), text)))
+        except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+            raise SchemaError(f"{source}: {error}") from error
+    return build_kinds(parsed, schema)
+
+
+def _with_lines(table: dict, text: str) -> dict:
+    """The words with the lines of their headers; the parser does not tell them."""
+    lines = [n for n, line in enumerate(text.splitlines(), 1) if re.match(r"\[\[word\]\]", line)]
+    for row, line in zip(table.get("word", []), lines):
+        row["line"] = line
+    return table
+
+
+def build_kinds(parsed: list[tuple[str, dict]], schema: Schema) -> Kinds:
+    """The same from parsed files: (source, table) pairs."""
+    for source, table in parsed:
+        _check_head(source, table)
+    base = next((table for _, table in parsed if table["name"] == BASE), None)
+    if base is None or base["entity"] != "model" or base.get("number") != 0:
+        raise SchemaError(f'kinds/: a model named "{BASE}" with number 0 is wanted, whose words all models have')
+    kinds = [_kind(source, table, schema) for source, table in parsed]
+    kinds.sort(key=lambda k: (ENTITIES.index(k.entity), k.number is None, k.number, k.name))
+    out = Kinds(kinds)
+    unique("kinds/", "name", [k.name for k in kinds])
+    unique("kinds/", "number", [k.number for k in out.simulated()])
+    if [k.number for k in out.simulated()] != list(range(len(out.simulated()))):
+        raise SchemaError("kinds/: the numbers of models count from 0 without a gap")
+    for entity in ("window", "world"):
+        if sum(k.entity == entity for k in kinds) != 1:
+            raise SchemaError(f"kinds/: exactly one {entity} is wanted")
+    unique("kinds/", "old type", [t for k in kinds for t in k.old_types])
+    unique("kinds/", "table", [k.table for k in kinds if k.table])
+    unique("kinds/", "enum", [w.enum for k in kinds for w in k.words if w.enum])
+    for kind in kinds:
+        _check_neighbours(out, kind)
+    for source, table in parsed:
+        kind = out.find(table["name"])
+        kind.state = state(source, table, kind.words + (out.find(BASE).words if kind.entity == "model" else []))
+        if kind.state.columns and not kind.table:
+            raise SchemaError(f"{source}: columns need a table")
+    return out
+
+
+def _check_head(source: str, table: dict) -> None:
+    keys(source, table, {"name", "entity", "doc"}, {
+        "kind", "number", "inside", "table", "body", "silent", "old", "old_types", "word", "interface", "record", "column",
+        "viewer"})
+    typed(source, table, KEY_TYPES)
+    if not WORD.match(table["name"]):
+        raise SchemaError(f"{source}: name {table['name']!r} is not a word in lower case")
+    one_of(source, "entity", table["entity"], ENTITIES)
+    documented(source, table["doc"])
+    if source.rpartition("/")[2] != f"{table['name']}.toml":
+        raise SchemaError(f"{source}: the file of {table['name']!r} is kinds/{table['name']}.toml")
+
+
+def _kind(source: str, table: dict, schema: Schema) -> Kind:
+    entity, number = table["entity"], table.get("number")
+    if number is not None and entity != "model":
+        raise SchemaError(f"{source}: number is for a model, not for a {entity}")
+    for key, wanted in (("inside", "part"), ("body", "model")):
+        if (key in table) != (entity == wanted):
+            raise SchemaError(f"{source}: a {wanted}, and only a {wanted}, has {key}")
+    out = Kind(table["name"], entity, table["doc"], source, table.get("kind", table["name"] if number is not None else ""),
+               number, table.get("inside", ""), table.get("table", ""), _body(f"{source}: body", table.get("body")))
+    if "kind" in table and number is None:
+        raise SchemaError(f"{source}: kind names a number of ModelKind, and there is none")
+    if out.number is not None and not out.table:
+        raise SchemaError(f"{source}: table is missing: a model that is simulated has one")
+    for row in table.get("word", []):
+        line = row.pop("line", 0)
+        where = f"{source}{f':{line}' if line else ''}: word {row.get('name', '?')}"
+        out.words.append(word(where, row, out.simulated))
+    out.silent, out.old, out.old_types = table.get("silent", []), table.get("old", {}), table.get("old_types", {})
+    unique(source, "word", [w.name for w in out.words] + out.silent + list(out.old))
+    check_together(lambda w: f"{source}: word {w.name}", out.words)
+    out.interfaces = [_served(f"{source}: interface {row.get('name', '?')}", row, schema)
+                      for row in table.get("interface", [])]
+    unique(source, "interface", [s.name for s in out.interfaces])
+    return out
+
+
+def _body(where: str, row: dict | None) -> Body | None:
+    if row is None:
+        return None
+    keys(where, row, {"size", "color", "solid"}, set())
+    typed(where, row, KEY_TYPES)
+    for key, length in (("size", 3), ("color", 4)):
+        if len(row[key]) != length or any(type(v) not in (int, float) or v < 0 for v in row[key]):
+            raise SchemaError(f"{where}: {key} is {length} numbers that are not negative")
+    return Body(row["size"], row["color"], row["solid"])
+
+
+def _served(where: str, row: dict, schema: Schema) -> Served:
+    keys(where, row, {"name", "index"}, {"when", "listed_when"})
+    typed(where, row, KEY_TYPES)
+    one_of(where, "name", row["name"], [i.name for i in schema.interfaces])
+    one_of(where, "index", row["index"], INDICES)
+    for key in ("when", "listed_when"):
+        if key in row:
+            one_of(where, key, row[key], NEEDS)
+    code = schema.interface(row["name"]).code
+    assert code is not None
+    return Served(row["name"], code, row["index"], row.get("when", ""), row.get("listed_when", ""))
+
+
+def _check_neighbours(kinds: Kinds, kind: Kind) -> None:
+    """What one kind says of another."""
+    models = {k.name: k for k in kinds.models()}
+    if kind.entity == "part":
+        one_of(kind.source, "inside", kind.inside, models)
+    if kind.entity == "model" and kind.name != BASE:
+        base = kinds.find(BASE)
+        taken = {w.name for w in base.words} | set(base.silent) | set(base.old)
+        for name in [w.name for w in kind.words] + kind.silent:
+            if name in taken:
+                raise SchemaError(f"{kind.source}: word {name}: every model has that word (kinds/{BASE}.toml)")
+    for name in kind.old_types:
+        if name in models:
+            raise SchemaError(f"{kind.source}: old_types: {name} is a type, see {models[name].source}")

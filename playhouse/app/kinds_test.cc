@@ -1,0 +1,113 @@
+/// The interfaces that `playhouse kinds` tells of, against the devices that a world gets.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "playhouse/drivers/simulated/auto_map.h"
+#include "playhouse/drivers/simulated/device_factory.h"
+#include "playhouse/scene/kinds.h"
+#include "playhouse/scene/world_loader.h"
+
+namespace playhouse::app {
+namespace {
+
+using drivers::MappedDevice;
+using scene::Index;
+using scene::KindInterface;
+using scene::Need;
+
+constexpr std::size_t kRobots = 2;
+constexpr const char* kWorld = R"(
+define scanner ranger( sensor( samples 9 ) )
+define ring ranger( sensor( ) sensor( ) )
+define robot position( scanner( ) ring( ) ranger( sensor( ) ) ranger( ) fiducial( ) position( ) )
+model( scanner( ) fiducial( ) )
+robot( ) robot( scanner( ) )
+gripper( ) actuator( ) ring( )
+)";
+
+scene::SceneDesc scene_of_every_kind() {
+  scene::MemoryFiles none({});
+  Result<scene::SceneDesc> scene = scene::load_world_text(kWorld, "test.world", none);
+  EXPECT_TRUE(scene) << (scene ? "" : scene.error().line());
+  return scene ? std::move(*scene) : scene::SceneDesc{};
+}
+
+bool has(const scene::ModelDesc& model, Need need) {
+  if (need == Need::kSeveralSensors) return model.sensors.size() > 1;
+  const auto scans = [](const scene::RangerSensorDesc& sensor) { return sensor.samples > 1; };
+  return need == Need::kNothing || std::ranges::any_of(model.sensors, scans);
+}
+
+/// What is told of the kind of a model, if it is simulated.
+std::span<const KindInterface> told_of(const scene::ModelDesc& model) {
+  const scene::Kind& kind = *scene::find_model_type(model.type);
+  return kind.simulated ? kind.interfaces : std::span<const KindInterface>{};
+}
+
+/// The interface of a mapped device, as its kind tells it.
+const KindInterface& told(const scene::SceneDesc& scene, const MappedDevice& device) {
+  const auto all = device.model ? told_of(scene.models[device.model.index]) : scene::world_kind().interfaces;
+  const auto found = std::ranges::find(all, device.interf, &KindInterface::code);
+  EXPECT_NE(found, all.end()) << device.interf << " of a model that tells of none";
+  return found == all.end() ? all.front() : *found;
+}
+
+TEST(KindInterfaces, are_those_that_models_get_by_themselves) {
+  const scene::SceneDesc scene = scene_of_every_kind();
+  const world::World world(scene, 1);
+  std::set<std::pair<std::uint16_t, std::uint32_t>> expected, found;
+  for (std::uint32_t row = 0; row < scene.models.size(); ++row) {
+    for (const KindInterface& interf : told_of(scene.models[row])) {
+      if (has(scene.models[row], interf.listed)) expected.emplace(interf.code, row);
+    }
+  }
+  for (const MappedDevice& device : drivers::auto_map(world).devices) {
+    if (device.model) found.emplace(device.interf, device.model.index);
+  }
+  EXPECT_EQ(found, expected);
+  EXPECT_GE(found.size(), 20u);
+}
+
+TEST(KindInterfaces, are_those_that_a_configuration_may_ask_for) {
+  const scene::SceneDesc scene = scene_of_every_kind();
+  const world::World world(scene, 1);
+  for (std::uint32_t row = 0; row < scene.models.size(); ++row) {
+    for (std::uint16_t code = 1; code < 70; ++code) {
+      const auto all = told_of(scene.models[row]);
+      const auto told = std::ranges::find(all, code, &KindInterface::code);
+      const bool expected = told != all.end() && has(scene.models[row], told->when);
+      EXPECT_EQ(drivers::fits(world, {row}, code), expected) << scene.models[row].name << " " << code;
+    }
+  }
+}
+
+TEST(KindInterfaces, have_the_indices_that_are_told) {
+  const scene::SceneDesc scene = scene_of_every_kind();
+  const world::World world(scene, 1);
+  std::map<std::uint16_t, std::size_t> counted;
+  std::map<std::uint32_t, std::size_t> robots;  // their numbers, by row
+  for (std::uint32_t row = 0; row < scene.models.size(); ++row) {
+    if (scene.models[row].parent < 0 && scene.models[row].type == "position")
+      robots.emplace(row, robots.size());
+  }
+  ASSERT_EQ(robots.size(), kRobots);
+  for (const MappedDevice& device : drivers::auto_map(world).devices) {
+    const Index rule = told(scene, device).index;
+    if (rule == Index::kOne) EXPECT_EQ(device.index, 0);
+    if (rule == Index::kCount) EXPECT_EQ(device.index, counted[device.interf]++);
+    if (rule == Index::kRobot && device.index < kRobots)
+      EXPECT_EQ(robots.at(world.models.root[device.model.index]), device.index);
+  }
+}
+
+}  // namespace
+}  // namespace playhouse::app

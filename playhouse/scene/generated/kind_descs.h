@@ -1,0 +1,178 @@
+// Generated from kinds/ by codegen (python3 -m codegen). Do not edit.
+#pragma once
+
+/// What world files say of each kind, in SI units and radians; members begin as a file has them that says
+/// nothing. Frames: W world, P parent, M model, B its body, S sensor, O odometry.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "playhouse/geom/pose.h"
+#include "playhouse/scene/values.h"
+
+namespace playhouse::scene {
+
+/// The kinds of model that this build simulates; those of any other type are kPlain.
+enum class ModelKind : std::uint8_t {
+  kPlain = 0,
+  kPosition = 1,
+  kRanger = 2,
+  kFiducial = 3,
+};
+
+/// A plain body; its words are those of every model, whatever its kind.
+struct PlainDesc {
+  /// Where the model is in its parent. [frame X_PM, m, m, m, rad]
+  geom::Pose X_PM;
+  /// Where body and sensors are, from the pose. [frame X_MB, m, m, m, rad]
+  geom::Pose X_MB;
+  /// The box that the body fills; 0 in x or y is a wall 0.01 m thick. Else the kind's own. [m]
+  geom::Size size;
+  /// The name of an X11 color, or random, which is the same in each run. Else the kind's own.
+  Color color;
+  /// It collides.
+  bool obstacle_return = true;
+  /// The intensity that rangers report; below 0 they do not see it.
+  double ranger_return = 1;
+  /// The number that fiducial finders see; 0: none sees it.
+  int fiducial_return = 0;
+  /// Finders see marks of their own key only.
+  int fiducial_key = 0;
+  /// Grippers can take it; read and kept, nothing uses it yet.
+  bool gripper_return = false;
+  /// Read and kept; nothing uses it yet. [kg]
+  double mass = 0;
+  /// Time between two measurements of a sensor, at least a tick. [s]
+  double update_interval = 0.1;
+  /// It moves or measures although nobody has opened it.
+  bool alwayson = false;
+  /// A person may drag it in the page. Else 1, inside another model 0.
+  bool gui_move = false;
+  /// What it says; controllers read it, nothing shows it yet.
+  std::string say;
+  /// How many places of the past the page draws.
+  int trail_length = 20;
+  /// The controllers that drive it, each a name and its arguments.
+  std::vector<std::string> ctrl;
+
+  friend bool operator==(const PlainDesc&, const PlainDesc&) = default;
+};
+
+/// How it can move.
+enum class Drive : std::uint8_t { kDiff, kOmni, kCar };
+
+/// What it believes about its pose.
+enum class Localization : std::uint8_t { kGps, kOdometry };
+
+/// A robot that drives in the plane.
+struct PositionDesc {
+  /// How it can move.
+  Drive drive = Drive::kDiff;
+  /// What it believes about its pose.
+  Localization localization = Localization::kGps;
+  /// Where in the world its coordinates begin. Else odom: the start pose, gps: 0 0 0 0. [frame X_WO, m, m, m,
+  /// rad]
+  std::optional<geom::Pose> localization_origin;
+  /// Its first command. [m/s, m/s, m/s, rad/s]
+  geom::Twist velocity;
+  /// The least and the largest velocity along each axis. [m/s, m/s, m/s, rad/s]
+  Bounds velocity_bounds[4] = {{-1, 1}, {-1, 1}, {-1, 1}, {geom::radians(-90), geom::radians(90)}};
+  /// The same of accelerations, which count when a controller commands them. [m/s^2, m/s^2, m/s^2, rad/s^2]
+  Bounds acceleration_bounds[4] = {{-1, 1}, {-1, 1}, {-1, 1}, {geom::radians(-90), geom::radians(90)}};
+  /// Of a car, from the front axle to the rear one. [m]
+  double wheelbase = 1;
+  /// Errors of odometry along each axis, as fractions of the motion. Else drawn per robot: up to 0.015 in x
+  /// and y, 0.025 in heading.
+  std::optional<geom::Twist> odom_error;
+
+  friend bool operator==(const PositionDesc&, const PositionDesc&) = default;
+};
+
+/// A finder of marks: sees models with a fiducial_return and tells which they are and where.
+struct FiducialDesc {
+  /// Nearer marks are not seen. [m]
+  double range_min = 0;
+  /// Farther marks are not seen. [m]
+  double range_max = 8;
+  /// Of farther marks the number cannot be told, and is 0. [m]
+  double range_max_id = 5;
+  /// The field of view, half to each side. [rad]
+  double fov = geom::radians(180);
+  /// Marks are seen at any height.
+  bool ignore_zloc = false;
+
+  friend bool operator==(const FiducialDesc&, const FiducialDesc&) = default;
+};
+
+/// One transducer or scanner of a ranger.
+struct RangerSensorDesc {
+  /// Where the sensor is in the ranger. [frame X_BS, m, m, m, rad]
+  geom::Pose X_BS;
+  /// For drawing; beams start at half its height above the pose. [m]
+  geom::Size size{0.02, 0.02, 0.02};
+  /// The nearest and the farthest thing that it reports. [m]
+  double range_min = 0;
+  double range_max = 5;
+  /// Beams spread over this angle, half to each side, the first rightmost; a single one looks ahead. [rad]
+  double fov = geom::radians(5.729577951308232);
+  /// How many beams it has.
+  std::uint32_t samples = 1;
+  /// Errors: a standard deviation, a fraction of the range, and the angle by which a beam may be turned. [m,
+  /// 1, rad]
+  double noise_constant = 0;
+  double noise_proportional = 0;
+  double noise_angular = 0;
+  /// The name of an X11 color, or random, which is the same in each run. Else blue, which one can see
+  /// through.
+  Color color{0, 0, 1, 0.15f};
+
+  friend bool operator==(const RangerSensorDesc&, const RangerSensorDesc&) = default;
+};
+
+/// How to look at the scene; the first window of a file counts.
+struct WindowDesc {
+  /// The place in the middle of the window, in metres whatever the file's unit. [m]
+  geom::Vec2 center;
+  /// Pixels per metre; 0: the whole scene is shown. [px/m]
+  double scale = 0;
+  /// The direction of view, in degrees whatever the file's unit. [rad]
+  double pitch = 0;
+  double yaw = 0;
+  /// Sensors are shown from the start.
+  bool show_data = false;
+  /// The name of a model that stays in the middle; none: the view stands still.
+  std::string follow_model;
+
+  friend bool operator==(const WindowDesc&, const WindowDesc&) = default;
+};
+
+/// The world file itself: words that stand outside of all entities, anywhere in the file.
+struct WorldDesc {
+  /// The name of the world. Else the file's path.
+  std::string name;
+  /// Simulated time of one tick, in whole microseconds. [s]
+  double interval = 0.1;
+  /// Told to clients as the resolution of ranges; geometry here is exact. [m]
+  double resolution = 0.02;
+  /// Simulated time after which the run ends; 0: never. [s]
+  double quit_time = 0;
+  /// Times real time; 0 or less: as fast as possible.
+  double speedup = 1;
+  /// The run starts paused.
+  bool paused = false;
+
+  friend bool operator==(const WorldDesc&, const WorldDesc&) = default;
+};
+
+/// What models say beyond PlainDesc: what is not of a model's kind is empty.
+struct KindDescs {
+  std::optional<PositionDesc> position;  // kPosition
+  std::vector<RangerSensorDesc> sensors;  // kRanger
+  std::optional<FiducialDesc> fiducial;  // kFiducial
+
+  friend bool operator==(const KindDescs&, const KindDescs&) = default;
+};
+
+}  // namespace playhouse::scene

@@ -1,0 +1,333 @@
+// Generated from kinds/ by codegen (python3 -m codegen). Do not edit.
+#include "playhouse/scene/kinds.h"
+
+namespace playhouse::scene {
+namespace {
+
+constexpr Word kWordsOfModel[50] = {
+    {.name = "name", .use = Use::kRead, .type = "text", .told = "the type and its number, as position:0", .doc = "What the model is called; inside a parent it is parent.name, with a leading / it stands as it is."},
+    {.name = "pose", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .otherwise = "[0 0 0 0]", .doc = "Where the model is in its parent."},
+    {.name = "origin", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .otherwise = "[0 0 0 0]", .doc = "Where body and sensors are, from the pose."},
+    {.name = "size", .use = Use::kRead, .type = "size", .form = "[x y z]", .unit = "m", .told = "the kind's own", .doc = "The box that the body fills; 0 in x or y is a wall 0.01 m thick."},
+    {.name = "color", .use = Use::kRead, .type = "color", .told = "the kind's own", .doc = "The name of an X11 color, or random, which is the same in each run."},
+    {.name = "color_rgba", .use = Use::kRead, .type = "rgba", .form = "[red green blue alpha]", .told = "the kind's own", .doc = "The color as shares from 0 to 1; counts where there is no color."},
+    {.name = "bitmap", .use = Use::kRead, .type = "text", .doc = "An image, PNG, PGM, PPM, PBM or BMP, whose dark pixels (first channel up to 127) are solid and fill the size."},
+    {.name = "noblocks", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "There is no box where there are neither blocks nor a bitmap."},
+    {.name = "boundary", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "Four walls stand inside the edges of the size, beside a bitmap or blocks."},
+    {.name = "stack_children", .use = Use::kRead, .type = "flag", .otherwise = "1", .doc = "Models inside this one stand on top of it."},
+    {.name = "obstacle_return", .use = Use::kRead, .type = "flag", .otherwise = "1", .doc = "It collides."},
+    {.name = "ranger_return", .use = Use::kRead, .type = "number", .otherwise = "1", .doc = "The intensity that rangers report; below 0 they do not see it."},
+    {.name = "fiducial_return", .use = Use::kRead, .type = "integer", .otherwise = "0", .doc = "The number that fiducial finders see; 0: none sees it."},
+    {.name = "fiducial_key", .use = Use::kRead, .type = "integer", .otherwise = "0", .doc = "Finders see marks of their own key only."},
+    {.name = "gripper_return", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "Grippers can take it; read and kept, nothing uses it yet."},
+    {.name = "mass", .use = Use::kRead, .type = "number", .unit = "kg", .otherwise = "0", .doc = "Read and kept; nothing uses it yet."},
+    {.name = "update_interval", .use = Use::kRead, .type = "number", .unit = "ms", .otherwise = "100", .limits = "not negative", .doc = "Time between two measurements of a sensor, at least a tick."},
+    {.name = "alwayson", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "It moves or measures although nobody has opened it."},
+    {.name = "gui_move", .use = Use::kRead, .type = "flag", .told = "1, inside another model 0", .doc = "A person may drag it in the page."},
+    {.name = "say", .use = Use::kRead, .type = "text", .otherwise = "\"\"", .doc = "What it says; controllers read it, nothing shows it yet."},
+    {.name = "trail_length", .use = Use::kRead, .type = "integer", .otherwise = "20", .limits = "not negative", .doc = "How many places of the past the page draws."},
+    {.name = "ctrl", .use = Use::kRead, .type = "texts", .doc = "The controllers that drive it, each a name and its arguments."},
+    {.name = "watts", .use = Use::kLater, .type = "number", .unit = "W", .otherwise = "0", .doc = "Power that it takes."},
+    {.name = "joules", .use = Use::kLater, .type = "number", .unit = "J", .doc = "Energy in its battery; below 0 without end."},
+    {.name = "kjoules", .use = Use::kLater, .type = "number", .unit = "kJ", .doc = "The same in thousands."},
+    {.name = "joules_capacity", .use = Use::kLater, .type = "number", .unit = "J", .doc = "Energy that its battery can hold."},
+    {.name = "kjoules_capacity", .use = Use::kLater, .type = "number", .unit = "kJ", .doc = "The same in thousands."},
+    {.name = "give_watts", .use = Use::kLater, .type = "number", .unit = "W", .otherwise = "0", .doc = "Power with which it charges others."},
+    {.name = "take_watts", .use = Use::kLater, .type = "number", .unit = "W", .otherwise = "0", .doc = "Power with which it can be charged."},
+    {.name = "blob_return", .use = Use::kSilent},
+    {.name = "friction", .use = Use::kSilent},
+    {.name = "map_resolution", .use = Use::kSilent},
+    {.name = "gui_grid", .use = Use::kSilent},
+    {.name = "gui_nose", .use = Use::kSilent},
+    {.name = "gui_outline", .use = Use::kSilent},
+    {.name = "trail_interval", .use = Use::kSilent},
+    {.name = "event_queue", .use = Use::kSilent},
+    {.name = "debug", .use = Use::kSilent},
+    {.name = "laser_return", .use = Use::kOld, .instead = "Stage 4 has ranger_return"},
+    {.name = "sonar_return", .use = Use::kOld, .instead = "Stage 4 has ranger_return"},
+    {.name = "gui_movemask", .use = Use::kOld},
+    {.name = "gui_boundary", .use = Use::kOld},
+    {.name = "gui_geometry", .use = Use::kOld},
+    {.name = "shape", .use = Use::kOld},
+    {.name = "reversed", .use = Use::kOld},
+    {.name = "scale", .use = Use::kOld},
+    {.name = "port", .use = Use::kOld},
+    {.name = "block_return", .use = Use::kOld},
+    {.name = "polygons", .use = Use::kOld},
+    {.name = "interval_real", .use = Use::kOld},
+};
+
+constexpr Word kWordsOfPosition[11] = {
+    {.name = "drive", .use = Use::kRead, .type = "choice", .form = "\"diff\" | \"omni\" | \"car\"", .otherwise = "\"diff\"", .doc = "How it can move. \"diff\": ahead and turning, as two wheels do; \"omni\": in any direction and turning; \"car\": ahead, and turning by the angle of a steered axle."},
+    {.name = "localization", .use = Use::kRead, .type = "choice", .form = "\"gps\" | \"odom\"", .otherwise = "\"gps\"", .doc = "What it believes about its pose. \"gps\": the truth; \"odom\": what its wheels counted, with an error."},
+    {.name = "localization_origin", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .told = "odom: the start pose, gps: 0 0 0 0", .doc = "Where in the world its coordinates begin."},
+    {.name = "velocity", .use = Use::kRead, .type = "twist", .form = "[x y z heading]", .unit = "m/s, m/s, m/s, deg/s", .otherwise = "[0 0 0 0]", .doc = "Its first command."},
+    {.name = "velocity_bounds", .use = Use::kRead, .type = "bounds", .form = "[xmin xmax ymin ymax zmin zmax amin amax]", .unit = "m/s, m/s, m/s, deg/s", .otherwise = "[-1 1 -1 1 -1 1 -90 90]", .doc = "The least and the largest velocity along each axis."},
+    {.name = "acceleration_bounds", .use = Use::kRead, .type = "bounds", .form = "[xmin xmax ymin ymax zmin zmax amin amax]", .unit = "m/s^2, m/s^2, m/s^2, deg/s^2", .otherwise = "[-1 1 -1 1 -1 1 -90 90]", .doc = "The same of accelerations, which count when a controller commands them."},
+    {.name = "wheelbase", .use = Use::kRead, .type = "length", .unit = "m", .otherwise = "1", .limits = "above 0", .doc = "Of a car, from the front axle to the rear one."},
+    {.name = "odom_error", .use = Use::kRead, .type = "twist", .form = "[x y z heading]", .told = "drawn per robot: up to 0.015 in x and y, 0.025 in heading", .doc = "Errors of odometry along each axis, as fractions of the motion."},
+    {.name = "odom", .use = Use::kOld, .instead = "write localization \"odom\""},
+    {.name = "power", .use = Use::kOld},
+    {.name = "steer", .use = Use::kOld},
+};
+
+constexpr KindInterface kInterfacesOfPosition[1] = {
+    {"position2d", 4, Index::kRobot, Need::kNothing, Need::kNothing},
+};
+
+constexpr Word kWordsOfRanger[11] = {
+    {.name = "range_max", .use = Use::kOld, .instead = "it belongs into a sensor( range [min max] )"},
+    {.name = "range_min", .use = Use::kOld, .instead = "it belongs into a sensor( range [min max] )"},
+    {.name = "view", .use = Use::kOld, .instead = "write sensor( range [min max] fov degrees )"},
+    {.name = "ssize", .use = Use::kOld, .instead = "write sensor( size [x y z] )"},
+    {.name = "spose", .use = Use::kOld, .instead = "write one sensor( pose [x y z heading] ) each"},
+    {.name = "scount", .use = Use::kOld, .instead = "the sensor( ) entities are counted"},
+    {.name = "sview", .use = Use::kOld, .instead = "write sensor( range [min max] fov degrees )"},
+    {.name = "srange", .use = Use::kOld, .instead = "write sensor( range [min max] )"},
+    {.name = "samples", .use = Use::kOld, .instead = "it belongs into a sensor( ... )"},
+    {.name = "fov", .use = Use::kOld, .instead = "it belongs into a sensor( ... )"},
+    {.name = "laser_sample_skip", .use = Use::kOld},
+};
+
+constexpr KindInterface kInterfacesOfRanger[3] = {
+    {"ranger", 62, Index::kCount, Need::kNothing, Need::kNothing},
+    {"laser", 6, Index::kRobot, Need::kScanner, Need::kScanner},
+    {"sonar", 5, Index::kRobot, Need::kNothing, Need::kSeveralSensors},
+};
+
+constexpr Word kWordsOfFiducial[5] = {
+    {.name = "range_min", .use = Use::kRead, .type = "length", .unit = "m", .otherwise = "0", .limits = "not negative", .doc = "Nearer marks are not seen."},
+    {.name = "range_max", .use = Use::kRead, .type = "length", .unit = "m", .otherwise = "8", .limits = "not negative", .doc = "Farther marks are not seen."},
+    {.name = "range_max_id", .use = Use::kRead, .type = "length", .unit = "m", .otherwise = "5", .limits = "not negative", .doc = "Of farther marks the number cannot be told, and is 0."},
+    {.name = "fov", .use = Use::kRead, .type = "angle", .unit = "deg", .otherwise = "180", .limits = "not negative", .doc = "The field of view, half to each side."},
+    {.name = "ignore_zloc", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "Marks are seen at any height."},
+};
+
+constexpr KindInterface kInterfacesOfFiducial[1] = {
+    {"fiducial", 10, Index::kCount, Need::kNothing, Need::kNothing},
+};
+
+constexpr Word kWordsOfActuator[6] = {
+    {.name = "type", .use = Use::kSilent, .type = "choice", .form = "\"linear\" | \"rotational\"", .otherwise = "\"linear\"", .doc = "How it moves. \"linear\": it slides; \"rotational\": it turns."},
+    {.name = "axis", .use = Use::kSilent, .type = "tuple", .form = "[x y z]", .otherwise = "[0 0 0]", .doc = "The direction in which it slides."},
+    {.name = "min_position", .use = Use::kSilent, .type = "number", .unit = "m or rad", .otherwise = "0", .doc = "Where it stops at the lower end."},
+    {.name = "max_position", .use = Use::kSilent, .type = "number", .unit = "m or rad", .otherwise = "1", .doc = "Where it stops at the upper end."},
+    {.name = "max_speed", .use = Use::kSilent, .type = "number", .unit = "m/s or rad/s", .otherwise = "1", .doc = "How fast it can move."},
+    {.name = "start_position", .use = Use::kSilent, .type = "number", .unit = "m or rad", .otherwise = "0", .doc = "Where it is at the start."},
+};
+
+constexpr KindInterface kInterfacesOfActuator[1] = {
+    {"actarray", 53, Index::kCount, Need::kNothing, Need::kNothing},
+};
+
+constexpr Word kWordsOfBlinkenlight[3] = {
+    {.name = "period", .use = Use::kSilent, .type = "number", .unit = "ms", .otherwise = "1000", .doc = "Time from one flash to the next."},
+    {.name = "dutycycle", .use = Use::kSilent, .type = "number", .otherwise = "1", .doc = "The share of the period in which it is on."},
+    {.name = "enabled", .use = Use::kSilent, .type = "flag", .otherwise = "1", .doc = "It is on at the start."},
+};
+
+constexpr KindInterface kInterfacesOfBlinkenlight[1] = {
+    {"blinkenlight", 33, Index::kCount, Need::kNothing, Need::kNothing},
+};
+
+constexpr Word kWordsOfBlobfinder[11] = {
+    {.name = "colors_count", .use = Use::kSilent, .type = "count", .otherwise = "0", .limits = "not negative", .doc = "How many colors it looks for; 0: any."},
+    {.name = "colors", .use = Use::kSilent, .type = "texts", .doc = "The names of the colors that it looks for."},
+    {.name = "image", .use = Use::kSilent, .type = "tuple", .form = "[width height]", .unit = "px", .otherwise = "[80 60]", .doc = "The size of the image."},
+    {.name = "range", .use = Use::kSilent, .type = "number", .unit = "m", .otherwise = "12", .doc = "How far it sees."},
+    {.name = "fov", .use = Use::kSilent, .type = "angle", .unit = "deg", .otherwise = "60", .doc = "The field of view, half to each side."},
+    {.name = "pan", .use = Use::kSilent, .type = "angle", .unit = "deg", .otherwise = "0", .doc = "How far it is turned to the left."},
+    {.name = "channel_count", .use = Use::kOld, .instead = "write colors_count"},
+    {.name = "channels", .use = Use::kOld, .instead = "write colors"},
+    {.name = "channels_count", .use = Use::kOld, .instead = "write colors_count"},
+    {.name = "range_max", .use = Use::kOld, .instead = "write range"},
+    {.name = "ptz", .use = Use::kOld},
+};
+
+constexpr KindInterface kInterfacesOfBlobfinder[1] = {
+    {"blobfinder", 7, Index::kCount, Need::kNothing, Need::kNothing},
+};
+
+constexpr Word kWordsOfBumper[3] = {
+    {.name = "bcount", .use = Use::kSilent, .type = "count", .otherwise = "0", .limits = "not negative", .doc = "How many switches it has."},
+    {.name = "bpose", .use = Use::kSilent, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .otherwise = "[0 0 0 0]", .doc = "The middle of a switch, counted from 0, and the direction that it faces."},
+    {.name = "blength", .use = Use::kSilent, .type = "length", .unit = "m", .otherwise = "0", .doc = "The length of all switches, or with a number of one."},
+};
+
+constexpr KindInterface kInterfacesOfBumper[1] = {
+    {"bumper", 14, Index::kCount, Need::kNothing, Need::kNothing},
+};
+
+constexpr Word kWordsOfCamera[4] = {
+    {.name = "resolution", .use = Use::kSilent, .type = "tuple", .form = "[width height]", .unit = "px", .otherwise = "[32 32]", .doc = "The size of the image."},
+    {.name = "range", .use = Use::kSilent, .type = "tuple", .form = "[min max]", .unit = "m", .otherwise = "[0.2 8]", .doc = "The nearest and the farthest thing that it shows."},
+    {.name = "fov", .use = Use::kSilent, .type = "tuple", .form = "[horizontal vertical]", .unit = "deg", .otherwise = "[70 40]", .doc = "The field of view."},
+    {.name = "pantilt", .use = Use::kSilent, .type = "tuple", .form = "[pan tilt]", .unit = "deg", .otherwise = "[0 0]", .doc = "Where it looks."},
+};
+
+constexpr KindInterface kInterfacesOfCamera[1] = {
+    {"camera", 40, Index::kCount, Need::kNothing, Need::kNothing},
+};
+
+constexpr Word kWordsOfGripper[3] = {
+    {.name = "paddle_size", .use = Use::kSilent, .type = "tuple", .form = "[x y z]", .otherwise = "[0.66 0.1 0.4]", .doc = "How large a paddle is, as fractions of the model's size."},
+    {.name = "paddle_state", .use = Use::kSilent, .type = "texts", .told = "\"open\" \"down\"", .doc = "How the paddles are at the start: open or closed, and down or up."},
+    {.name = "autosnatch", .use = Use::kSilent, .type = "flag", .otherwise = "0", .doc = "It closes by itself when something is between the paddles."},
+};
+
+constexpr KindInterface kInterfacesOfGripper[1] = {
+    {"gripper", 3, Index::kCount, Need::kNothing, Need::kNothing},
+};
+
+constexpr Word kWordsOfBlock[6] = {
+    {.name = "points", .use = Use::kRead, .type = "integer", .doc = "How many corners the outline has, at least 2; two are a wall 0.01 m thick."},
+    {.name = "point", .use = Use::kRead, .type = "tuple", .form = "[x y]", .unit = "m", .otherwise = "[0 0]", .doc = "A corner, counted from 0; beside a bitmap in its pixels."},
+    {.name = "z", .use = Use::kRead, .type = "tuple", .form = "[min max]", .unit = "m", .told = "as high as the model", .doc = "From where to where the prism reaches, the floor being 0."},
+    {.name = "height", .use = Use::kOld},
+    {.name = "filled", .use = Use::kOld},
+    {.name = "color", .use = Use::kOld},
+};
+
+constexpr Word kWordsOfSensor[14] = {
+    {.name = "pose", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .otherwise = "[0 0 0 0]", .doc = "Where the sensor is in the ranger."},
+    {.name = "size", .use = Use::kRead, .type = "size", .form = "[x y z]", .unit = "m", .otherwise = "[0.02 0.02 0.02]", .doc = "For drawing; beams start at half its height above the pose."},
+    {.name = "range", .use = Use::kRead, .type = "tuple", .form = "[min max]", .unit = "m", .otherwise = "[0 5]", .limits = "0 <= min <= max", .doc = "The nearest and the farthest thing that it reports."},
+    {.name = "fov", .use = Use::kRead, .type = "angle", .unit = "deg", .otherwise = "5.729577951308232", .limits = "not negative", .doc = "Beams spread over this angle, half to each side, the first rightmost; a single one looks ahead."},
+    {.name = "samples", .use = Use::kRead, .type = "count", .otherwise = "1", .limits = "from 1 to 65536", .doc = "How many beams it has."},
+    {.name = "noise", .use = Use::kRead, .type = "tuple", .form = "[constant proportional angular]", .unit = "m, 1, deg", .otherwise = "[0 0 0]", .doc = "Errors: a standard deviation, a fraction of the range, and the angle by which a beam may be turned."},
+    {.name = "color", .use = Use::kRead, .type = "color", .told = "blue, which one can see through", .doc = "The name of an X11 color, or random, which is the same in each run."},
+    {.name = "color_rgba", .use = Use::kRead, .type = "rgba", .form = "[red green blue alpha]", .otherwise = "[0 0 1 0.15]", .doc = "The color as shares from 0 to 1; counts where there is no color."},
+    {.name = "range_max", .use = Use::kOld, .instead = "write range [min max]"},
+    {.name = "range_min", .use = Use::kOld, .instead = "write range [min max]"},
+    {.name = "view", .use = Use::kOld, .instead = "write range [min max] fov degrees"},
+    {.name = "ranger_return", .use = Use::kOld},
+    {.name = "obstacle_return", .use = Use::kOld},
+    {.name = "alwayson", .use = Use::kOld},
+};
+
+constexpr Word kWordsOfWindow[51] = {
+    {.name = "center", .use = Use::kRead, .type = "point", .form = "[x y]", .unit = "m", .otherwise = "[0 0]", .doc = "The place in the middle of the window, in metres whatever the file's unit."},
+    {.name = "scale", .use = Use::kRead, .type = "number", .unit = "px/m", .otherwise = "0", .limits = "not negative", .doc = "Pixels per metre; 0: the whole scene is shown."},
+    {.name = "rotate", .use = Use::kRead, .type = "tuple", .form = "[pitch yaw]", .unit = "deg", .otherwise = "[0 0]", .doc = "The direction of view, in degrees whatever the file's unit."},
+    {.name = "show_data", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "Sensors are shown from the start."},
+    {.name = "follow_model", .use = Use::kRead, .type = "text", .otherwise = "\"\"", .doc = "The name of a model that stays in the middle; none: the view stands still."},
+    {.name = "size", .use = Use::kSilent},
+    {.name = "pcam_loc", .use = Use::kSilent},
+    {.name = "pcam_angle", .use = Use::kSilent},
+    {.name = "pcam_on", .use = Use::kSilent},
+    {.name = "interval", .use = Use::kSilent},
+    {.name = "screenshots", .use = Use::kSilent},
+    {.name = "screenshot_skip", .use = Use::kSilent},
+    {.name = "show_blocks", .use = Use::kSilent},
+    {.name = "show_flags", .use = Use::kSilent},
+    {.name = "show_clock", .use = Use::kSilent},
+    {.name = "show_follow", .use = Use::kSilent},
+    {.name = "show_footprints", .use = Use::kSilent},
+    {.name = "show_grid", .use = Use::kSilent},
+    {.name = "show_status", .use = Use::kSilent},
+    {.name = "show_trailarrows", .use = Use::kSilent},
+    {.name = "show_trailrise", .use = Use::kSilent},
+    {.name = "show_trailfast", .use = Use::kSilent},
+    {.name = "show_trailblur", .use = Use::kSilent},
+    {.name = "show_occupancy", .use = Use::kSilent},
+    {.name = "show_voxels", .use = Use::kSilent},
+    {.name = "show_boundingboxes", .use = Use::kSilent},
+    {.name = "show_ranger_transducers", .use = Use::kSilent},
+    {.name = "show_ranger_ranges", .use = Use::kSilent},
+    {.name = "show_ranger_strikes", .use = Use::kSilent},
+    {.name = "show_ranger_fov", .use = Use::kSilent},
+    {.name = "show_fiducial", .use = Use::kSilent},
+    {.name = "show_fiducial_fov", .use = Use::kSilent},
+    {.name = "show_gripper_data", .use = Use::kSilent},
+    {.name = "show_blinken", .use = Use::kSilent},
+    {.name = "show_camera", .use = Use::kSilent},
+    {.name = "show_bumper_hits", .use = Use::kSilent},
+    {.name = "show_position_coords", .use = Use::kSilent},
+    {.name = "show_position_waypoints", .use = Use::kSilent},
+    {.name = "ranger_vis", .use = Use::kSilent},
+    {.name = "blobfinder_vis", .use = Use::kSilent},
+    {.name = "raster_vis", .use = Use::kSilent},
+    {.name = "custom_vis", .use = Use::kSilent},
+    {.name = "energy_dissipation", .use = Use::kSilent},
+    {.name = "energy_input", .use = Use::kSilent},
+    {.name = "energy_stored", .use = Use::kSilent},
+    {.name = "fill_polygons", .use = Use::kOld},
+    {.name = "polygons", .use = Use::kOld},
+    {.name = "grid", .use = Use::kOld},
+    {.name = "rangerdata", .use = Use::kOld},
+    {.name = "laserdata", .use = Use::kOld},
+    {.name = "show_tree", .use = Use::kOld},
+};
+
+constexpr Word kWordsOfWorld[21] = {
+    {.name = "name", .use = Use::kRead, .type = "text", .told = "the file's path", .doc = "The name of the world."},
+    {.name = "interval_sim", .use = Use::kRead, .type = "number", .unit = "ms", .otherwise = "100", .limits = "above 0", .doc = "Simulated time of one tick, in whole microseconds."},
+    {.name = "resolution", .use = Use::kRead, .type = "number", .unit = "m", .otherwise = "0.02", .limits = "above 0", .doc = "Told to clients as the resolution of ranges; geometry here is exact."},
+    {.name = "quit_time", .use = Use::kRead, .type = "number", .unit = "s", .otherwise = "0", .limits = "not negative", .doc = "Simulated time after which the run ends; 0: never."},
+    {.name = "unit_length", .use = Use::kRead, .type = "choice", .form = "\"m\" | \"cm\" | \"mm\"", .otherwise = "\"m\"", .doc = "The unit of all lengths in the file."},
+    {.name = "unit_angle", .use = Use::kRead, .type = "choice", .form = "\"degrees\" | \"radians\"", .otherwise = "\"degrees\"", .doc = "The unit of all angles in the file."},
+    {.name = "speedup", .use = Use::kRead, .type = "number", .otherwise = "1", .doc = "Times real time; 0 or less: as fast as possible."},
+    {.name = "paused", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "The run starts paused."},
+    {.name = "show_clock", .use = Use::kSilent},
+    {.name = "show_clock_interval", .use = Use::kSilent},
+    {.name = "threads", .use = Use::kSilent},
+    {.name = "confirm_on_quit", .use = Use::kSilent},
+    {.name = "test", .use = Use::kSilent},
+    {.name = "size", .use = Use::kOld},
+    {.name = "interval_real", .use = Use::kOld},
+    {.name = "gui_interval", .use = Use::kOld},
+    {.name = "gui_menu_interval", .use = Use::kOld},
+    {.name = "gui_disable", .use = Use::kOld},
+    {.name = "threadpool", .use = Use::kOld},
+    {.name = "truth_server", .use = Use::kOld},
+    {.name = "map_resolution", .use = Use::kOld},
+};
+
+constexpr KindInterface kInterfacesOfWorld[1] = {
+    {"simulation", 31, Index::kOne, Need::kNothing, Need::kNothing},
+};
+
+constexpr Kind kKinds[15] = {
+    {.name = "model", .doc = "A plain body; its words are those of every model, whatever its kind.", .entity = EntityForm::kModel, .table = "models", .kind = ModelKind::kPlain, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfModel},
+    {.name = "position", .doc = "A robot that drives in the plane.", .entity = EntityForm::kModel, .table = "positions", .kind = ModelKind::kPosition, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfPosition, .interfaces = kInterfacesOfPosition},
+    {.name = "ranger", .doc = "Range finders of any kind: a laser has one sensor with many samples, a ring of sonars many with one.", .entity = EntityForm::kModel, .table = "rangers", .kind = ModelKind::kRanger, .simulated = true, .solid = false, .size = {0.15, 0.15, 0.2}, .color = {0, 0, 0.5f, 1}, .words = kWordsOfRanger, .interfaces = kInterfacesOfRanger},
+    {.name = "fiducial", .doc = "A finder of marks: sees models with a fiducial_return and tells which they are and where.", .entity = EntityForm::kModel, .table = "fiducials", .kind = ModelKind::kFiducial, .simulated = true, .solid = false, .size = {0, 0, 0}, .color = {1, 0, 0, 1}, .words = kWordsOfFiducial, .interfaces = kInterfacesOfFiducial},
+    {.name = "actuator", .doc = "A joint that slides or turns what it carries.", .entity = EntityForm::kModel, .simulated = false, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfActuator, .interfaces = kInterfacesOfActuator},
+    {.name = "blinkenlight", .doc = "A lamp that can blink.", .entity = EntityForm::kModel, .simulated = false, .solid = true, .size = {0.02, 0.02, 0.02}, .color = {0, 1, 0, 1}, .words = kWordsOfBlinkenlight, .interfaces = kInterfacesOfBlinkenlight},
+    {.name = "blobfinder", .doc = "A camera that finds patches of a colour.", .entity = EntityForm::kModel, .simulated = false, .solid = false, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfBlobfinder, .interfaces = kInterfacesOfBlobfinder},
+    {.name = "bumper", .doc = "Switches that feel a touch.", .entity = EntityForm::kModel, .simulated = false, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfBumper, .interfaces = kInterfacesOfBumper},
+    {.name = "camera", .doc = "A camera that takes images of the scene.", .entity = EntityForm::kModel, .simulated = false, .solid = true, .size = {0.1, 0.07, 0.05}, .color = {0, 0, 0, 1}, .words = kWordsOfCamera, .interfaces = kInterfacesOfCamera},
+    {.name = "gripper", .doc = "Two paddles that close around a thing and carry it.", .entity = EntityForm::kModel, .simulated = false, .solid = true, .size = {0.2, 0.3, 0.2}, .color = {0.3f, 0.3f, 0.3f, 1}, .words = kWordsOfGripper, .interfaces = kInterfacesOfGripper},
+    {.name = "lightindicator", .doc = "A body that is darker while it is off.", .entity = EntityForm::kModel, .simulated = false, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}},
+    {.name = "block", .doc = "A prism, as a part of a model's body; all blocks together are stretched to fill the model's size.", .entity = EntityForm::kPart, .inside = "model", .simulated = true, .words = kWordsOfBlock},
+    {.name = "sensor", .doc = "One transducer or scanner of a ranger.", .entity = EntityForm::kPart, .inside = "ranger", .table = "sensors", .simulated = true, .words = kWordsOfSensor},
+    {.name = "window", .doc = "How to look at the scene; the first window of a file counts.", .entity = EntityForm::kWindow, .simulated = true, .words = kWordsOfWindow},
+    {.name = "world", .doc = "The world file itself: words that stand outside of all entities, anywhere in the file.", .entity = EntityForm::kWorld, .simulated = true, .words = kWordsOfWorld, .interfaces = kInterfacesOfWorld},
+};
+
+constexpr OldType kOldTypes[16] = {
+    {"map", "write model( bitmap \"file.png\" size [x y z] boundary 1 ), or the floorplan macro of map.inc"},
+    {"environment", "write model( bitmap \"file.png\" size [x y z] boundary 1 )"},
+    {"box", "write model( size [x y z] )"},
+    {"puck", "write: define puck model( size [0.08 0.08 0.1] gripper_return 1 )"},
+    {"charger", "write model( joules -1 give_watts 1000 )"},
+    {"power", "joules and watts are properties of any model"},
+    {"powerpack", "joules and watts are properties of any model"},
+    {"audio", "Stage 4 has no audio; any model has say \"text\""},
+    {"speech", "any model has say \"text\""},
+    {"truth", "leave it out; every model's pose is known by its name"},
+    {"laser", "write ranger( sensor( range [0 8] fov 180 samples 180 ) )"},
+    {"sonar", "write ranger( sensor( pose [x y z heading] range [0 5] fov 15 ) ... )"},
+    {"ptz", "a camera has pantilt [pan tilt]"},
+    {"player", "leave it out; devices are named in the configuration file"},
+    {"driver", "this is a configuration file, for playhouse serve"},
+    {"wifi", "Stage 4 has no radio"},
+};
+
+}  // namespace
+
+std::span<const Kind> kinds() { return kKinds; }
+
+std::span<const OldType> old_types() { return kOldTypes; }
+
+}  // namespace playhouse::scene

@@ -1,0 +1,117 @@
+// Generated from kinds/ by codegen (python3 -m codegen). Do not edit.
+#include "playhouse/scene/generated/read_kinds.h"
+
+#include "playhouse/base/limits.h"
+#include "playhouse/scene/read_word.h"
+
+namespace playhouse::scene {
+namespace {
+
+void read(const Properties& properties, PositionDesc& to) {
+  static constexpr std::string_view kWordsOfDrive[] = {"diff", "omni", "car"};
+  to.drive = static_cast<Drive>(read_choice(properties, "drive", kWordsOfDrive, static_cast<std::size_t>(to.drive)));
+  static constexpr std::string_view kWordsOfLocalization[] = {"gps", "odom"};
+  to.localization = static_cast<Localization>(read_choice(properties, "localization", kWordsOfLocalization, static_cast<std::size_t>(to.localization)));
+  to.localization_origin = properties.pose("localization_origin");
+  if (properties.has("velocity")) to.velocity = read_twist(properties, "velocity", "LLLA", "[x y z heading] per second");
+  read_bounds(properties, "velocity_bounds", "LLLLLLAA", to.velocity_bounds);
+  read_bounds(properties, "acceleration_bounds", "LLLLLLAA", to.acceleration_bounds);
+  to.wheelbase = properties.length("wheelbase", to.wheelbase);
+  require(to.wheelbase > 0, properties, "wheelbase", "must be above 0");
+  if (properties.has("odom_error")) to.odom_error = read_twist(properties, "odom_error", "NNNN", "[x y z heading]");
+}
+
+void read(const Properties& properties, FiducialDesc& to) {
+  to.range_min = properties.length("range_min", to.range_min);
+  require(to.range_min >= 0, properties, "range_min", "must not be negative");
+  to.range_max = properties.length("range_max", to.range_max);
+  require(to.range_max >= 0, properties, "range_max", "must not be negative");
+  to.range_max_id = properties.length("range_max_id", to.range_max_id);
+  require(to.range_max_id >= 0, properties, "range_max_id", "must not be negative");
+  to.fov = properties.angle("fov", to.fov);
+  require(to.fov >= 0, properties, "fov", "must not be negative");
+  to.ignore_zloc = properties.flag("ignore_zloc", to.ignore_zloc);
+}
+
+}  // namespace
+
+void read(const Properties& properties, std::size_t row, PlainDesc& to) {
+  to.X_PM = properties.pose("pose").value_or(to.X_PM);
+  to.X_MB = properties.pose("origin").value_or(to.X_MB);
+  to.size = properties.size("size", to.size);
+  to.color = properties.color(to.color, row);
+  to.obstacle_return = properties.flag("obstacle_return", to.obstacle_return);
+  to.ranger_return = properties.number("ranger_return", to.ranger_return);
+  to.fiducial_return = properties.integer("fiducial_return", to.fiducial_return);
+  to.fiducial_key = properties.integer("fiducial_key", to.fiducial_key);
+  to.gripper_return = properties.flag("gripper_return", to.gripper_return);
+  to.mass = properties.number("mass", to.mass);
+  to.update_interval = read_milliseconds(properties, "update_interval", to.update_interval);
+  to.update_interval = at_least_zero(properties, "update_interval", to.update_interval, "every tick is meant");
+  to.alwayson = properties.flag("alwayson", to.alwayson);
+  to.gui_move = properties.flag("gui_move", to.gui_move);
+  to.say = properties.text("say", to.say);
+  to.trail_length = properties.integer("trail_length", to.trail_length);
+  to.trail_length = at_least_zero(properties, "trail_length", to.trail_length, "no trail is meant");
+  to.ctrl = read_texts(properties, "ctrl");
+}
+
+void read(const Properties& properties, std::size_t row, RangerSensorDesc& to) {
+  to.X_BS = properties.pose("pose").value_or(to.X_BS);
+  to.size = properties.size("size", to.size);
+  double range[2] = {to.range_min, to.range_max};
+  properties.tuple("range", "LL", range, "[min max]");
+  require(0 <= range[0] && range[0] <= range[1], properties, "range", "needs 0 <= min <= max");
+  to.range_min = range[0];
+  to.range_max = range[1];
+  to.fov = properties.angle("fov", to.fov);
+  require(to.fov >= 0, properties, "fov", "must not be negative");
+  static_assert(limits::kRangerSamples == 65536);
+  to.samples = read_count(properties, "samples", to.samples, 1, limits::kRangerSamples);
+  double noise[3] = {to.noise_constant, to.noise_proportional, to.noise_angular};
+  properties.tuple("noise", "LNA", noise, "[constant proportional angular]");
+  to.noise_constant = noise[0];
+  to.noise_proportional = noise[1];
+  to.noise_angular = noise[2];
+  to.color = properties.color(to.color, row);
+}
+
+void read(const Properties& properties, WindowDesc& to) {
+  to.center = read_point(properties, "center", to.center);
+  to.scale = properties.number("scale", to.scale);
+  require(to.scale >= 0, properties, "scale", "must not be negative");
+  double rotate[2] = {geom::degrees(to.pitch), geom::degrees(to.yaw)};
+  properties.tuple("rotate", "NN", rotate, "[pitch yaw]");
+  to.pitch = geom::radians(rotate[0]);
+  to.yaw = geom::radians(rotate[1]);
+  to.show_data = properties.flag("show_data", to.show_data);
+  to.follow_model = properties.text("follow_model", to.follow_model);
+}
+
+void read(const Properties& properties, WorldDesc& to) {
+  to.name = properties.text("name", to.name);
+  to.interval = read_milliseconds(properties, "interval_sim", to.interval);
+  require(to.interval > 0, properties, "interval_sim", "must be above 0 ms");
+  to.resolution = properties.number("resolution", to.resolution);
+  require(to.resolution > 0, properties, "resolution", "must be above 0 m");
+  to.quit_time = properties.number("quit_time", to.quit_time);
+  to.quit_time = at_least_zero(properties, "quit_time", to.quit_time, "no end is meant");
+  to.speedup = properties.number("speedup", to.speedup);
+  to.paused = properties.flag("paused", to.paused);
+}
+
+void read_kind(const Properties& properties, ModelKind kind, KindDescs& to) {
+  switch (kind) {
+    case ModelKind::kPosition:
+      read(properties, to.position.emplace());
+      break;
+    case ModelKind::kFiducial:
+      read(properties, to.fiducial.emplace());
+      break;
+    case ModelKind::kPlain:
+    case ModelKind::kRanger:
+      break;
+  }
+}
+
+}  // namespace playhouse::scene

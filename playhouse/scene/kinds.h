@@ -1,0 +1,107 @@
+#pragma once
+
+/// What a world file can hold, as kinds/*.toml defines it, in tables. What one model says about itself is in
+/// generated/kind_descs.h.
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "playhouse/scene/generated/kind_descs.h"
+
+namespace playhouse::scene {
+
+/// What this build makes of a word.
+enum class Use : std::uint8_t {
+  kRead,    // read by this build
+  kSilent,  // known to Stage 4, of no consequence for the simulation, or of a type that is not simulated
+  kLater,   // known to Stage 4, not simulated by this build
+  kOld,     // ignored by Stage 4 too; older versions knew it
+};
+
+/// A word that an entity can have. Texts are as people read them, empty where there is nothing to say.
+struct Word {
+  std::string_view name;
+  Use use = Use::kRead;
+  std::string_view type = {};       // flag, number, length, pose, choice, ...; "" of silent and old words
+  std::string_view form = {};       // [x y z heading], or the words of a choice
+  std::string_view unit = {};       // by default: "m", "m, m, m, deg"
+  std::string_view otherwise = {};  // what counts without the word, as a file would say it
+  std::string_view told = {};       // the same in words, where it is no value
+  std::string_view limits = {};     // "above 0"
+  std::string_view doc = {};
+  std::string_view instead = {};  // of old words: what to write
+};
+
+/// How the indices of an interface count in the automatic map.
+enum class Index : std::uint8_t {
+  kOne,    // there is one, 0
+  kRobot,  // that of the robot; of its further devices, and of those that no robot carries, from behind all
+           // robots on
+  kCount,  // all are counted, over all robots
+};
+
+/// What a model must have for an interface.
+enum class Need : std::uint8_t { kNothing, kScanner, kSeveralSensors };
+
+/// An interface of Player through which models of a kind are seen.
+struct KindInterface {
+  std::string_view name;
+  std::uint16_t code = 0;
+  Index index = Index::kCount;
+  Need when = Need::kNothing;    // that there can be such a device
+  Need listed = Need::kNothing;  // that the automatic map has one
+};
+
+/// Where an entity stands.
+enum class EntityForm : std::uint8_t {
+  kModel,   // at the top level, or inside another model
+  kPart,    // inside a model of the type `inside`; of any, where that is "model"
+  kWindow,  // at the top level
+  kWorld,   // it is the file
+};
+
+/// What a world file can hold. `solid`, `size` and `color` are those of models.
+struct Kind {
+  std::string_view name;  // as files have it: "position", "sensor"
+  std::string_view doc;
+  EntityForm entity = EntityForm::kModel;
+  std::string_view inside = {};
+  std::string_view table = {};  // of the world's state, where it has one
+  ModelKind kind = ModelKind::kPlain;
+  bool simulated = false;  // false: a model of this type loads as a plain body with one warning
+  bool solid = false;      // a box that fills its size, unless blocks or a bitmap say otherwise
+  geom::Size size = {};    // m
+  Color color = {};
+  std::span<const Word> words = {};  // its own; every model has those of "model" besides
+  std::span<const KindInterface> interfaces = {};
+};
+
+/// A type of Stage 1 to 3, and what to write in its place.
+struct OldType {
+  std::string_view name, instead;
+};
+
+/// Model types that are simulated in the order of their numbers, other model types, parts, the window, the
+/// world.
+std::span<const Kind> kinds();
+std::span<const OldType> old_types();
+
+/// The kind of that name, or null.
+const Kind* find_kind(std::string_view name);
+/// The same of what a file writes with brackets: no file has an entity that is the world.
+const Kind* find_entity(std::string_view name);
+/// The same of models alone.
+const Kind* find_model_type(std::string_view name);
+/// The kind of the file itself.
+const Kind& world_kind();
+
+/// Whether `part` belongs into models of that kind.
+bool is_part_of(const Kind& part, const Kind& model);
+
+/// Words that a kind has besides its own.
+std::span<const Word> common_words(const Kind& kind);
+/// The word of that name, among its own or the common ones, or null.
+const Word* find_word(const Kind& kind, std::string_view name);
+
+}  // namespace playhouse::scene

@@ -1,0 +1,98 @@
+#include "playhouse/scene/read_word.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "playhouse/base/in_quotes.h"
+#include "playhouse/base/nearest_word.h"
+
+namespace playhouse::scene {
+namespace {
+
+constexpr std::string_view kBoundsForm = "[xmin xmax ymin ymax zmin zmax amin amax]";
+
+template <typename Number>
+Number raised_to_zero(const Properties& properties, std::string_view key, Number value,
+                      std::string_view meant) {
+  if (value >= 0) return value;
+  properties.state().warnings.add(Warning::kValue, properties.where(key),
+                                  in_quotes(key) + " is below 0; " + std::string(meant));
+  return 0;
+}
+
+}  // namespace
+
+void require(bool good, const Properties& properties, std::string_view key, std::string_view what) {
+  if (!good) properties.state().fail(properties.where(key), in_quotes(key) + " " + std::string(what));
+}
+
+double at_least_zero(const Properties& properties, std::string_view key, double value,
+                     std::string_view meant) {
+  return raised_to_zero(properties, key, value, meant);
+}
+
+int at_least_zero(const Properties& properties, std::string_view key, int value, std::string_view meant) {
+  return raised_to_zero(properties, key, value, meant);
+}
+
+std::uint32_t read_count(const Properties& properties, std::string_view key, std::uint32_t otherwise,
+                         std::uint32_t least, std::uint32_t most) {
+  const std::int64_t value = properties.has(key) ? properties.integer(key, 0) : std::int64_t{otherwise};
+  const bool good = value >= least && value <= most;
+  require(good, properties, key, "must be from " + std::to_string(least) + " to " + std::to_string(most));
+  return good ? static_cast<std::uint32_t>(value) : least;
+}
+
+double read_milliseconds(const Properties& properties, std::string_view key, double otherwise) {
+  if (!properties.has(key)) return otherwise;
+  return std::round(properties.number(key, 0) * 1000) / 1e6;
+}
+
+std::size_t read_choice(const Properties& properties, std::string_view key,
+                        std::span<const std::string_view> words, std::size_t otherwise) {
+  if (!properties.has(key)) return otherwise;
+  const std::string word = properties.text(key, words.front());
+  const auto found = std::find(words.begin(), words.end(), word);
+  if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+  std::string known;
+  for (const std::string_view w : words) known += (known.empty() ? "" : ", ") + in_quotes(w);
+  properties.state().fail(properties.where(key), in_quotes(key) + " is one of " + known + ", found " +
+                                                     in_quotes(word) + did_you_mean(word, words));
+  return otherwise;
+}
+
+std::vector<std::string> read_texts(const Properties& properties, std::string_view key) {
+  std::vector<std::string> texts = properties.texts(key);
+  std::erase(texts, "");
+  return texts;
+}
+
+geom::Vec2 read_point(const Properties& properties, std::string_view key, geom::Vec2 otherwise) {
+  double v[2] = {otherwise.x, otherwise.y};
+  properties.tuple(key, "NN", v, "[x y]");
+  return {v[0], v[1]};
+}
+
+geom::Twist read_twist(const Properties& properties, std::string_view key, std::string_view scales,
+                       std::string_view form) {
+  double v[4] = {};
+  properties.tuple(key, scales, v, form);
+  return {v[0], v[1], v[2], v[3]};
+}
+
+void read_bounds(const Properties& properties, std::string_view key, std::string_view scales,
+                 Bounds (&bounds)[4]) {
+  std::array<double, 8> v;
+  for (std::size_t axis = 0; axis < 4; ++axis) {
+    v[2 * axis] = bounds[axis].min;
+    v[2 * axis + 1] = bounds[axis].max;
+  }
+  properties.tuple(key, scales, v, kBoundsForm);
+  for (std::size_t axis = 0; axis < 4; ++axis) {
+    bounds[axis] = {v[2 * axis], v[2 * axis + 1]};
+    require(bounds[axis].min <= bounds[axis].max, properties, key, "has a minimum above its maximum");
+  }
+}
+
+}  // namespace playhouse::scene

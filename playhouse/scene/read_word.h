@@ -1,0 +1,50 @@
+#pragma once
+
+/// How single words are read that Properties has no function for. The functions that read whole entities are
+/// generated from kinds/*.toml (generated/read_kinds.h) and call these. `otherwise` is what counts without
+/// the word; faults are kept in the state of the load.
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "playhouse/scene/properties.h"
+
+namespace playhouse::scene {
+
+/// A fault of `key`, `"key" what`, unless it is good.
+void require(bool good, const Properties& properties, std::string_view key, std::string_view what);
+
+/// The value, or 0 and a warning where it is below; `meant` says what 0 is.
+double at_least_zero(const Properties& properties, std::string_view key, double value,
+                     std::string_view meant);
+int at_least_zero(const Properties& properties, std::string_view key, int value, std::string_view meant);
+
+/// A whole number from `least` to `most`; others are a fault.
+std::uint32_t read_count(const Properties& properties, std::string_view key, std::uint32_t otherwise,
+                         std::uint32_t least, std::uint32_t most);
+
+/// Milliseconds as seconds, a whole number of microseconds.
+double read_milliseconds(const Properties& properties, std::string_view key, double otherwise);
+
+/// Which of `words` the file has; none of them is a fault.
+std::size_t read_choice(const Properties& properties, std::string_view key,
+                        std::span<const std::string_view> words, std::size_t otherwise);
+
+/// All texts of a tuple but empty ones.
+std::vector<std::string> read_texts(const Properties& properties, std::string_view key);
+
+/// [x y], as they are.
+geom::Vec2 read_point(const Properties& properties, std::string_view key, geom::Vec2 otherwise);
+
+/// Four numbers, as `scales` says (Properties::tuple).
+geom::Twist read_twist(const Properties& properties, std::string_view key, std::string_view scales,
+                       std::string_view form);
+
+/// A minimum and a maximum of each axis; a minimum above its maximum is a fault.
+void read_bounds(const Properties& properties, std::string_view key, std::string_view scales,
+                 Bounds (&bounds)[4]);
+
+}  // namespace playhouse::scene
