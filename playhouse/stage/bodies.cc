@@ -99,8 +99,7 @@ void add_solid(Solids& solids, const Shape& shape, const scene::ModelDesc& desc,
   solids.radius.push_back(shape.radius);
   solids.width.push_back(shape.width);
   solids.convex.push_back(shape.convex);
-  solids.obstacle.push_back(desc.obstacle_return);
-  solids.ranger_return.push_back(desc.ranger_return);
+  solids.seen_by.push_back(observers_of(desc));
   solids.p_M.insert(solids.p_M.end(), shape.p_M.begin(), shape.p_M.end());
   solids.first_vertex.push_back(static_cast<std::uint32_t>(solids.p_M.size()));
 }
@@ -175,10 +174,10 @@ Solids make_fixed_solids(const world::World& world, Shapes& shapes) {
 void replace_moving_solids(Solids& solids, const world::World& world, Shapes& shapes, Trees& trees) {
   const std::size_t fixed = solids.fixed, vertices = solids.first_vertex[fixed];
   for (auto* column : {&solids.model, &solids.root, &solids.tree}) column->resize(fixed);
-  for (auto* column :
-       {&solids.z_min_M, &solids.z_max_M, &solids.radius, &solids.width, &solids.ranger_return})
+  for (auto* column : {&solids.z_min_M, &solids.z_max_M, &solids.radius, &solids.width})
     column->resize(fixed);
-  for (auto* column : {&solids.convex, &solids.obstacle}) column->resize(fixed);
+  solids.convex.resize(fixed);
+  solids.seen_by.resize(fixed);
   solids.center_M.resize(fixed);
   solids.first_vertex.resize(fixed + 1);
   solids.p_M.resize(vertices);

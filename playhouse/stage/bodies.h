@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "playhouse/geom/pose.h"
+#include "playhouse/stage/observer.h"
 #include "playhouse/world/world.h"
 
 namespace playhouse::stage {
@@ -58,8 +59,7 @@ struct Solids {
   std::vector<double> radius;               // of the circle about the centre that holds the solid     [m]
   std::vector<double> width;                // smallest extent                                         [m]
   std::vector<std::uint8_t> convex;         // 1: a convex polygon
-  std::vector<std::uint8_t> obstacle;       // 1: collides
-  std::vector<double> ranger_return;        // below 0: rangers do not see it
+  std::vector<Observers> seen_by;           // bits of those who see it, or are stopped by it
   std::vector<std::uint32_t> first_vertex;  // (n + 1)
   // Counter-clockwise vertices, the first of each polygon again at its end.                            [m]
   // (vertices)
@@ -74,6 +74,7 @@ struct Solids {
 
   std::size_t size() const { return model.size(); }
   std::size_t moving() const { return size() - fixed; }
+  bool is_obstacle(std::size_t row) const { return (seen_by[row] & bit(Observer::kMotion)) != 0; }
   std::span<const Vec2> polygon(std::size_t row) const {
     return {p.data() + first_vertex[row], first_vertex[row + 1] - first_vertex[row] - 1};
   }

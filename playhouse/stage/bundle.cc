@@ -26,23 +26,34 @@ PLAYHOUSE_INLINE void put_rays(const Bundle& bundle, const Pose& X_WM, Rotation 
     rays.dy[first + k] = r.s * dx[k] + r.c * dy[k];
     rays.z[first + k] = X_WM.z + bundle.z[k];
     rays.range[first + k] = bundle.range_max[k];
-    rays.intensity[first + k] = 0;
+    rays.solid[first + k] = kNoSolid;
     rays.beam[first + k] = first_beam + bundle.beam[k];
   }
   rays.count += count;
   rays.parts[rays.part_count++] = {X_WM.xy(), first, rays.count};
 }
 
-/// Keeps the nearer of what is known and the edge, for the rays of a part.
-PLAYHOUSE_INLINE void meet_edge(Vec2 a, Vec2 b, double seen, const Rays::Part& part, Rays& rays) {
-  for (std::size_t k = part.begin; k < part.end; ++k) {
-    const double ax = a.x - rays.px[k], ay = a.y - rays.py[k], bx = b.x - rays.px[k], by = b.y - rays.py[k];
-    const double s0 = rays.dx[k] * ay - rays.dy[k] * ax, s1 = rays.dx[k] * by - rays.dy[k] * bx;
-    const double t = (ax * by - ay * bx) / (s1 - s0);
-    const bool nearer = (s0 * s1 <= 0) & (t >= 0) & (t < rays.range[k]);
-    rays.range[k] = nearer ? t : rays.range[k];
-    rays.intensity[k] = nearer ? seen : rays.intensity[k];
+/// Keeps the first of what is known and the edge, for the rays of a part, behind which there are none.
+PLAYHOUSE_INLINE void meet_edge(Vec2 a, Vec2 b, double row, const Rays::Part& part, Rays& rays) {
+  Four least = {0, 0, 0, 0};
+  for (std::size_t k = part.begin; k < part.end; k += kFour) {
+    Four px, py, dx, dy, range, solid;
+    load(px, rays.px + k);
+    load(py, rays.py + k);
+    load(dx, rays.dx + k);
+    load(dy, rays.dy + k);
+    load(range, rays.range + k);
+    load(solid, rays.solid + k);
+    Four t = Distance<Four, Four>(dx, dy, a.x - px, a.y - py, b.x - px, b.y - py).t;
+    least = t < least ? t : least;
+    t = t < 0 ? kMiss : t;
+    keep_first(t, Four{row, row, row, row}, range, solid);
+    store(rays.range + k, range);
+    store(rays.solid + k, solid);
   }
+  if (std::min(std::min(least[0], least[1]), std::min(least[2], least[3])) == 0) return;
+  for (std::size_t k = part.begin; k < part.end; ++k)
+    keep_first(edge_hit(a - rays.p(k), b - rays.p(k), rays.d(k)), row, rays.range[k], rays.solid[k]);
 }
 
 /// A body that a ray may meet: its circle lies across the way.
@@ -94,16 +105,12 @@ PLAYHOUSE_INLINE void meet(const Space& space, const Meeting* meetings, std::siz
     const DiscIndex::Disc& disc = space.index.discs()[meetings[i].place];
     const std::uint32_t k = meetings[i].ray;
     const Vec2* const polygon = space.solids.p.data() + disc.first_vertex;
-    double t = entry(polygon, disc.vertices, rays.p(k), rays.d(k));
-    if (t < 0 || !disc.convex) t = polygon_hit_here(polygon, disc.vertices, rays.p(k), rays.d(k));
-    const Four at = {t}, range = {rays.range[k]}, seen = {static_cast<double>(disc.ranger_return)},
-               known = {rays.intensity[k]};
-    rays.range[k] = (at < range ? at : range)[0];
-    rays.intensity[k] = (at < range ? seen : known)[0];
+    const double t = body_hit_here(polygon, disc.vertices, disc.convex, rays.p(k), rays.d(k));
+    keep_first_alone(t, number_of(disc.row), rays.range[k], rays.solid[k]);
   }
 }
 
-/// Keeps the nearer of what is known and the bodies at `place`, each for the rays that its bits name.
+/// Keeps the first of what is known and the bodies at `place`, each for the rays that its bits name.
 PLAYHOUSE_INLINE void meet_bodies(const Space& space, std::uint32_t own_root, const std::uint32_t* place,
                                   const std::uint16_t* near, std::size_t count, std::size_t first,
                                   bool heights, Rays& rays) {
@@ -111,7 +118,7 @@ PLAYHOUSE_INLINE void meet_bodies(const Space& space, std::uint32_t own_root, co
   std::size_t met = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const DiscIndex::Disc& disc = space.index.discs()[place[i]];
-    if (disc.root == own_root || disc.ranger_return < 0) continue;
+    if (disc.root == own_root || (disc.seen_by & bit(Observer::kRanger)) == 0) continue;
     const double radius = disc.radius + kMargin;
     unsigned left = near[i];
     do {  // branch-free: hits are unpredictable
@@ -136,10 +143,9 @@ void RangerSense::meet_walls_alone(const Space& space, const View& view, const R
   for (std::size_t k = part.begin; k < part.end; ++k) {
     const Vec2 p = rays.p(k), d = rays.d(k);
     space.walls.along(p, d, &rays.range[k], [&](const Walls::Edge& edge) {
+      if (!view.sees(space.solids, edge.solid, rays.z[k])) return;
       const double t = edge_hit(edge.a - p, edge.b - p, d);
-      if (t >= rays.range[k] || !view.sees(space.solids, edge.solid, rays.z[k])) return;
-      rays.range[k] = t;
-      rays.intensity[k] = space.solids.ranger_return[edge.solid];
+      keep_first(t, number_of(edge.solid), rays.range[k], rays.solid[k]);
     });
   }
 }
@@ -149,7 +155,7 @@ void RangerSense::meet_few_walls(const Space& space, const View& view, const Ray
   const geom::Box box = box_about(part.about, reach);
   for (const Walls::Edge& edge : space.walls.few())
     if (edge.reaches(box) && view.sees(space.solids, edge.solid, rays.z[part.begin]))
-      in_vectors<meet_edge>(edge.a, edge.b, space.solids.ranger_return[edge.solid], part, rays);
+      in_vectors<meet_edge>(edge.a, edge.b, number_of(edge.solid), part, rays);
 }
 
 void RangerSense::run_bundle(const Space& space, const View& view, const Bundle& bundle, Scratch& scratch) {
@@ -185,13 +191,13 @@ bool RangerSense::can_march(const Walls& walls, const View& view, double reach) 
 void RangerSense::put_back(const Rays::Part& part, Scratch& scratch) {
   for (std::size_t k = part.begin; k < part.end; ++k) {
     scratch.range[scratch.rays.beam[k]] = scratch.rays.range[k];
-    scratch.intensity[scratch.rays.beam[k]] = scratch.rays.intensity[k];
+    scratch.solid[scratch.rays.beam[k]] = scratch.rays.solid[k];
   }
 }
 
 void RangerSense::finish_rays(const Space& space, Scratch& scratch) {
   if (scratch.rays.count == 0) return;
-  march(space.walls, scratch.rays);
+  march(space.walls, bit(Observer::kRanger), scratch.rays);
   put_back({{}, 0, scratch.rays.count}, scratch);
   scratch.rays.count = scratch.rays.part_count = 0;
 }

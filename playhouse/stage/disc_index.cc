@@ -5,46 +5,95 @@
 
 namespace playhouse::stage {
 
-DiscIndex::DiscIndex(std::size_t count, double mean_radius, std::vector<std::uint8_t> layer)
-    : layer_(std::move(layer)), layers_(1) {
-  for (const std::uint8_t l : layer_) layers_.resize(std::max<std::size_t>(layers_.size(), l + 1u));
+void DiscIndex::Extent::add(const Extent& other) {
+  z_min = std::min(z_min, other.z_min);
+  z_max = std::max(z_max, other.z_max);
+  radius_max = std::max(radius_max, other.radius_max);
+}
+
+void DiscIndex::populate(std::size_t count, double mean_radius, std::vector<std::uint8_t> layer) {
+  layer_ = std::move(layer);
+  const std::uint8_t last = layer_.empty() ? 0 : *std::max_element(layer_.begin(), layer_.end());
+  layers_.assign(last + std::size_t{1}, {});
   torus_ = Torus(std::max(6 * mean_radius, 0.01), 2 * count / layers_.size());
   for (std::size_t l = 0; l < layers_.size(); ++l) layers_[l].first_cell = l * torus_.cells();
-  first_.resize(layers_.size() * torus_.cells() + 2, 0);
+  first_.assign(cells() + 1, 0);
 }
 
-void DiscIndex::measure_layers() {
-  for (Layer& layer : layers_) layer = {layer.first_cell, 1e300, -1e300, 0};
-  for (std::size_t i = 0; i < unsorted_.size(); ++i) {
-    Layer& layer = layers_[layer_of(i)];
-    layer.z_min = std::min(layer.z_min, unsorted_[i].z_min);
-    layer.z_max = std::max(layer.z_max, unsorted_[i].z_max);
-    layer.radius_max = std::max(layer.radius_max, unsorted_[i].radius);
-  }
-  radius_max_ = 0;
-  for (const Layer& layer : layers_) radius_max_ = std::max(radius_max_, layer.radius_max);
-}
-
-void DiscIndex::sort() {
-  measure_layers();
-  std::fill(first_.begin(), first_.end(), 0);
-  cell_.resize(unsorted_.size());
-  // Counts of cell c go two entries on, so that first_[c + 1] is where to put its next disc.
-  for (std::size_t i = 0; i < unsorted_.size(); ++i) {
-    cell_[i] =
-        static_cast<std::uint32_t>(layers_[layer_of(i)].first_cell + torus_.index(unsorted_[i].center));
-    ++first_[cell_[i] + 2];
-  }
-  for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
-  discs_.resize(unsorted_.size());
-  for (std::size_t i = 0; i < unsorted_.size(); ++i) discs_[first_[cell_[i] + 1]++] = unsorted_[i];
+/// As many blocks as pay for counting cells that often.
+void DiscIndex::begin(std::size_t count, const world::Workers& workers) {
+  constexpr std::size_t kLeast = 2048;
+  blocks_ = std::clamp<std::size_t>(count / kLeast, 1, workers.count());
+  unsorted_.resize(count);
+  discs_.resize(count);
+  cell_.resize(count);
   for (std::vector<double>* column : {&places_.x, &places_.y, &places_.z_min, &places_.z_max})
-    column->resize(discs_.size() + kSpare);
-  for (std::size_t i = 0; i < discs_.size(); ++i) {
-    places_.x[i] = discs_[i].center.x;
-    places_.y[i] = discs_[i].center.y;
-    places_.z_min[i] = discs_[i].z_min;
-    places_.z_max[i] = discs_[i].z_max;
+    column->resize(count + kSpare);
+  next_.resize(blocks_ * cells());
+  sums_.resize(blocks_);
+  extents_.resize(blocks_ * layers_.size());
+}
+
+/// What a block has in each cell.
+void DiscIndex::count_up(std::size_t block) {
+  std::uint32_t* const counts = next_.data() + block * cells();
+  Extent* const extents = extents_.data() + block * layers_.size();
+  std::fill_n(counts, cells(), 0);
+  std::fill_n(extents, layers_.size(), Extent{});
+  const std::size_t end = begin_of(block + 1);
+  for (std::size_t i = begin_of(block); i < end; ++i) {
+    const Disc& disc = unsorted_[i];
+    const std::size_t layer = layer_of(i);
+    extents[layer].add({disc.z_min, disc.z_max, disc.radius});
+    cell_[i] = static_cast<std::uint32_t>(layers_[layer].first_cell + torus_.index(disc.center));
+    ++counts[cell_[i]];
+  }
+}
+
+/// Blocks come one after the other within each cell, so that rows keep their order.
+void DiscIndex::sort(world::Workers& workers) {
+  radius_max_ = 0;
+  for (std::size_t l = 0; l < layers_.size(); ++l) {
+    static_cast<Extent&>(layers_[l]) = {};
+    for (std::size_t block = 0; block < blocks_; ++block)
+      layers_[l].add(extents_[block * layers_.size() + l]);
+    radius_max_ = std::max(radius_max_, layers_[l].radius_max);
+  }
+  const std::size_t cells = this->cells(), blocks = blocks_;
+  const auto first_cell = [&](std::size_t share) { return cells * share / blocks; };
+  std::uint32_t* const first = first_.data();
+  std::uint32_t* const next = next_.data();
+  if (blocks > 1)
+    each_block(workers, [&](std::size_t share) {
+      std::uint32_t sum = 0;
+      for (std::size_t block = 0; block < blocks; ++block)
+        for (std::size_t c = first_cell(share); c < first_cell(share + 1); ++c)
+          sum += next[block * cells + c];
+      sums_[share] = sum;
+    });
+  each_block(workers, [&](std::size_t share) {
+    std::uint32_t sum = 0;
+    for (std::size_t before = 0; before < share; ++before) sum += sums_[before];
+    const std::size_t end = first_cell(share + 1), all = blocks * cells;
+    for (std::size_t c = first_cell(share); c < end; ++c) {
+      first[c] = sum;
+      for (std::size_t at = c; at < all; at += cells) sum += std::exchange(next[at], sum);
+    }
+  });
+  first_.back() = static_cast<std::uint32_t>(unsorted_.size());
+  each_block(workers, [&](std::size_t block) { put_places(block); });
+}
+
+void DiscIndex::put_places(std::size_t block) {
+  std::uint32_t* const next = next_.data() + block * cells();
+  const std::size_t end = begin_of(block + 1);
+  for (std::size_t i = begin_of(block); i < end; ++i) {
+    const std::uint32_t place = next[cell_[i]]++;
+    const Disc& disc = discs_[place] = unsorted_[i];
+    places_.x[place] = disc.center.x;
+    places_.y[place] = disc.center.y;
+    places_.z_min[place] = disc.z_min;
+    places_.z_max[place] = disc.z_max;
   }
 }
 

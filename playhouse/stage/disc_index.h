@@ -1,13 +1,16 @@
 #pragma once
 
 /// DiscIndex: where things with a centre and a radius are, to find those near a place. Rebuilt by counting,
-/// at a cost linear in the number of things; things of a cell keep their order of rows. Things are kept in
-/// layers by height, so that who looks at one height does not come across what is above or below.
+/// at a cost linear in the number of things, on any number of workers; things of a cell keep their order of
+/// rows. Things are kept in layers by height, so that who looks at one height does not come across what is
+/// above or below.
 
 #include <cstdint>
 #include <vector>
 
+#include "playhouse/stage/observer.h"
 #include "playhouse/stage/torus.h"
+#include "playhouse/world/workers.h"
 
 namespace playhouse::stage {
 
@@ -21,20 +24,26 @@ class DiscIndex {
     std::uint32_t root;   // model row of the top of its tree
     // Of a solid, so that who looks at it need not look it up.
     std::uint32_t first_vertex = 0, vertices = 0;
-    float ranger_return = 0;
-    bool convex = false;
+    Observers seen_by = 0;
+    bool convex = false;  // a convex polygon of few corners (polygon_hit.h)
   };
 
-  /// Sizes the cells for things of this mean radius. `layer` is that of each thing, or empty if there is one.
-  DiscIndex(std::size_t count, double mean_radius, std::vector<std::uint8_t> layer = {});
-  DiscIndex() : DiscIndex(0, 0.25) {}
+  DiscIndex() { populate(0, 0.25); }
+
+  /// Sizes the cells for `count` things of this mean radius. `layer` is that of each thing, or empty if there
+  /// is one. To be called again when things came or went, before rebuild().
+  void populate(std::size_t count, double mean_radius, std::vector<std::uint8_t> layer = {});
 
   /// Replaces the contents. `disc(i)` gives thing i < count.
   template <typename MakeDisc>
-  void rebuild(std::size_t count, const MakeDisc& disc) {
-    unsorted_.resize(count);
-    for (std::size_t i = 0; i < count; ++i) unsorted_[i] = disc(i);
-    sort();
+  void rebuild(std::size_t count, const MakeDisc& disc, world::Workers& workers) {
+    begin(count, workers);
+    each_block(workers, [&](std::size_t block) {
+      const std::size_t end = begin_of(block + 1);
+      for (std::size_t i = begin_of(block); i < end; ++i) unsorted_[i] = disc(i);
+      count_up(block);
+    });
+    sort(workers);
   }
 
   double radius_max() const { return radius_max_; }
@@ -70,14 +79,29 @@ class DiscIndex {
   }
 
  private:
-  struct Layer {
+  /// What is in a layer.
+  struct Extent {
+    double z_min = 1e300, z_max = -1e300, radius_max = 0;  // m
+
+    void add(const Extent& other);
+  };
+  struct Layer : Extent {
     std::size_t first_cell;
-    double z_min, z_max, radius_max;  // m, of all in it
   };
 
-  void measure_layers();
-  void sort();
+  void begin(std::size_t count, const world::Workers& workers);
+  void count_up(std::size_t block);
+  void sort(world::Workers& workers);
+  void put_places(std::size_t block);
+  std::size_t begin_of(std::size_t block) const { return unsorted_.size() * block / blocks_; }
   std::size_t layer_of(std::size_t i) const { return layer_.empty() ? 0 : layer_[i]; }
+  std::size_t cells() const { return layers_.size() * torus_.cells(); }
+  template <typename Body>
+  void each_block(world::Workers& workers, const Body& body) const {
+    workers.run(blocks_, 1, [&](std::size_t first, std::size_t last) {
+      for (std::size_t block = first; block < last; ++block) body(block);
+    });
+  }
 
   Torus torus_;
   std::vector<std::uint8_t> layer_;  // of unsorted_, or empty
@@ -86,7 +110,12 @@ class DiscIndex {
   std::vector<Disc> unsorted_, discs_;  // discs_ by layer and cell
   Places places_;
   std::vector<std::uint32_t> cell_;   // of unsorted_
-  std::vector<std::uint32_t> first_;  // first disc of a cell (layers x cells + 2)
+  std::vector<std::uint32_t> first_;  // first disc of a cell (layers x cells + 1)
+  // Things are counted in blocks of consecutive rows, one for each worker where there are so many.
+  std::size_t blocks_ = 1;
+  std::vector<std::uint32_t> next_;  // where a block puts its next disc of a cell (blocks x layers x cells)
+  std::vector<std::uint32_t> sums_;  // of discs in a share of the cells (blocks)
+  std::vector<Extent> extents_;      // (blocks x layers)
 };
 
 }  // namespace playhouse::stage

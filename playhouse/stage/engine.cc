@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "playhouse/base/log.h"
+#include "playhouse/stage/sense_fiducial.h"
+#include "playhouse/stage/sense_ranger.h"
 #include "playhouse/stage/stage_engine.h"
 
 namespace playhouse::stage {
@@ -102,6 +104,8 @@ double robot_radius(const Trees& trees, const Solids& solids) {
 
 StageEngine::StageEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers)
     : world_(scene, seed), workers_(workers), shapes_(scene), motion_(workers_.count()) {
+  senses_.add(std::make_unique<RangerSense>(workers_.count()));
+  senses_.add(std::make_unique<FiducialSense>());
   populate(true);
 }
 
@@ -111,10 +115,9 @@ void StageEngine::populate(bool fixed) {
   replace_moving_solids(solids_, world_, shapes_, trees_);
   if (fixed) walls_ = Walls(solids_);
   motion_.populate(trees_, solids_, world_.models);
-  index_ = DiscIndex(solids_.moving(), robot_radius(trees_, solids_), layers_of(solids_));
+  senses_.populate(world_, solids_);
+  index_.populate(solids_.moving(), robot_radius(trees_, solids_), layers_of(solids_));
   index();
-  rangers_.emplace(world_, solids_, workers_.count());
-  fiducials_.emplace(world_, solids_);
 }
 
 Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene,

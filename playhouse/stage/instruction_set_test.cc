@@ -80,7 +80,7 @@ TEST(InstructionSets, find_where_a_ray_meets_a_polygon_as_edge_by_edge) {
     polygon.push_back(polygon.front());
     polygon.resize(polygon.size() + Solids::kSpare);
     testing::with_every_instruction_set([&] {
-      const double hit = polygon_hit(polygon.data(), corners, p, d);
+      const double hit = in_vectors<polygon_hit_here>(polygon.data(), corners, p, d);
       EXPECT_TRUE(hit == nearest || std::fabs(hit - nearest) < 1e-9) << hit << " not " << nearest;
     });
   }

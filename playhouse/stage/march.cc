@@ -1,8 +1,9 @@
 #include "playhouse/stage/march.h"
 
+#include <algorithm>
 #include <cmath>
 
-#include "playhouse/stage/space.h"
+#include "playhouse/stage/ray_edge.h"
 
 namespace playhouse::stage {
 namespace {
@@ -183,33 +184,38 @@ PLAYHOUSE_INLINE void fill_up(std::size_t count, Lanes& lanes) {
   }
 }
 
-/// Keeps the nearer of what is known about ray k and the edges. Branch-free: hits are unpredictable.
-PLAYHOUSE_INLINE void meet(const Walls::Group& group, std::size_t k, Rays& rays) {
-  const double px = rays.px[k], py = rays.py[k], dx = rays.dx[k], dy = rays.dy[k];
-  const Four range = {rays.range[k], rays.range[k], rays.range[k], rays.range[k]};
-  const Four seen = {group.ranger_return}, known = {rays.intensity[k]};
-  Four ax, ay, bx, by;
-  load(ax, group.x);
-  load(ay, group.y);
-  load(bx, group.x + 1);
-  load(by, group.y + 1);
-  ax -= px;
-  ay -= py;
-  bx -= px;
-  by -= py;
-  const Four s0 = dx * ay - dy * ax, s1 = dx * by - dy * bx;
-  Four t = (ax * by - ay * bx) / (s1 - s0);
-  const auto met = (s0 * s1 <= 0) & (t >= 0) & (t < range);
-  t = met ? t : range;
-  const Four across = __builtin_shufflevector(t, t, 2, 3, 0, 1);
-  t = t < across ? t : across;
-  const Four beside = __builtin_shufflevector(t, t, 1, 0, 3, 2);
-  t = t < beside ? t : beside;
-  rays.range[k] = t[0];
-  rays.intensity[k] = (t < range ? seen : known)[0];
+/// The distance at which a ray meets the first of the edges, one after the other.
+[[gnu::noinline]] double edges_alone(const Walls::Group& group, Vec2 p, Vec2 d) {
+  double first = kMiss;
+  for (std::uint32_t i = 0; i < group.count; ++i)
+    first = std::min(first, edge_hit(group.edge(i).a - p, group.edge(i).b - p, d));
+  return first;
 }
 
-PLAYHOUSE_INLINE void march_here(const Walls& walls, Rays& rays) {
+/// Keeps the first of what is known about ray k and the edges. Branch-free: hits are unpredictable.
+PLAYHOUSE_INLINE void meet(std::span<const Walls::Group> groups, Observers by, std::size_t k, Rays& rays) {
+  const double px = rays.px[k], py = rays.py[k], dx = rays.dx[k], dy = rays.dy[k], z = rays.z[k];
+  Four range = {rays.range[k]}, solid = {rays.solid[k]};
+  for (const Walls::Group& group : groups) {
+    if (group.z_min > z || z > group.z_max || (group.seen_by & by) == 0) continue;
+    Four ax, ay, bx, v;
+    load(ax, group.x);
+    load(ay, group.y);
+    load(bx, group.x + 1);
+    load(v, group.y + 1);
+    Four t = Distance<double, Four>(dx, dy, ax - px, ay - py, bx - px, v - py).t;
+    const Four across = __builtin_shufflevector(t, t, 2, 3, 0, 1);
+    t = t < across ? t : across;
+    const Four beside = __builtin_shufflevector(t, t, 1, 0, 3, 2);
+    t = t < beside ? t : beside;
+    if (t[0] < 0) t = Four{edges_alone(group, {px, py}, {dx, dy})};
+    keep_first(t, Four{number_of(group.solid)}, range, solid);
+  }
+  rays.range[k] = range[0];
+  rays.solid[k] = solid[0];
+}
+
+PLAYHOUSE_INLINE void march_here(const Walls& walls, Observers by, Rays& rays) {
   Lanes lanes;
   for (std::size_t i = 0; i < rays.part_count; ++i) put_origins(rays, rays.parts[i], walls.torus(), lanes);
   put_directions(rays, walls.torus(), lanes);
@@ -221,8 +227,7 @@ PLAYHOUSE_INLINE void march_here(const Walls& walls, Rays& rays) {
   while (const std::size_t on = found.going_on()) {
     for (std::size_t i = 0; i < found.touches; ++i) {
       const std::uint32_t lane = found.touch[i], k = lanes.ray[lane];
-      for (const Walls::Group& group : walls.in_cell(static_cast<std::size_t>(lanes.place[lane]) >> 2))
-        if (group.z_min <= rays.z[k] && rays.z[k] <= group.z_max) meet(group, k, rays);
+      meet(walls.in_cell(static_cast<std::size_t>(lanes.place[lane]) >> 2), by, k, rays);
       lanes.range[lane] = static_cast<float>(rays.range[k]);
     }
     if (2 * on <= used) {
@@ -238,8 +243,8 @@ PLAYHOUSE_INLINE void march_here(const Walls& walls, Rays& rays) {
 
 }  // namespace
 
-void march(const Walls& walls, Rays& rays) {
-  in_vectors<march_here>(walls, rays);
+void march(const Walls& walls, Observers by, Rays& rays) {
+  in_vectors<march_here>(walls, by, rays);
 }
 
 }  // namespace playhouse::stage

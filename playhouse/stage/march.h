@@ -13,7 +13,7 @@ namespace playhouse::stage {
 /// Rays that reach further go one by one.  [cells]
 inline constexpr double kFarthestMarch = 8192;
 
-/// Shortens the rays to the walls that they meet.
-void march(const Walls& walls, Rays& rays);
+/// Shortens the rays to the walls that they meet, of those that these observers see.
+void march(const Walls& walls, Observers by, Rays& rays);
 
 }  // namespace playhouse::stage

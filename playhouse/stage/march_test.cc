@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "playhouse/base/rng.h"
-#include "playhouse/stage/space.h"
+#include "playhouse/stage/ray_edge.h"
 #include "playhouse/stage/testing_instruction_sets.h"
 
 namespace playhouse::stage {
@@ -23,7 +23,7 @@ Solids posts(const std::vector<Vec2>& corners, double side) {
     solids.model.push_back(0);
     solids.z_min.push_back(0);
     solids.z_max.push_back(1);
-    solids.ranger_return.push_back(1);
+    solids.seen_by.push_back(bit(Observer::kRanger));
   }
   solids.p.resize(solids.p.size() + Solids::kSpare);
   solids.fixed = solids.size();
@@ -75,14 +75,14 @@ TEST(March, comes_by_every_edge_however_many_cells_away) {
       rays.dy[k] = aim.y / length;
       rays.z[k] = 0.5;
       rays.range[k] = range;
-      rays.intensity[k] = 0;
+      rays.solid[k] = kNoSolid;
     }
     testing::with_every_instruction_set([&] {
       Rays marched = rays;
-      march(walls, marched);
+      march(walls, bit(Observer::kRanger), marched);
       for (std::size_t k = 0; k < marched.count; ++k) {
         EXPECT_EQ(marched.range[k], nearest(solids, rays.p(k), rays.d(k), range));
-        far += marched.intensity[k] == 1 && marched.range[k] > 4000 * cell;
+        far += marched.solid[k] != kNoSolid && marched.range[k] > 4000 * cell;
       }
     });
   }

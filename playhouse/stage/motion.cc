@@ -144,7 +144,7 @@ unsigned Motion::steps_of(const Surroundings& in, std::uint32_t tree) const {
     turn += std::fabs(in.world.positions.velocity[trees_->positions[i]].a) * in.world.scene().interval;
   double steps = 1;
   for (std::uint32_t row = trees_->first_solid[tree]; row < trees_->first_solid[tree + 1]; ++row) {
-    if (!in.solids.obstacle[row]) continue;
+    if (!in.solids.is_obstacle(row)) continue;
     const double way = distance(center_[place_of(row)], in.solids.center[row]) + turn * in.solids.radius[row];
     steps = std::max(steps, way / std::max(0.5 * in.solids.width[row], kTouch));
   }
@@ -159,7 +159,7 @@ bool Motion::meets_wall(const Surroundings& in, std::size_t solid, const Outline
   const geom::Box box = box_about(then.center, radius);
   bool met = false;
   in.walls.near(box, [&](const Walls::Edge& edge) {
-    if (met || !in.solids.obstacle[edge.solid] || !z_overlaps(in.solids, solid, edge.solid)) return;
+    if (met || !in.solids.is_obstacle(edge.solid) || !z_overlaps(in.solids, solid, edge.solid)) return;
     if (!edge.reaches(box)) return;
     const double inside = length_inside(then, edge.a, edge.b);
     met = inside > kRounding && inside > length_inside(now, edge.a, edge.b) + kRounding;
@@ -198,7 +198,7 @@ bool Motion::meets(const Surroundings& in, std::uint32_t tree, const TreeShape& 
   const Solids& solids = in.solids;
   const std::uint32_t first = trees_->first_solid[tree], end = trees_->first_solid[tree + 1];
   for (std::uint32_t row = first; row < end; ++row) {
-    if (!solids.obstacle[row]) continue;
+    if (!solids.is_obstacle(row)) continue;
     const Vec2* p = shape.p.data() + (solids.first_vertex[row] - solids.first_vertex[first]);
     const Outline now = outline_now(solids, row),
                   then = outline_at(solids, row, shape.center[row - first], p);
@@ -208,7 +208,7 @@ bool Motion::meets(const Surroundings& in, std::uint32_t tree, const TreeShape& 
     in.index.near(
         then.center, reach, solids.z_min[row] + kTouch, solids.z_max[row] - kTouch,
         [&](const DiscIndex::Disc& disc) {
-          if (met || disc.root == solids.root[row] || !solids.obstacle[disc.row]) return;
+          if (met || disc.root == solids.root[row] || !solids.is_obstacle(disc.row)) return;
           if (distance(disc.center, then.center) >= disc.radius + reach || !z_overlaps(solids, row, disc.row))
             return;
           met = meets_other(in, row, now, then, disc.row, sweep);

@@ -1,11 +1,12 @@
 #pragma once
 
-/// Where a ray meets the outline of a polygon, four edges at a time.
+/// Where a ray meets the outline of a polygon, four edges at a time; the rule is that of ray_edge.h.
+/// Polygons are those of Solids: the first corner again at the end, and Solids::kSpare more to read.
 
 #include <algorithm>
 
+#include "playhouse/stage/ray_edge.h"
 #include "playhouse/stage/space.h"
-#include "playhouse/stage/vectors.h"
 
 namespace playhouse::stage {
 
@@ -26,32 +27,50 @@ struct Corners {
   }
 };
 
-/// polygon_hit(), as a part of the caller.
+/// The first of all edges that the ray from p along d meets, one after the other.
+[[gnu::noinline]] inline double polygon_hit_alone(const Vec2* polygon, std::size_t corners, Vec2 p, Vec2 d) {
+  double first = kMiss;
+  for (std::size_t i = 0; i < corners; ++i)
+    first = std::min(first, edge_hit(polygon[i] - p, polygon[i + 1] - p, d));
+  return first;
+}
+
+/// The first of all edges that the ray from p along d meets, as a part of the caller.
 PLAYHOUSE_INLINE double polygon_hit_here(const Vec2* polygon, std::size_t corners, Vec2 p, Vec2 d) {
   const Four number = Corners::kNumber;
   Four best = {kMiss, kMiss, kMiss, kMiss};
   for (std::size_t i = 0; i < corners; i += kFour) {
     const Corners w0(polygon + i, p), w1(polygon + i + 1, p);
-    const Four s0 = d.x * w0.v - d.y * w0.u, s1 = d.x * w1.v - d.y * w1.u;
-    const Four t = (w0.u * w1.v - w0.v * w1.u) / (s1 - s0);
-    best = ((s0 * s1 <= 0) & (t >= 0) & (t < best) & (number < static_cast<double>(corners - i))) ? t : best;
+    const Distance<double, Four> met(d.x, d.y, w0.u, w0.v, w1.u, w1.v);
+    best = ((met.t < best) & (number < static_cast<double>(corners - i))) ? met.t : best;
   }
-  return std::min(std::min(best[0], best[1]), std::min(best[2], best[3]));
+  const double first = std::min(std::min(best[0], best[1]), std::min(best[2], best[3]));
+  return first < 0 ? polygon_hit_alone(polygon, corners, p, d) : first;
 }
 
-/// Where the ray enters a convex polygon: below 0 if that is behind p, not a number if it passes by. Only one
-/// edge has its first corner left of the ray and its second not, which spares the other divisions.
+/// Where the ray enters a convex polygon: below 0 if that is behind p or by an edge that is seen edge-on, not
+/// a number if it passes by. It crosses one edge inwards, which spares the other divisions.
 PLAYHOUSE_INLINE double entry(const Vec2* polygon, std::size_t corners, Vec2 p, Vec2 d) {
   const Four number = Corners::kNumber, none = {0, 0, 0, 0};
-  Four area = none, slope = none;
+  Four areas = none, slopes = none;
   for (std::size_t i = 0; i < corners; i += kFour) {
     const Corners w0(polygon + i, p), w1(polygon + i + 1, p);
-    const Four s0 = d.x * w0.v - d.y * w0.u, s1 = d.x * w1.v - d.y * w1.u;
-    const auto enters = (s0 > 0) & (s1 <= 0) & (number < static_cast<double>(corners - i));
-    area += enters ? w0.u * w1.v - w0.v * w1.u : none;
-    slope += enters ? s1 - s0 : none;
+    const Crossing<double, Four> ends(d.x, d.y, w0.u, w0.v, w1.u, w1.v);
+    Four area;
+    cross(w0.u, w0.v, w1.u, w1.v, area);
+    const auto enters = ends.enters & (number < static_cast<double>(corners - i));
+    areas += enters ? area : none;
+    slopes += enters ? ends.slope : none;
   }
-  return ((area[0] + area[1]) + (area[2] + area[3])) / ((slope[0] + slope[1]) + (slope[2] + slope[3]));
+  const double area = (areas[0] + areas[1]) + (areas[2] + areas[3]),
+               slope = (slopes[0] + slopes[1]) + (slopes[2] + slopes[3]);
+  return ((slope < 0) & (slope > -kEdgeOn)) ? -1 : area / slope;
+}
+
+/// Where the ray from p along d meets a body of a tree that moves; kMiss or not a number if it does not.
+PLAYHOUSE_INLINE double body_hit_here(const Vec2* polygon, std::size_t corners, bool convex, Vec2 p, Vec2 d) {
+  const double t = entry(polygon, corners, p, d);
+  return t < 0 || !convex ? polygon_hit_here(polygon, corners, p, d) : t;
 }
 
 }  // namespace playhouse::stage

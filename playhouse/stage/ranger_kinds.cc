@@ -60,10 +60,12 @@ double distance_to_ray(Vec2 center, Vec2 p, Vec2 d, double range) {
 void finish_bundle(Bundle& bundle, double body_radius) {
   bundle.z_min = *std::min_element(bundle.z.begin(), bundle.z.end());
   bundle.z_max = *std::max_element(bundle.z.begin(), bundle.z.end());
+  bundle.reach = 0;
   for (std::size_t k = 0; k < bundle.rays(); ++k)
     bundle.reach =
         std::max(bundle.reach, std::sqrt(geom::dot(bundle.p[k], bundle.p[k])) + bundle.range_max[k]);
-  bundle.half = bundle.reach + body_radius + 2 * kMargin;
+  bundle.reach += kMargin;
+  bundle.half = bundle.reach + body_radius + kMargin;
   bundle.cell = 2 * bundle.half / Bundle::kCells;
   bundle.meets.assign(Bundle::kSide * Bundle::kSide, 0);
   const double near = body_radius + 0.7072 * bundle.cell + kMargin;
@@ -120,16 +122,19 @@ std::vector<double> signature(const scene::ModelDesc& desc) {
 
 }  // namespace
 
-RangerKinds make_ranger_kinds(const world::World& world, double body_radius) {
-  RangerKinds all;
-  std::map<std::vector<double>, std::uint32_t> known;
+void RangerKinds::populate(const world::World& world, double body_radius) {
+  if (body_radius > body_radius_) {
+    body_radius_ = body_radius;
+    for (RangerKind& kind : kinds)
+      for (Bundle& bundle : kind.bundles) finish_bundle(bundle, body_radius_);
+  }
+  of_ranger.clear();
   for (const world::ModelRow model : world.rangers.model) {
     const auto [entry, is_new] =
-        known.try_emplace(signature(world.desc(model)), static_cast<std::uint32_t>(all.kinds.size()));
-    if (is_new) all.kinds.push_back(make_kind(world.desc(model), body_radius));
-    all.of_ranger.push_back(entry->second);
+        known_.try_emplace(signature(world.desc(model)), static_cast<std::uint32_t>(kinds.size()));
+    if (is_new) kinds.push_back(make_kind(world.desc(model), body_radius_));
+    of_ranger.push_back(entry->second);
   }
-  return all;
 }
 
 }  // namespace playhouse::stage

@@ -45,7 +45,7 @@ struct Bundle {
   std::vector<double> range_max;     // m
   std::vector<std::uint32_t> beam;   // of the ranger
   double z_min = 0, z_max = 0;       // m above M
-  double reach = 0;                  // m from M that any ray gets
+  double reach = 0;                  // m from M that any ray gets, and kMargin
   double cell = 0, half = 0;         // m: the square is +-half about M
   std::vector<std::uint16_t> meets;  // bit k of a cell: ray k may meet a body whose centre is there (kSide^2)
   std::size_t rays() const { return d.size(); }
@@ -69,13 +69,19 @@ struct RangerKind {
   std::uint32_t beams = 0;
 };
 
-/// Kinds of all rangers of a world.
-struct RangerKinds {
+/// Kinds of all rangers of a world, and of those that it had.
+class RangerKinds {
+ public:
   std::vector<RangerKind> kinds;
   std::vector<std::uint32_t> of_ranger;  // row of kinds (rangers)
-};
 
-/// `body_radius` is the largest radius of a body that moves. [m]
-RangerKinds make_ranger_kinds(const world::World& world, double body_radius);
+  /// Finds the kind of every ranger; makes those that are new. `body_radius` is the largest radius of a body
+  /// that moves: tables are made again if it is larger than what they are good for.  [m]
+  void populate(const world::World& world, double body_radius);
+
+ private:
+  std::map<std::vector<double>, std::uint32_t> known_;  // by what makes rangers alike: row of kinds
+  double body_radius_ = 0;                              // m, for which the tables are good
+};
 
 }  // namespace playhouse::stage

@@ -14,8 +14,8 @@ struct Rays {
 
   double px[kRoom], py[kRoom], dx[kRoom], dy[kRoom];  // m, unit vectors
   double z[kRoom], range[kRoom];                      // m
-  double intensity[kRoom];
-  std::size_t beam[kMost];  // of Scratch, where they come from
+  double solid[kRoom];                                // what they meet there: number_of() a row of Solids
+  std::size_t beam[kMost];                            // of Scratch, where they come from
   /// Rays of one bundle, which start near a place.
   struct Part {
     Vec2 about;

@@ -20,17 +20,19 @@ static_assert(Scan::kSpare >= kFour);
 
 /// The beams of a scan and what they have met so far.
 struct Row {
-  const double *x, *y;  // unit vectors in S
-  double *range, *intensity;
+  Vec2 p;               // where they begin, in W
+  const double *x, *y;  // unit vectors in W
+  double *range, *solid;
   std::size_t last;  // beam
   double half;       // of the fov  [rad]
   double per_step;   // beams per radian
 
-  Row(const Scan& scan, double* ranges, double* intensities)
-      : x(scan.x.data()),
-        y(scan.y.data()),
+  Row(const Scan& scan, Vec2 p_WS, const double* x_W, const double* y_W, double* ranges, double* solids)
+      : p(p_WS),
+        x(x_W),
+        y(y_W),
         range(ranges + scan.first_beam),
-        intensity(intensities + scan.first_beam),
+        solid(solids + scan.first_beam),
         last(scan.count - 1),
         half(0.5 * scan.fov),
         per_step(1.0 / scan.step) {}
@@ -43,120 +45,152 @@ struct Row {
   std::size_t beam_left_of(double bearing) const { return std::min(beam_right_of(bearing) + 1, last); }
 };
 
-/// Keeps the nearer of what is known and the edge from w0 to w1, which is to the left of w0, for the beams
-/// from `first` on up to `last`, and a few more.
-PLAYHOUSE_INLINE void project(const Row& row, Vec2 w0, Vec2 w1, double seen, std::size_t first,
-                              std::size_t last) {
-  const double area = w0.x * w1.y - w0.y * w1.x;
-  for (std::size_t k = first; k <= last; k += kFour) {
-    Four x, y, range, intensity;
-    load(x, row.x + k);
-    load(y, row.y + k);
-    load(range, row.range + k);
-    load(intensity, row.intensity + k);
-    const Four s0 = x * w0.y - y * w0.x, s1 = x * w1.y - y * w1.x;
-    const Four t = area / (s1 - s0);
-    const auto nearer = (s0 <= 0) & (s1 >= 0) & (t < range);
-    range = nearer ? t : range;
-    intensity = nearer ? seen : intensity;
-    store(row.range + k, range);
-    store(row.intensity + k, intensity);
+/// Turns beams into W; what is behind the last one is no number and stays so.
+PLAYHOUSE_INLINE void turn_beams(Rotation r, std::size_t count, const double* __restrict x_S,
+                                 const double* __restrict y_S, double* __restrict x, double* __restrict y) {
+  for (std::size_t k = 0; k < count; ++k) {
+    x[k] = r.c * x_S[k] - r.s * y_S[k];
+    y[k] = r.s * x_S[k] + r.c * y_S[k];
   }
 }
 
-/// Projects an edge, once for each turn by which its bearings can meet those of the beams.
-void project_edge(Vec2 w0, Vec2 w1, double intensity, const Row& row) {
+/// Keeps the first of what is known and the edge from w0 to w1, which is to the right of w0 and which no beam
+/// sees edge-on, for the beams from `first` on up to `last`, and a few more.
+PLAYHOUSE_INLINE void project(const Row& row, Vec2 w0, Vec2 w1, double seen, std::size_t first,
+                              std::size_t last) {
   const double area = geom::cross(w0, w1);
-  if (area == 0) return;
-  if (area < 0) std::swap(w0, w1);
-  const double from = rough_bearing(w0) - kBearingError;
-  double to = rough_bearing(w1) + kBearingError;
-  if (to < from - 3.0) to += geom::kTwoPi;
+  for (std::size_t k = first; k <= last; k += kFour) {
+    Four x, y, range, solid;
+    load(x, row.x + k);
+    load(y, row.y + k);
+    load(range, row.range + k);
+    load(solid, row.solid + k);
+    const Crossing<Four, double> ends(x, y, w0.x, w0.y, w1.x, w1.y);
+    keep_first<Four>(ends.enters ? area / ends.slope : kMiss, Four{seen, seen, seen, seen}, range, solid);
+    store(row.range + k, range);
+    store(row.solid + k, solid);
+  }
+}
+
+/// All beams and an edge with which the scanner is in line.
+void project_in_line(const Row& row, Vec2 w0, Vec2 w1, double seen) {
+  for (std::size_t k = 0; k <= row.last; ++k)
+    keep_first(edge_hit(w0, w1, {row.x[k], row.y[k]}), seen, row.range[k], row.solid[k]);
+}
+
+/// Calls visit(first, last) for beams that hold all between two bearings, once for each turn by which those
+/// can meet the beams'.
+template <typename Visit>
+void each_turn(const Row& row, double from, double to, const Visit& visit) {
   const auto turns = static_cast<int>(row.half / geom::kTwoPi) + 1;
   for (int turn = -turns; turn <= turns; ++turn) {
     const double low = from + turn * geom::kTwoPi, high = to + turn * geom::kTwoPi;
     if (high < -row.half || low > row.half) continue;
-    in_vectors<project>(row, w0, w1, intensity, row.beam_right_of(low), row.beam_left_of(high));
+    visit(row.beam_right_of(low), row.beam_left_of(high));
   }
 }
 
+void project_edge(Vec2 w0, Vec2 w1, Rotation rotation, double seen, const Row& row) {
+  const double area = geom::cross(w0, w1);
+  if (std::fabs(area) <= kEdgeOn * (std::fabs(w0.x) + std::fabs(w0.y) + std::fabs(w1.x) + std::fabs(w1.y))) {
+    project_in_line(row, w0, w1, seen);
+    return;
+  }
+  if (area > 0) std::swap(w0, w1);
+  const double from = rough_bearing(rotation.inverse(w1)) - kBearingError;
+  double to = rough_bearing(rotation.inverse(w0)) + kBearingError;
+  if (to < from - 3.0) to += geom::kTwoPi;
+  each_turn(row, from, to, [&](std::size_t first, std::size_t last) {
+    in_vectors<project>(row, w0, w1, seen, first, last);
+  });
+}
+
 /// A body of any shape from anywhere, edge by edge.
-void project_edges(std::span<const Vec2> polygon, const Pose& X_WS, Rotation rotation, double seen,
-                   const Row& row) {
-  Vec2 before = rotation.inverse(polygon.back() - X_WS.xy());
+void project_edges(std::span<const Vec2> polygon, Rotation rotation, double seen, const Row& row) {
+  Vec2 before = polygon.back() - row.p;
   for (const Vec2 corner : polygon) {
-    const Vec2 w = rotation.inverse(corner - X_WS.xy());
-    project_edge(before, w, seen, row);
+    const Vec2 w = corner - row.p;
+    project_edge(before, w, rotation, seen, row);
     before = w;
   }
 }
 
-constexpr std::size_t kFacingCorners = 32;
+/// A convex body from anywhere, beam by beam.
+PLAYHOUSE_INLINE void project_body(const Row& row, const Vec2* polygon, std::size_t corners, double seen,
+                                   std::size_t first, std::size_t last) {
+  for (std::size_t k = first; k <= last; ++k)
+    keep_first_alone(body_hit_here(polygon, corners, true, row.p, {row.x[k], row.y[k]}), seen, row.range[k],
+                     row.solid[k]);
+}
 
-/// A convex body of up to kFacingCorners from outside, all within the beams first .. last: projects the edges
-/// that face the scanner, unless every beam has met something nearer than `nearest`.
+/// A convex body from outside, at a distance of up to `farthest`, all within the beams first .. last:
+/// projects the edges that face the scanner, unless every beam has met something nearer than `nearest`.
 PLAYHOUSE_INLINE void project_facing(const Row& row, const Vec2* __restrict polygon, std::size_t corners,
-                                     Vec2 origin, Rotation r, double seen, double nearest, std::size_t first,
+                                     double seen, double nearest, double farthest, std::size_t first,
                                      std::size_t last) {
   bool hidden = true;
   for (std::size_t k = first; k <= last && hidden; ++k) hidden = row.range[k] <= nearest;
   if (hidden) return;
 
-  double u0[kFacingCorners], v0[kFacingCorners], u1[kFacingCorners], v1[kFacingCorners], area[kFacingCorners];
-  const Four number = Corners::kNumber, none = {0, 0, 0, 0};
+  double u0[kConvexCorners], v0[kConvexCorners], u1[kConvexCorners], v1[kConvexCorners], area[kConvexCorners];
+  const Four number = Corners::kNumber;
+  const double in_line = kEdgeOn * farthest;
+  Four least = Four{} + kMiss;
   std::size_t sides = 0;
   for (std::size_t i = 0; i < corners; i += kFour, sides += kFour) {
-    const Corners w0(polygon + i, origin), w1(polygon + i + 1, origin);
-    const Four a0 = r.c * w0.u + r.s * w0.v, b0 = r.c * w0.v - r.s * w0.u;
-    const Four a1 = r.c * w1.u + r.s * w1.v, b1 = r.c * w1.v - r.s * w1.u;
-    store(u0 + i, a0);
-    store(v0 + i, b0);
-    store(u1 + i, a1);
-    store(v1 + i, b1);
-    store<Four>(area + i, number < static_cast<double>(corners - i) ? a1 * b0 - a0 * b1 : none);
+    const Corners w0(polygon + i, row.p), w1(polygon + i + 1, row.p);
+    Four all;
+    cross(w0.u, w0.v, w1.u, w1.v, all);
+    all = number < static_cast<double>(corners - i) ? all : kMiss;
+    store(u0 + i, w0.u);
+    store(v0 + i, w0.v);
+    store(u1 + i, w1.u);
+    store(v1 + i, w1.v);
+    store(area + i, all);
+    const Four squared = all * all;
+    least = least < squared ? least : squared;
   }
-  std::size_t facing[kFacingCorners], count = 0;  // edges that go clockwise about the scanner
+  if (std::min(std::min(least[0], least[1]), std::min(least[2], least[3])) <= in_line * in_line) {
+    project_body(row, polygon, corners, seen, first, last);
+    return;
+  }
+  std::size_t facing[kConvexCorners], count = 0;  // edges that go clockwise about the scanner
   for (std::size_t i = 0; i < sides; ++i) {
     facing[count] = i;
-    count += area[i] > 0;
+    count += area[i] < 0;
   }
   // A beam enters a convex body by one edge: one division serves all.
   for (std::size_t k = first; k <= last; k += kFour) {
-    Four x, y, range, intensity, met_area = none, slope = none;
+    Four x, y, range, solid, met_area = {0, 0, 0, 0}, slope = met_area;
     load(x, row.x + k);
     load(y, row.y + k);
     load(range, row.range + k);
-    load(intensity, row.intensity + k);
+    load(solid, row.solid + k);
     for (std::size_t n = 0; n < count; ++n) {
       const std::size_t i = facing[n];
-      const Four s0 = x * v1[i] - y * u1[i], s1 = x * v0[i] - y * u0[i];
-      const auto enters = (s0 <= 0) & (s1 >= 0);
-      met_area = enters ? area[i] : met_area;
-      slope = enters ? s1 - s0 : slope;
+      const Crossing<Four, double> ends(x, y, u0[i], v0[i], u1[i], v1[i]);
+      met_area = ends.enters ? area[i] : met_area;
+      slope = ends.enters ? ends.slope : slope;
     }
-    const Four t = met_area / slope;
-    const auto nearer = t < range;
-    range = nearer ? t : range;
-    intensity = nearer ? seen : intensity;
+    keep_first<Four>(met_area / slope, Four{seen, seen, seen, seen}, range, solid);
     store(row.range + k, range);
-    store(row.intensity + k, intensity);
+    store(row.solid + k, solid);
   }
 }
 
 /// Replaces the rays by beams from the first on.
-void put_beams(const Scan& scan, Vec2 p_WS, Rotation rotation, double z, std::size_t first, Rays& rays) {
-  rays.count = std::min(scan.count - first, Rays::kMost);
-  rays.parts[0] = {p_WS, 0, rays.count};
+void put_beams(const Row& row, double range_max, double z, std::size_t first, Rays& rays) {
+  rays.count = std::min(row.last + 1 - first, Rays::kMost);
+  rays.parts[0] = {row.p, 0, rays.count};
   rays.part_count = 1;
   for (std::size_t k = 0; k < rays.count; ++k) {
-    const Vec2 d = rotation * Vec2{scan.x[first + k], scan.y[first + k]};
-    rays.px[k] = p_WS.x;
-    rays.py[k] = p_WS.y;
-    rays.dx[k] = d.x;
-    rays.dy[k] = d.y;
+    rays.px[k] = row.p.x;
+    rays.py[k] = row.p.y;
+    rays.dx[k] = row.x[first + k];
+    rays.dy[k] = row.y[first + k];
     rays.z[k] = z;
-    rays.range[k] = scan.range_max;
-    rays.intensity[k] = 0;
+    rays.range[k] = range_max;
+    rays.solid[k] = kNoSolid;
   }
 }
 
@@ -196,10 +230,10 @@ std::size_t RangerSense::Scratch::sort_by_distance(std::size_t count, double rea
 void RangerSense::scan_bodies(const Space& space, const Pose& X_WS, Rotation rotation, double z,
                               const View& view, const Scan& scan, Scratch& scratch) {
   const Solids& solids = space.solids;
-  const Row row(scan, scratch.range.data() + scratch.first_beam,
-                scratch.intensity.data() + scratch.first_beam);
+  const Row row(scan, X_WS.xy(), scratch.beam_x.data(), scratch.beam_y.data(),
+                scratch.range.data() + scratch.first_beam, scratch.solid.data() + scratch.first_beam);
   const double radius_max = space.index.radius_max() + kMargin;
-  Sector sector{X_WS.xy(), scan.range_max, z, z, {0, 0}, 0};
+  Sector sector{X_WS.xy(), scan.range_max + kMargin, z, z, {0, 0}, 0};
   if (scan.fov <= geom::kPi) {  // no beam points back, so none meets what is all behind
     sector.ahead = {rotation.c, rotation.s};
     sector.behind = -radius_max;
@@ -226,12 +260,19 @@ void RangerSense::scan_bodies(const Space& space, const Pose& X_WS, Rotation rot
     const double spread = x + 0.5708 * x * x * x + kBearingError;  // not below asin(x)
     const double from = scratch.bearing[at] - spread, to = scratch.bearing[at] + spread;
     const std::span<const Vec2> polygon(solids.p.data() + disc.first_vertex, disc.vertices);
-    const bool in_front = (x < 1) & (row.half <= geom::kPi) & (from > -geom::kPi) & (to < geom::kPi);
-    if (!in_front || !disc.convex || polygon.size() > kFacingCorners) {
-      project_edges(polygon, X_WS, rotation, disc.ranger_return, row);
-    } else if (to >= -row.half && from <= row.half) {
-      in_vectors<project_facing>(row, polygon.data(), polygon.size(), X_WS.xy(), rotation, disc.ranger_return,
-                                 distance - radius, row.beam_right_of(from), row.beam_left_of(to));
+    const auto seen = number_of(disc.row);
+    if (!disc.convex) {
+      project_edges(polygon, rotation, seen, row);
+    } else if ((x < 1) & (row.half <= geom::kPi) & (from > -geom::kPi) & (to < geom::kPi)) {
+      if (to >= -row.half && from <= row.half)
+        in_vectors<project_facing>(row, polygon.data(), polygon.size(), seen, distance - radius,
+                                   distance + radius, row.beam_right_of(from), row.beam_left_of(to));
+    } else if (x < 1) {
+      each_turn(row, from, to, [&](std::size_t first, std::size_t last) {
+        in_vectors<project_body>(row, polygon.data(), polygon.size(), seen, first, last);
+      });
+    } else {
+      in_vectors<project_body>(row, polygon.data(), polygon.size(), seen, 0, row.last);
     }
   }
 }
@@ -239,13 +280,12 @@ void RangerSense::scan_bodies(const Space& space, const Pose& X_WS, Rotation rot
 void RangerSense::scan_walls(const Space& space, const Pose& X_WS, Rotation rotation, double z,
                              const View& view, const Scan& scan, Scratch& scratch) {
   if (space.walls.clear_about(X_WS.xy()) > scan.range_max) return;
-  const geom::Box box = box_about(X_WS.xy(), scan.range_max);
-  const Row row(scan, scratch.range.data() + scratch.first_beam,
-                scratch.intensity.data() + scratch.first_beam);
+  const geom::Box box = box_about(X_WS.xy(), scan.range_max + kMargin);
+  const Row row(scan, X_WS.xy(), scratch.beam_x.data(), scratch.beam_y.data(),
+                scratch.range.data() + scratch.first_beam, scratch.solid.data() + scratch.first_beam);
   const auto hides = [&](std::uint32_t solid) { return view.sees(space.solids, solid, z); };
   const auto project_wall = [&](const Walls::Edge& edge) {
-    project_edge(rotation.inverse(edge.a - X_WS.xy()), rotation.inverse(edge.b - X_WS.xy()),
-                 space.solids.ranger_return[edge.solid], row);
+    project_edge(edge.a - row.p, edge.b - row.p, rotation, number_of(edge.solid), row);
   };
   if (!space.walls.few().empty()) {
     for (const Walls::Edge& edge : space.walls.few())
@@ -265,13 +305,13 @@ void RangerSense::scan_walls(const Space& space, const Pose& X_WS, Rotation rota
   Rays rays;
   const bool marches = can_march(space.walls, view, scan.range_max);
   for (std::size_t first = 0; first < scan.count; first += Rays::kMost) {
-    put_beams(scan, X_WS.xy(), rotation, z, first, rays);
+    put_beams(row, scan.range_max, z, first, rays);
     if (marches)
-      march(space.walls, rays);
+      march(space.walls, bit(Observer::kRanger), rays);
     else
       meet_walls_alone(space, view, rays.parts[0], rays);
     std::copy_n(rays.range, rays.count, row.range + first);
-    std::copy_n(rays.intensity, rays.count, row.intensity + first);
+    std::copy_n(rays.solid, rays.count, row.solid + first);
   }
 }
 
@@ -280,6 +320,8 @@ void RangerSense::run_scan(const Space& space, const View& view, const Scan& sca
   const Pose X_WS = geom::compose(view.X_WM, scan.X_MS);
   const double z = view.X_WM.z + scan.z;
   const Rotation rotation = Rotation::of(X_WS.a);
+  in_vectors<turn_beams>(rotation, scan.x.size(), scan.x.data(), scan.y.data(), scratch.beam_x.data(),
+                         scratch.beam_y.data());
   scan_walls(space, X_WS, rotation, z, view, scan, scratch);
   scan_bodies(space, X_WS, rotation, z, view, scan, scratch);
 }

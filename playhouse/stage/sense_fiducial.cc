@@ -1,9 +1,7 @@
 #include "playhouse/stage/sense_fiducial.h"
 
 #include <algorithm>
-#include <atomic>
-
-#include "playhouse/stage/sense_ranger.h"
+#include <cmath>
 
 namespace playhouse::stage {
 namespace {
@@ -12,21 +10,23 @@ namespace {
 bool in_sight(const Space& space, Vec2 from, double z, Vec2 to, double distance, std::uint32_t own,
               std::uint32_t target) {
   if (distance <= 0) return true;
-  const Ray ray{from, (1.0 / distance) * (to - from), z, distance, own};
-  return cast(space, ray, [&](std::uint32_t row) { return space.solids.root[row] != target; }).solid ==
-         world::ModelRow::kNone;
+  const Vec2 d = (1.0 / distance) * (to - from);
+  const Hit hit = cast(space, {from, d, z, distance, bit(Observer::kFiducial), own, target});
+  return hit.solid == world::ModelRow::kNone;
 }
 
 }  // namespace
 
-FiducialSense::FiducialSense(const world::World& world, const Solids& solids)
-    : z_min_(world.models.size(), 1e300),
-      z_max_(world.models.size(), -1e300),
-      targets_(world.fiducials.size() > 0 ? world.models.size() : 0, 0.25) {
-  for (const world::ModelRow model : world.fiducials.model)
-    period_.push_back(ticks_of(world.desc(model).update_interval, world.scene().interval));
-  due_.reserve(world.fiducials.size());
-  marked_.reserve(world.fiducials.size() > 0 ? world.models.size() : 0);
+SensorTable FiducialSense::table(world::World& world) const {
+  return {world.fiducials.model, world.fiducials.measured_tick};
+}
+
+void FiducialSense::populate(const world::World& world, const Solids& solids) {
+  const std::size_t models = world.fiducials.size() > 0 ? world.models.size() : 0;
+  z_min_.assign(world.models.size(), 1e300);
+  z_max_.assign(world.models.size(), -1e300);
+  marked_.reserve(models);
+  targets_.populate(models, 0.25);
   for (std::size_t row = 0; row < solids.size(); ++row) {
     const std::uint32_t top = solids.root[row];
     const double z = world.models.X_WM[top].z;
@@ -35,29 +35,24 @@ FiducialSense::FiducialSense(const world::World& world, const Solids& solids)
   }
 }
 
-std::uint64_t FiducialSense::sense(world::World& world, const Space& space, std::uint64_t tick,
+std::uint64_t FiducialSense::sense(world::World& world, const Space& space,
+                                   std::span<const std::uint32_t> due, std::uint64_t,
                                    world::Workers& workers) {
-  due_.clear();
-  for (std::uint32_t finder = 0; finder < world.fiducials.size(); ++finder) {
-    if (world.models.subscribers[world.fiducials.model[finder].index] == 0) continue;
-    if (tick - world.fiducials.measured_tick[finder] >= period_[finder]) due_.push_back(finder);
-  }
-  if (due_.empty()) return 0;
   marked_.clear();
   for (std::uint32_t row = 0; row < world.models.size(); ++row)
     if (world.models.fiducial_return[row] != 0) marked_.push_back(row);
-  targets_.rebuild(marked_.size(), [&](std::size_t i) {
-    const std::uint32_t row = marked_[i];
-    return DiscIndex::Disc{world.models.X_WM[row].xy(), 0, 0, 0, row, world.models.root[row]};
-  });
-  workers.run(due_.size(), 16, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      find(world, space, due_[i]);
-      world.fiducials.measured_tick[due_[i]] = tick;
-    }
+  targets_.rebuild(
+      marked_.size(),
+      [&](std::size_t i) {
+        const std::uint32_t row = marked_[i];
+        return DiscIndex::Disc{world.models.X_WM[row].xy(), 0, 0, 0, row, world.models.root[row]};
+      },
+      workers);
+  workers.run(due.size(), 16, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) find(world, space, due[i]);
   });
   std::uint64_t rays = 0;
-  for (const std::uint32_t finder : due_) rays += world.fiducials.hits[finder].size();
+  for (const std::uint32_t finder : due) rays += world.fiducials.hits[finder].size();
   return rays;
 }
 

@@ -5,25 +5,23 @@
 
 #include <vector>
 
-#include "playhouse/stage/space.h"
-#include "playhouse/world/workers.h"
+#include "playhouse/stage/sense_phase.h"
 
 namespace playhouse::stage {
 
-class FiducialSense {
+class FiducialSense final : public SensePhase {
  public:
-  FiducialSense(const world::World& world, const Solids& solids);
-
-  /// Measures for `tick`, the number that the state gets when it is frozen. Returns the rays cast.
-  std::uint64_t sense(world::World& world, const Space& space, std::uint64_t tick, world::Workers& workers);
+  SensorTable table(world::World& world) const override;
+  void populate(const world::World& world, const Solids& solids) override;
+  std::uint64_t sense(world::World& world, const Space& space, std::span<const std::uint32_t> due,
+                      std::uint64_t tick, world::Workers& workers) override;
 
  private:
   void find(world::World& world, const Space& space, std::uint32_t finder) const;
 
-  std::vector<std::uint64_t> period_;  // ticks between two looks (finders)
   std::vector<double> z_min_, z_max_;  // of the solids of a model's tree, from its top's z   [m] (models)
-  std::vector<std::uint32_t> marked_, due_;  // models and finders of this tick
-  DiscIndex targets_;                        // the marked models, as points
+  std::vector<std::uint32_t> marked_;  // models of this tick
+  DiscIndex targets_;                  // the marked models, as points
 };
 
 }  // namespace playhouse::stage

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "playhouse/base/rng.h"
+#include "playhouse/stage/ray_edge.h"
 
 namespace playhouse::stage {
 namespace {
@@ -14,64 +15,70 @@ double noisy(double range, const scene::RangerSensorDesc& sensor, Rng& rng) {
   return range;
 }
 
+/// What beams report that met these solids.
+PLAYHOUSE_INLINE void report(const float* returns, const double* solid, std::size_t beams,
+                             float* intensities) {
+  std::size_t k = 0;
+  for (; k + kFour <= beams; k += kFour) {
+    Four four;
+    load(four, solid + k);
+    const FourInts row = __builtin_convertvector(four, FourInts);
+    for (std::size_t i = 0; i < kFour; ++i) intensities[k + i] = returns[static_cast<std::uint32_t>(row[i])];
+  }
+  for (; k < beams; ++k) intensities[k] = returns[static_cast<std::uint32_t>(solid[k])];
+}
+
 }  // namespace
 
-std::uint64_t ticks_of(double update_interval, double interval) {
-  const double ticks = std::ceil(update_interval / interval - 1e-6);
-  return ticks < 1 ? 1 : ticks > 1e15 ? std::uint64_t{1000000000000000} : static_cast<std::uint64_t>(ticks);
+RangerSense::RangerSense(unsigned workers) : scratch_(workers) {}
+
+SensorTable RangerSense::table(world::World& world) const {
+  return {world.rangers.model, world.rangers.measured_tick};
 }
 
-RangerSense::RangerSense(const world::World& world, const Solids& solids, unsigned workers) {
+void RangerSense::populate(const world::World& world, const Solids& solids) {
   double body_radius = 0;
-  for (std::size_t row = solids.fixed; row < solids.size(); ++row) {
+  for (std::size_t row = solids.fixed; row < solids.size(); ++row)
     body_radius = std::max(body_radius, solids.radius[row]);
-  }
-  kinds_ = make_ranger_kinds(world, body_radius);
+  kinds_.populate(world, body_radius);
+  returns_.assign(1, 0);
+  for (const std::uint32_t model : solids.model)
+    returns_.push_back(static_cast<float>(world.desc({model}).ranger_return));
   is_wall_.assign(world.models.size(), 0);
   for (std::size_t row = 0; row < solids.fixed; ++row) is_wall_[solids.root[row]] = 1;
-  for (const world::ModelRow model : world.rangers.model)
-    period_.push_back(ticks_of(world.desc(model).update_interval, world.scene().interval));
 
-  Scratch scratch;
-  std::size_t beams = 0;
+  std::size_t beams = 2 * Rays::kMost;
   for (const RangerKind& kind : kinds_.kinds) beams = std::max<std::size_t>(beams, kind.beams);
-  scratch_beams_ = std::max<std::size_t>(beams, 2 * Rays::kMost);
-  scratch.range.resize(scratch_beams_ + Scan::kSpare);
-  scratch.intensity.resize(scratch_beams_ + Scan::kSpare);
-  scratch.x.resize(solids.moving() + 1);
-  scratch.y.resize(solids.moving() + 1);
-  scratch.distance.resize(solids.moving() + 1);
-  scratch.bearing.resize(solids.moving() + 1);
-  scratch.place.resize(solids.moving() + 1);
-  scratch.order.resize(solids.moving() + 1);
-  scratch.ring.resize(solids.moving() + 1);
-  scratch.met_by.resize(solids.moving() + 1);
-  scratch_.assign(workers, scratch);
-  due_.reserve(world.rangers.size());
+  scratch_beams_ = beams;
+  for (Scratch& scratch : scratch_) scratch.make_room(beams, solids);
 }
 
-std::uint64_t RangerSense::sense(world::World& world, const Space& space, std::uint64_t tick,
-                                 world::Workers& workers) {
-  std::uint64_t rays = 0;
-  due_.clear();
-  for (std::uint32_t ranger = 0; ranger < world.rangers.size(); ++ranger) {
-    const std::uint64_t measured = world.rangers.measured_tick[ranger];
-    if (world.models.subscribers[world.rangers.model[ranger].index] == 0) continue;
-    if (tick - measured < period_[ranger]) continue;
-    due_.push_back(ranger);
-    rays += beams(ranger);
-  }
-  for (Scratch& scratch : scratch_) scratch.stamp.resize(space.walls.edge_count(), 0);
-  workers.run(due_.size(), 8, [&](std::size_t begin, std::size_t end) {
+void RangerSense::Scratch::make_room(std::size_t beams, const Solids& solids) {
+  for (std::vector<double>* column : {&range, &solid, &beam_x, &beam_y}) column->resize(beams + Scan::kSpare);
+  const std::size_t bodies = solids.moving() + 1;
+  for (std::vector<double>* column : {&x, &y, &distance, &bearing}) column->resize(bodies);
+  place.resize(bodies);
+  order.resize(bodies);
+  ring.resize(bodies);
+  met_by.resize(bodies);
+  stamp.assign(solids.first_vertex[solids.fixed], 0);
+  scans = 0;
+}
+
+std::uint64_t RangerSense::sense(world::World& world, const Space& space, std::span<const std::uint32_t> due,
+                                 std::uint64_t tick, world::Workers& workers) {
+  workers.run(due.size(), 8, [&](std::size_t begin, std::size_t end) {
     Scratch& scratch = scratch_[workers.current()];
     while (begin < end) {
       std::size_t next = begin, batch_beams = 0;
-      do batch_beams += beams(due_[next++]);
-      while (next < end && batch_beams + beams(due_[next]) <= scratch_beams_);
-      measure_batch(world, space, {due_.data() + begin, next - begin}, tick, scratch);
+      do batch_beams += beams(due[next++]);
+      while (next < end && batch_beams + beams(due[next]) <= scratch_beams_);
+      measure_batch(world, space, due.subspan(begin, next - begin), tick, scratch);
       begin = next;
     }
   });
+  std::uint64_t rays = 0;
+  for (const std::uint32_t ranger : due) rays += beams(ranger);
   return rays;
 }
 
@@ -97,7 +104,7 @@ void RangerSense::measure(world::World& world, const Space& space, std::uint32_t
   const std::uint32_t root = world.models.root[model];
   const View view{world.models.X_WM[model], root, is_wall_[root] != 0};
   const RangerKind& kind = kinds_.kinds[kinds_.of_ranger[ranger]];
-  std::fill_n(scratch.intensity.begin() + scratch.first_beam, kind.beams, 0.0);
+  std::fill_n(scratch.solid.begin() + scratch.first_beam, kind.beams, kNoSolid);
   for (const Scan& scan : kind.scans) run_scan(space, view, scan, scratch);
   for (const Bundle& bundle : kind.bundles) run_bundle(space, view, bundle, scratch);
   for (const Jitter& jitter : kind.jitters) {
@@ -113,7 +120,6 @@ void RangerSense::finish(world::World& world, std::uint32_t ranger, std::uint64_
   const RangerKind& kind = kinds_.kinds[kinds_.of_ranger[ranger]];
   const std::uint32_t first_sensor = world.rangers.first_sensor[ranger];
   const world::ModelRow model = world.rangers.model[ranger];
-  world.rangers.measured_tick[ranger] = tick;
   if (kind.beams == 0) return;
   if (kind.noisy) {
     double* range = scratch.range.data() + scratch.first_beam;
@@ -128,13 +134,13 @@ void RangerSense::finish(world::World& world, std::uint32_t ranger, std::uint64_
   float* const ranges = world.sensors.ranges.data() + world.sensors.first_beam[first_sensor];
   float* const intensities = world.sensors.intensities.data() + world.sensors.first_beam[first_sensor];
   const double *range = scratch.range.data() + scratch.first_beam,
-               *intensity = scratch.intensity.data() + scratch.first_beam, *low = kind.range_min.data(),
+               *solid = scratch.solid.data() + scratch.first_beam, *low = kind.range_min.data(),
                *high = kind.range_max.data();
   for (std::uint32_t k = 0; k < kind.beams; ++k) {
-    const double above = range[k] < low[k] ? low[k] : range[k];
+    const double above = range[k] > low[k] ? range[k] : low[k];
     ranges[k] = static_cast<float>(above > high[k] ? high[k] : above);
   }
-  for (std::uint32_t k = 0; k < kind.beams; ++k) intensities[k] = static_cast<float>(intensity[k]);
+  in_vectors<report>(returns_.data(), solid, kind.beams, intensities);
 }
 
 std::size_t RangerSense::Scratch::gather(const DiscIndex& index, const Sector& sector) {
@@ -165,11 +171,11 @@ void RangerSense::run_jitter(const Space& space, const View& view, const Jitter&
                              Scratch& scratch) {
   const Pose X_WS = geom::compose(view.X_WM, jitter.X_MS);
   const Rotation ahead = Rotation::of(X_WS.a + bearing);
-  const Ray ray{X_WS.xy(), {ahead.c, ahead.s}, view.X_WM.z + jitter.z, jitter.range_max, view.root};
-  const Hit hit = cast(space, ray, [&](std::uint32_t row) { return space.solids.ranger_return[row] >= 0; });
+  const Hit hit = cast(
+      space, {X_WS.xy(), {ahead.c, ahead.s}, view.X_WM.z + jitter.z, jitter.range_max, View::kBy, view.root});
   scratch.range[scratch.first_beam + jitter.beam] = hit.range;
-  if (hit.solid != world::ModelRow::kNone)
-    scratch.intensity[scratch.first_beam + jitter.beam] = space.solids.ranger_return[hit.solid];
+  scratch.solid[scratch.first_beam + jitter.beam] =
+      hit.solid == world::ModelRow::kNone ? kNoSolid : number_of(hit.solid);
 }
 
 }  // namespace playhouse::stage

@@ -8,17 +8,18 @@
 #include <vector>
 
 #include "playhouse/stage/rays.h"
-#include "playhouse/stage/space.h"
-#include "playhouse/world/workers.h"
+#include "playhouse/stage/sense_phase.h"
 
 namespace playhouse::stage {
 
-class RangerSense {
+class RangerSense final : public SensePhase {
  public:
-  RangerSense(const world::World& world, const Solids& solids, unsigned workers);
+  explicit RangerSense(unsigned workers);
 
-  /// Measures for `tick`, the number that the state gets when it is frozen. Returns the rays cast.
-  std::uint64_t sense(world::World& world, const Space& space, std::uint64_t tick, world::Workers& workers);
+  SensorTable table(world::World& world) const override;
+  void populate(const world::World& world, const Solids& solids) override;
+  std::uint64_t sense(world::World& world, const Space& space, std::span<const std::uint32_t> due,
+                      std::uint64_t tick, world::Workers& workers) override;
 
  private:
   /// Where discs matter: within `reach` of p, at these heights, and along `ahead` no further back than
@@ -31,9 +32,10 @@ class RangerSense {
   };
   /// Scratch memory of one worker.
   struct Scratch {
-    std::vector<double> range, intensity;  // beams of the rangers of a batch
-    std::size_t first_beam = 0;            // of the ranger that is measured
-    Rays rays;                             // still to go through the walls
+    std::vector<double> range, solid;    // m, number_of() what was met: beams of the rangers of a batch
+    std::vector<double> beam_x, beam_y;  // unit vectors of a scan in W
+    std::size_t first_beam = 0;          // of the ranger that is measured
+    Rays rays;                           // still to go through the walls
     // Moving solids near the ranger: centres from it along W's axes, then along its own; places in the index.
     std::vector<double> x, y, distance, bearing;  // m, m, m, rad
     std::vector<std::uint32_t> place, order;
@@ -42,6 +44,7 @@ class RangerSense {
     std::vector<std::uint64_t> stamp;   // last scan that saw a wall edge (edges)
     std::uint64_t scans = 0;
 
+    void make_room(std::size_t beams, const Solids& solids);
     std::size_t gather(const DiscIndex& index, const Sector& sector);
     std::size_t sort_by_distance(std::size_t count, double reach);
   };
@@ -70,26 +73,24 @@ class RangerSense {
                          Scratch& scratch);
 
   RangerKinds kinds_;
+  std::vector<float> returns_;         // what beams report that met a solid (solids); of none first
   std::vector<std::uint8_t> is_wall_;  // 1: of a tree that stands still (models)
-  std::vector<std::uint64_t> period_;  // ticks between two scans (rangers)
-  std::vector<std::uint32_t> due_;     // rangers of this tick
   std::size_t scratch_beams_ = 0;      // room for beams in a Scratch
   std::vector<Scratch> scratch_;       // one per worker
 };
 
 /// From where a ranger looks, and what it does not see.
 struct RangerSense::View {
+  static constexpr Observers kBy = bit(Observer::kRanger);
+
   Pose X_WM;
   std::uint32_t root;
   bool is_wall;  // of a tree that stands still: its own edges are among the walls
 
   bool sees(const Solids& solids, std::size_t row, double z) const {
-    return solids.root[row] != root && solids.ranger_return[row] >= 0 && at_height(solids, row, z);
+    return solids.root[row] != root && (solids.seen_by[row] & kBy) != 0 && at_height(solids, row, z);
   }
-  bool sees(const DiscIndex::Disc& disc) const { return disc.root != root && disc.ranger_return >= 0; }
+  bool sees(const DiscIndex::Disc& disc) const { return disc.root != root && (disc.seen_by & kBy) != 0; }
 };
-
-/// `interval` of updates in whole ticks, rounded up, at least 1.
-std::uint64_t ticks_of(double update_interval, double interval);
 
 }  // namespace playhouse::stage

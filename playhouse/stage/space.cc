@@ -1,11 +1,32 @@
 #include "playhouse/stage/space.h"
 
+#include <cmath>
+
 #include "playhouse/stage/polygon_hit.h"
 
 namespace playhouse::stage {
 
-double polygon_hit(const Vec2* polygon, std::size_t corners, Vec2 p, Vec2 d) {
-  return in_vectors<polygon_hit_here>(polygon, corners, p, d);
+Hit cast(const Space& space, const Ray& ray) {
+  const Solids& solids = space.solids;
+  double range = ray.range, solid = kNoSolid;
+  const auto is_seen = [&](std::uint32_t row) {
+    return (solids.seen_by[row] & ray.by) != 0 && solids.root[row] != ray.root &&
+           solids.root[row] != ray.also_root && at_height(solids, row, ray.z);
+  };
+  space.walls.along(ray.p, ray.d, &range, [&](const Walls::Edge& edge) {
+    if (!is_seen(edge.solid)) return;
+    keep_first(edge_hit(edge.a - ray.p, edge.b - ray.p, ray.d), number_of(edge.solid), range, solid);
+  });
+  const double half = 0.5 * range;
+  space.index.near(ray.p + half * ray.d, half + kMargin, ray.z, ray.z, [&](const DiscIndex::Disc& disc) {
+    const Vec2 to_disc = disc.center - ray.p;
+    if (std::fabs(geom::cross(ray.d, to_disc)) > disc.radius + kMargin || !is_seen(disc.row)) return;
+    const double t = in_vectors<body_hit_here>(solids.p.data() + disc.first_vertex, disc.vertices,
+                                               disc.convex, ray.p, ray.d);
+    keep_first(t, number_of(disc.row), range, solid);
+  });
+  if (solid == kNoSolid) return {range, world::ModelRow::kNone};
+  return {range, row_of(solid)};
 }
 
 }  // namespace playhouse::stage

@@ -3,11 +3,8 @@
 /// StageEngine: owns the world and the tables of the 2D engine and runs the tick (step.cc). Thread: the tick
 /// thread.
 
-#include <optional>
-
 #include "playhouse/stage/motion.h"
-#include "playhouse/stage/sense_fiducial.h"
-#include "playhouse/stage/sense_ranger.h"
+#include "playhouse/stage/sense_phase.h"
 #include "playhouse/world/engine.h"
 
 namespace playhouse::stage {
@@ -40,8 +37,7 @@ class StageEngine final : public world::Engine {
   DiscIndex index_;  // solids that can move
   Walls walls_;
   Motion motion_;
-  std::optional<RangerSense> rangers_;
-  std::optional<FiducialSense> fiducials_;
+  Senses senses_;
   std::uint64_t rays_ = 0;
 };
 

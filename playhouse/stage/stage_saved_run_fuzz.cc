@@ -1,5 +1,5 @@
-// Any bytes are a saved run that goes on, or are refused: with the head that fits them, so that what is behind it is
-// looked at.
+// Any bytes are a saved run that goes on, or are refused: with the head that fits them, so that what is
+// behind it is looked at.
 
 #include <cstdint>
 #include <span>

@@ -56,26 +56,12 @@ void StageEngine::decide() {
 }
 
 void StageEngine::index() {
-  index_.rebuild(solids_.moving(), [&](std::size_t i) {
-    const std::size_t row = solids_.fixed + i;
-    const std::uint32_t vertex = solids_.first_vertex[row];
-    return DiscIndex::Disc{solids_.center[row],
-                           solids_.radius[row],
-                           solids_.z_min[row],
-                           solids_.z_max[row],
-                           static_cast<std::uint32_t>(row),
-                           solids_.root[row],
-                           vertex,
-                           solids_.first_vertex[row + 1] - vertex - 1,
-                           static_cast<float>(solids_.ranger_return[row]),
-                           solids_.convex[row] != 0};
-  });
+  index_.rebuild(
+      solids_.moving(), [&](std::size_t i) { return disc_of(solids_, solids_.fixed + i); }, workers_);
 }
 
 void StageEngine::sense() {
-  const Space space{solids_, index_, walls_};
-  rays_ += rangers_->sense(world_, space, world_.tick() + 1, workers_);
-  rays_ += fiducials_->sense(world_, space, world_.tick() + 1, workers_);
+  rays_ += senses_.sense(world_, {solids_, index_, walls_}, world_.tick() + 1, workers_);
 }
 
 void StageEngine::freeze() {

@@ -6,6 +6,7 @@
 
 #include "playhouse/base/rng.h"
 #include "playhouse/scene/scene_desc.h"
+#include "playhouse/stage/bodies.h"
 
 namespace playhouse::stage::testing {
 
@@ -156,6 +157,14 @@ inline scene::SceneDesc throng(std::size_t robots, std::uint64_t seed) {
     scene.models.back().position->velocity = {rng.uniform(-0.5, 0.5), 0, 0, rng.uniform(-1, 1)};
   }
   return scene;
+}
+
+/// The solids of a world as the engine makes them.
+inline Solids make_solids(const world::World& world, Trees& trees) {
+  Shapes shapes(world.scene());
+  Solids solids = make_fixed_solids(world, shapes);
+  replace_moving_solids(solids, world, shapes, trees);
+  return solids;
 }
 
 }  // namespace playhouse::stage::testing

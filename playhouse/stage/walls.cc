@@ -103,10 +103,10 @@ void Walls::list(const std::vector<Edge>& edges, const Solids& solids) {
     if (is_new) {
       std::fill_n(group.x, std::size(group.x), kNowhere);
       std::fill_n(group.y, std::size(group.y), kNowhere);
-      group.z_min = solids.ranger_return[edge.solid] >= 0 ? solids.z_min[edge.solid] : 1e300;
+      group.z_min = solids.z_min[edge.solid];
       group.z_max = solids.z_max[edge.solid];
-      group.ranger_return = solids.ranger_return[edge.solid];
       group.solid = edge.solid;
+      group.seen_by = solids.seen_by[edge.solid];
       group.number = edge.number;
       group.count = 0;
       group.x[0] = edge.a.x;

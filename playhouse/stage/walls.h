@@ -31,13 +31,13 @@ class Walls {
   /// Up to four edges of one solid in one cell, each from a point to the next; points that are left are not
   /// numbers. Two lines of memory.
   struct alignas(64) Group {
-    double x[kFour + 1];   // m, in W
-    double z_min, z_max;   // m, in W; no height has what rangers do not see
-    double ranger_return;  // of the solid
-    double y[kFour + 1];   // m, in W
-    std::uint32_t solid;   // row of Solids
+    double x[kFour + 1];  // m, in W
+    double z_min, z_max;  // m, in W
+    double y[kFour + 1];  // m, in W
+    std::uint32_t solid;  // row of Solids
     std::uint32_t count;
     std::uint32_t number;  // of the first edge; others follow it
+    Observers seen_by;     // who sees the solid
 
     Edge edge(std::uint32_t i) const { return {{x[i], y[i]}, {x[i + 1], y[i + 1]}, solid, number + i}; }
   };

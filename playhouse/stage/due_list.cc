@@ -1,0 +1,31 @@
+#include "playhouse/stage/due_list.h"
+
+#include <cmath>
+
+namespace playhouse::stage {
+
+std::uint64_t ticks_of(double update_interval, double interval) {
+  const double ticks = std::ceil(update_interval / interval - 1e-6);
+  return ticks < 1 ? 1 : ticks > 1e15 ? std::uint64_t{1000000000000000} : static_cast<std::uint64_t>(ticks);
+}
+
+void DueList::populate(const world::World& world, std::span<const world::ModelRow> models) {
+  period_.clear();
+  for (const world::ModelRow model : models)
+    period_.push_back(ticks_of(world.desc(model).update_interval, world.scene().interval));
+  due_.reserve(models.size());
+}
+
+std::span<const std::uint32_t> DueList::take(const world::World& world, SensorTable table,
+                                             std::uint64_t tick) {
+  due_.clear();
+  for (std::uint32_t row = 0; row < period_.size(); ++row) {
+    if (world.models.subscribers[table.model[row].index] == 0) continue;
+    if (tick - table.measured_tick[row] < period_[row]) continue;
+    table.measured_tick[row] = tick;
+    due_.push_back(row);
+  }
+  return due_;
+}
+
+}  // namespace playhouse::stage

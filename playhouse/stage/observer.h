@@ -1,0 +1,40 @@
+#pragma once
+
+/// Who sees what: one bit of a solid for each kind of observer. A property of a model is looked up once, when
+/// its solids are made; whoever looks, or is in the way, tests the bit.
+
+#include <cstdint>
+
+#include "playhouse/scene/scene_desc.h"
+
+namespace playhouse::stage {
+
+enum class Observer : std::uint8_t {
+  kMotion,  // what drives: it is an obstacle
+  kRanger,
+  kFiducial,  // a finder's line of sight ends there
+  kBlob,      // the camera of a blobfinder
+  kGripper,   // it can be lifted
+  kBumper,
+  kLight,  // light ends there
+  kRadio,  // radio waves get weaker there
+};
+
+/// Bits of observers.
+using Observers = std::uint8_t;
+
+constexpr Observers bit(Observer observer) {
+  return static_cast<Observers>(1u << static_cast<unsigned>(observer));
+}
+
+/// Who sees the solids of a model.
+inline Observers observers_of(const scene::ModelDesc& model) {
+  unsigned all =
+      bit(Observer::kFiducial) | bit(Observer::kBlob) | bit(Observer::kLight) | bit(Observer::kRadio);
+  if (model.obstacle_return) all |= bit(Observer::kMotion) | bit(Observer::kBumper);
+  if (model.ranger_return >= 0) all |= bit(Observer::kRanger);
+  if (model.gripper_return) all |= bit(Observer::kGripper);
+  return static_cast<Observers>(all);
+}
+
+}  // namespace playhouse::stage
