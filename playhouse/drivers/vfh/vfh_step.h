@@ -5,12 +5,16 @@
 /// everywhere.
 ///
 /// In: options, the robot, one scan with the pose at which it was taken; what the step before remembered.
+///
 /// Out: a velocity, and what the next step is to know.
-/// Cost: cells of the window with something in them times sectors; 0.2 ms with the defaults in a release
-/// build. Source: I. Ulrich, J. Borenstein: "VFH+: Reliable Obstacle Avoidance for Fast Mobile Robots", ICRA
-/// 1998, for enlarged obstacles, thresholds with hysteresis, turning circles, openings and costs. Cells are
-/// weighed as in Player's driver, (3 m - distance)^4 with what is behind an obstacle counted as well, so that
-/// its cutoffs mean the same.
+///
+/// Cost: cells of the window with something in them times sectors; with the defaults and 181 beams, in a
+/// release build, 0.2 ms of a processor in the open and 0.5 ms between walls a metre away.
+///
+/// Source: I. Ulrich, J. Borenstein: "VFH+: Reliable Obstacle Avoidance for Fast Mobile Robots", ICRA 1998,
+/// for enlarged obstacles, thresholds with hysteresis, turning circles, openings and costs. Cells are weighed
+/// as in Player's driver, (3 m - distance)^4 with what is behind an obstacle counted as well, so that its
+/// cutoffs mean the same.
 
 #include <cstdint>
 #include <optional>
