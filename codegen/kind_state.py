@@ -14,16 +14,17 @@ TYPES = {
     "flag": (0, ()), "int32": (1, ()), "uint32": (1, ()), "uint64": (1, ()), "float32": (1, ()), "float64": (1, ()),
     "text": (0, ()), "row": (0, ()), "color": (0, ()), "size": (3, ("x", "y", "z")),
     "pose": (4, ("x", "y", "z", "a")), "twist": (4, ("x", "y", "z", "a")),
-    "ModelKind": (0, ()), "ControlMode": (0, ()),
+    "ModelKind": (0, ()), "ControlMode": (0, ()), "ModelId": (0, ()), "Mobility": (0, ()),
 }
 # A number of these has a unit, "1" where it is none.
 MEASURED = {"float32", "float64", "size", "pose", "twist"}
 
 # What a column is to a run (playhouse/world/columns.h).
-ROLES = ("fixed", "motion", "mark", "sensed", "use")
+ROLES = ("population", "motion", "mark", "sensed", "use", "derived")
+UNCHANGED = {"population", "derived"}  # may be written with the population alone, and by nobody later
 # Phases of the tick, and the ways to change the world between ticks.
-WRITERS = ("act", "move", "sense", "controllers", "commands", "set_pose", "set_odometry", "set_fiducial_return",
-           "set_color", "subscribe", "unsubscribe", "subscribe_controller")
+WRITERS = ("decide", "act", "move", "sense", "commands", "devices", "place", "attach", "detach", "set_odometry",
+           "set_fiducial_return", "set_color", "subscribe", "unsubscribe", "subscribe_controller")
 # When a viewer gets a field: once with the scene; whenever it differs; that while its robot is selected; that while its
 # robot is selected, or in view of a page that shows sensors.
 TIMES = ("start", "changed", "selected", "shown")
@@ -120,8 +121,8 @@ def _column(where: str, row: dict, records: list[Record]) -> Quantity:
     out.role, out.writer, out.per, out.list = row["role"], row.get("writer", ""), row.get("per", ""), row.get("list", False)
     for writer in out.writer.split(", ") if out.writer else []:
         one_of(where, "writer", writer, WRITERS)
-    if out.role != "fixed" and not out.writer:
-        raise SchemaError(f"{where}: writer is missing: only what is fixed has none")
+    if out.role not in UNCHANGED and not out.writer:
+        raise SchemaError(f"{where}: writer is missing: only what stays as it came has none")
     if out.per:
         one_of(where, "per", out.per, ["beam"])
     return out
