@@ -64,7 +64,8 @@ PLAYHOUSE_INLINE double entry(const Vec2* polygon, std::size_t corners, Vec2 p, 
   }
   const double area = (areas[0] + areas[1]) + (areas[2] + areas[3]),
                slope = (slopes[0] + slopes[1]) + (slopes[2] + slopes[3]);
-  return ((slope < 0) & (slope > -kEdgeOn)) ? -1 : area / slope;
+  const Four only = {slope}, t = Four{area} / only;  // branch-free: hits are unpredictable
+  return (((only < 0) & (only > -kEdgeOn)) ? -1 : t)[0];
 }
 
 /// Where the ray from p along d meets a body of a tree that moves; kMiss or not a number if it does not.
