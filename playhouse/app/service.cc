@@ -269,7 +269,7 @@ Outcome Service::run(const std::function<void(int signal)>& ended) {
   const double wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (ended) ended(signal_.load());
   simulation().discard();  // nobody would answer what is asked from now on
-  loop_.post([this] { server_->finish([this] { loop_.stop(); }); });
+  loop_.post([this] { server_->finish([this] { loop_.finish(); }); });
   web_loop_.stop();
   io.join();
   web.join();

@@ -10,81 +10,73 @@ namespace playhouse::limits {
 // Wire (facts of the Player protocol).
 inline constexpr std::size_t kHeaderBytes = 40;
 inline constexpr std::size_t kBannerBytes = 32;
-inline constexpr std::size_t kMessageBytes = 33554432;  // header and body on the wire
+inline constexpr std::size_t kMessageBytes = 33554432;            // header and body on the wire
 inline constexpr std::size_t kBodyBytes = kMessageBytes - kHeaderBytes;
-inline constexpr std::size_t kDevices = 4096;        // entries of a device list
-inline constexpr std::size_t kDriverNameBytes = 64;  // with the final NUL
+inline constexpr std::size_t kDevices = 4096;                     // entries of a device list
+inline constexpr std::size_t kDriverNameBytes = 64;               // with the final NUL
 
 // Server.
 inline constexpr std::size_t kSessions = 4096;
-inline constexpr std::size_t kSessionsOfHost =
-    1024;  // of one address that is not this machine's: nobody shuts out all others alone
-inline constexpr int kSilentSeconds = 60;  // a client that has not said anything yet is closed then
-inline constexpr std::size_t kSessionQueueMessages = 1024;    // data waiting for one client
-inline constexpr std::size_t kSessionQueueBytes = 64u << 20;  // the same in bytes, headers included
-inline constexpr std::size_t kSessionRules = 256;             // replace rules of one client
-inline constexpr std::size_t kSessionAnswers =
-    1024;  // answers one client is owed (docs/server.md); what it says next waits
-inline constexpr std::size_t kSessionAnswerBytes =
-    1u << 20;  // the same in bytes, of requests that drivers have and of answers
-inline constexpr std::size_t kTurnMessages = 32;  // of one client, before it is the next one's turn
-inline constexpr std::size_t kTurnWork = 256;  // messages and clients, before the sockets are looked at again
-inline constexpr std::size_t kRequestQueue = 16384;     // requests of all clients waiting for a tick
-inline constexpr std::size_t kInputBytes = 128u << 20;  // of messages of all clients that have not come whole
-inline constexpr std::size_t kOutputBytes =
-    128u << 20;  // of answers and data of all clients that have not been sent
-inline constexpr std::size_t kSessionInputBytes = 128u
-                                                  << 10;    // of these, what each client may have uncounted
-inline constexpr std::size_t kSubscriptions = 8192;         // devices one client may hold open
-inline constexpr std::size_t kListedModels = 4096;          // of one answer to "which models are there"
-inline constexpr std::size_t kModelListBytes = 256u << 10;  // of its text; one model is always told
-inline constexpr std::size_t kOutboxBytes = 64u << 20;      // data the io thread has not taken yet
+inline constexpr std::size_t kSessionsOfHost = 1024;              // of one address that is not this machine's: nobody shuts out all others alone
+inline constexpr int kSilentSeconds = 60;                         // a client that has not said anything yet is closed then
+inline constexpr std::size_t kLingering = kSessions;               // connections that wait for their peers to end: over it the first is closed
+inline constexpr std::size_t kSessionQueueMessages = 1024;        // data waiting for one client
+inline constexpr std::size_t kSessionQueueBytes = 64u << 20;      // the same in bytes, headers included
+inline constexpr std::size_t kSessionRules = 256;                 // replace rules of one client
+inline constexpr std::size_t kSessionAnswers = 1024;              // answers one client is owed (docs/server.md); what it says next waits
+inline constexpr std::size_t kSessionAnswerBytes = 1u << 20;      // the same in bytes, of requests that drivers have and of answers
+inline constexpr std::size_t kTurnMessages = 32;                  // of one client, before it is the next one's turn
+inline constexpr std::size_t kTurnWork = 256;                     // messages and clients, before the sockets are looked at again
+inline constexpr std::size_t kRequestQueue = 16384;               // requests of all clients waiting for a tick
+inline constexpr std::size_t kInputBytes = 128u << 20;            // of messages of all clients that have not come whole
+inline constexpr std::size_t kOutputBytes = 128u << 20;           // of answers and data of all clients that have not been sent
+inline constexpr std::size_t kSessionInputBytes = 128u << 10;     // of these, what each client may have uncounted
+inline constexpr std::size_t kSubscriptions = 8192;               // devices one client may hold open; those that retired unread count
+inline constexpr std::size_t kListedModels = 4096;                // of one answer to "which models are there"
+inline constexpr std::size_t kModelListBytes = 256u << 10;        // of its text; one model is always told
+inline constexpr std::size_t kOutboxBytes = 64u << 20;            // data the io thread has not taken yet
 
 // Viewers: the browser page.
-inline constexpr std::size_t kHttpConnections =
-    256;  // viewers included; over it the one that waited longest is closed
-inline constexpr std::size_t kHttpConnectionsPerAddress =
-    128;                                                // the same of one address; viewers are not counted
-inline constexpr std::size_t kHttpHeaderBytes = 16384;  // of one request
-inline constexpr int kHttpIdleSeconds =
-    30;  // without a request; a viewer that answers no ping is closed then
-inline constexpr int kHttpHeadSeconds = 10;    // from the first byte of a request's head to its last
-inline constexpr int kHttpAnswerSeconds = 30;  // until a whole answer is taken
+inline constexpr std::size_t kHttpConnections = 256;              // viewers included; over it the one that waited longest is closed
+inline constexpr std::size_t kHttpConnectionsPerAddress = 128;    // the same of one address; viewers are not counted
+inline constexpr std::size_t kHttpHeaderBytes = 16384;            // of one request
+inline constexpr int kHttpIdleSeconds = 30;                       // without a request; a viewer that answers no ping is closed then
+inline constexpr int kHttpHeadSeconds = 10;                       // from the first byte of a request's head to its last
+inline constexpr int kHttpAnswerSeconds = 30;                     // until a whole answer is taken
 inline constexpr std::size_t kViewers = 64;
-inline constexpr int kViewerQuietSeconds = 30;  // without an acknowledgement: gives way to one that comes
-inline constexpr std::size_t kViewerCommandsPerTurn = 64;  // of one page between two pictures; the rest waits
-inline constexpr std::size_t kViewerCommandBytes = 4096;   // of one message from a page
-inline constexpr std::size_t kViewerFaults = 16;           // messages refused before a viewer is closed
-inline constexpr std::size_t kViewerTextMessages = 32;     // notices waiting for a page
-inline constexpr std::size_t kViewerFrameBytes = 65536;    // the rest of the changes waits for the next frame
-inline constexpr std::uint32_t kViewerFramesInFlight = 4;  // sent and not acknowledged
-inline constexpr double kViewerDriveSeconds = 0.5;  // a velocity from a page holds so long unless renewed
-inline constexpr std::size_t kSnapshotBeams = 1u << 18;  // of all sensors shown to all viewers
+inline constexpr int kViewerQuietSeconds = 30;                    // without an acknowledgement: gives way to one that comes
+inline constexpr std::size_t kViewerCommandsPerTurn = 64;         // of one page between two pictures; the rest waits
+inline constexpr std::size_t kViewerCommandBytes = 4096;          // of one message from a page
+inline constexpr std::size_t kViewerFaults = 16;                  // messages refused before a viewer is closed
+inline constexpr std::size_t kViewerTextMessages = 32;            // notices waiting for a page
+inline constexpr std::size_t kViewerFrameBytes = 65536;           // the rest of the changes waits for the next frame
+inline constexpr std::uint32_t kViewerFramesInFlight = 4;         // sent and not acknowledged
+inline constexpr double kViewerDriveSeconds = 0.5;                // a velocity from a page holds so long unless renewed
+inline constexpr std::size_t kSnapshotBeams = 1u << 18;           // of all sensors shown to all viewers
 
 // Stage engine.
-inline constexpr unsigned kMotionSteps = 1024;  // collision tests along one robot's way in one tick
+inline constexpr unsigned kMotionSteps = 1024;                    // collision tests along one robot's way in one tick
 
 // Files.
 inline constexpr std::size_t kFileBytes = 16u << 20;
 inline constexpr int kIncludeDepth = 32;
-inline constexpr std::size_t kIncludes = 1u << 16;   // of all include statements, each as often as it is met
-inline constexpr std::size_t kWarningsOfAKind = 20;  // of one file; the others are counted
+inline constexpr std::size_t kIncludes = 1u << 16;                // of all include statements, each as often as it is met
+inline constexpr std::size_t kWarningsOfAKind = 20;               // of one file; the others are counted
 inline constexpr int kEntityDepth = 64;
-inline constexpr std::size_t kEntities = 1u << 20;  // after macro expansion
-inline constexpr std::size_t kModels = 1u << 22;    // alive at a time, with those that came during the run
-inline constexpr int kTreeDepth = 128;              // models inside and attached to each other
-inline constexpr std::size_t kExpandedFields = 1u << 27;  // properties of all entities, macros' included
-inline constexpr std::size_t kBitmapPixels = 1u << 28;    // of all bitmaps of a world
-inline constexpr std::size_t kBitmapBytes = 64u << 20;    // of their files
-inline constexpr std::size_t kCorners = 1u << 22;    // of all bodies of a world, bitmaps' contours included
-inline constexpr std::size_t kTextBytes = 1u << 27;  // names and texts of all models
-inline constexpr std::size_t kSensors = 1u << 20;    // of all rangers of a world
-inline constexpr int kRangerSamples = 1 << 16;       // beams of one sensor
-inline constexpr std::size_t kBeams = 1u << 26;      // of all sensors of a world
+inline constexpr std::size_t kEntities = 1u << 20;                // after macro expansion
+inline constexpr std::size_t kModels = 1u << 22;                  // alive at a time, with those that came during the run
+inline constexpr int kTreeDepth = 128;                            // models inside and attached to each other
+inline constexpr std::size_t kExpandedFields = 1u << 27;          // properties of all entities, macros' included
+inline constexpr std::size_t kBitmapPixels = 1u << 28;            // of all bitmaps of a world
+inline constexpr std::size_t kBitmapBytes = 64u << 20;            // of their files
+inline constexpr std::size_t kCorners = 1u << 22;                 // of all bodies of a world, bitmaps' contours included
+inline constexpr std::size_t kTextBytes = 1u << 27;               // names and texts of all models
+inline constexpr std::size_t kSensors = 1u << 20;                 // of all rangers of a world
+inline constexpr int kRangerSamples = 1 << 16;                    // beams of one sensor
+inline constexpr std::size_t kBeams = 1u << 26;                   // of all sensors of a world
 
 static_assert(kBodyBytes + kHeaderBytes == kMessageBytes);
-static_assert(kViewers + kHttpConnectionsPerAddress <= kHttpConnections,
-              "viewers alone must not fill the server");
+static_assert(kViewers + kHttpConnectionsPerAddress <= kHttpConnections, "viewers alone must not fill the server");
 static_assert(kViewers * kViewerCommandsPerTurn * 2 <= kRequestQueue / 2,
               "viewers alone must not fill the queue of all; a command is two entries at most");
 static_assert(kSessionAnswers * 8 <= kRequestQueue, "one client alone must not fill the queue of all");

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <compare>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 
 namespace playhouse::device {
@@ -14,7 +16,7 @@ struct Address {
   friend constexpr auto operator<=>(const Address&, const Address&) = default;
 };
 
-/// A device's row in the DeviceTable; never reused while the server runs.
+/// A device in the DeviceTable; never reused while the server runs, also after the device retired.
 struct DeviceId {
   std::uint32_t row = 0xFFFFFFFFu;
   constexpr bool valid() const { return row != 0xFFFFFFFFu; }
@@ -22,3 +24,8 @@ struct DeviceId {
 };
 
 }  // namespace playhouse::device
+
+template <>
+struct std::hash<playhouse::device::DeviceId> {
+  std::size_t operator()(playhouse::device::DeviceId id) const noexcept { return id.row; }
+};

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 
@@ -24,8 +25,10 @@ std::string describe(Address address) {
 
 DeviceTable::~DeviceTable() {
   ending_ = true;
-  for (std::uint32_t row = 0; row < entries_.size(); ++row) {
-    if (entries_[row].users > 0) entries_[row].driver->stop(DeviceId{row});
+  for (const auto& [robot, ids] : by_robot_) {
+    for (const DeviceId id : ids) {
+      if (const Entry& entry = (*this)[id]; entry.users > 0) entry.driver->stop(id);
+    }
   }
 }
 
@@ -35,12 +38,28 @@ Result<DeviceId> DeviceTable::add(Address address, Driver& driver) {
     return Error{std::string(driver.name()),
                  fmt::format("a driver name has less than {} bytes", limits::kDriverNameBytes)};
   }
-  const DeviceId id{static_cast<std::uint32_t>(entries_.size())};
+  const DeviceId id{next_row_};
+  if (!id.valid()) return Error{describe(address), "there have been too many devices"};
   if (!by_address_.emplace(address, id).second)
     return Error{describe(address), "there is such a device already"};
-  entries_.push_back({address, &driver, 0});
+  ++next_row_;
+  entries_[id] = {address, &driver, 0};
   by_robot_[address.robot].push_back(id);
   return id;
+}
+
+// Stopped last: the driver may ask the table, which no longer has the device.
+void DeviceTable::retire(DeviceId id) {
+  const auto found = entries_.find(id);
+  PLAYHOUSE_ASSERT(found != entries_.end());
+  const Entry entry = found->second;
+  entries_.erase(found);
+  by_address_.erase(entry.address);
+  const auto of_robot = by_robot_.find(entry.address.robot);
+  std::vector<DeviceId>& ids = of_robot->second;
+  ids.erase(std::lower_bound(ids.begin(), ids.end(), id));
+  if (ids.empty()) by_robot_.erase(of_robot);
+  if (entry.users > 0) entry.driver->stop(id);
 }
 
 DeviceId DeviceTable::find(Address address) const {
@@ -72,8 +91,9 @@ std::optional<Address> DeviceTable::nearest_on(std::uint32_t robot, Address want
 }
 
 const DeviceTable::Entry& DeviceTable::operator[](DeviceId id) const {
-  PLAYHOUSE_ASSERT(id.row < entries_.size());
-  return entries_[id.row];
+  const auto found = entries_.find(id);
+  PLAYHOUSE_ASSERT(found != entries_.end());
+  return found->second;
 }
 
 std::span<const DeviceId> DeviceTable::devices_of(std::uint32_t robot) const {
@@ -82,8 +102,9 @@ std::span<const DeviceId> DeviceTable::devices_of(std::uint32_t robot) const {
 }
 
 Result<void> DeviceTable::open(DeviceId id) {
-  PLAYHOUSE_ASSERT(id.row < entries_.size());
-  Entry& entry = entries_[id.row];
+  const auto found = entries_.find(id);
+  PLAYHOUSE_ASSERT(found != entries_.end());
+  Entry& entry = found->second;
   if (entry.users == 0) {
     if (Result<void> started = entry.driver->start(id); !started) return started;
   }
@@ -93,8 +114,9 @@ Result<void> DeviceTable::open(DeviceId id) {
 
 void DeviceTable::close(DeviceId id) {
   if (ending_) return;
-  PLAYHOUSE_ASSERT(id.row < entries_.size() && entries_[id.row].users > 0);
-  Entry& entry = entries_[id.row];
+  const auto found = entries_.find(id);
+  PLAYHOUSE_ASSERT(found != entries_.end() && found->second.users > 0);
+  Entry& entry = found->second;
   if (--entry.users == 0) entry.driver->stop(id);
 }
 

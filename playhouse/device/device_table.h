@@ -1,13 +1,15 @@
 #pragma once
 
-/// DeviceTable: who answers at which address, and how many have it open. Rows are in order of creation and
-/// are never removed. The first open of a device starts it, the last close stops it. Io thread only.
+/// DeviceTable: who answers at which address, and how many have it open. Holds the devices that are there
+/// now: they may come and go at any time. The first open of a device starts it, the last close stops it. Io
+/// thread only.
 
 #include <cstddef>
 #include <map>
 #include <optional>
 #include <span>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "playhouse/base/result.h"
@@ -23,7 +25,7 @@ class DeviceTable {
  public:
   struct Entry {
     Address address;
-    Driver* driver = nullptr;  // outlives the table
+    Driver* driver = nullptr;  // outlives the device: until retire(), or the table
     std::size_t users = 0;     // opens not yet closed
   };
 
@@ -35,11 +37,17 @@ class DeviceTable {
   /// Fails if the address is taken or is the meta device player:0. A port may have more devices than
   /// limits::kDevices: only the list that clients get ends there.
   Result<DeviceId> add(Address address, Driver& driver);
+  /// Takes a device out, and stops it if it is open: its address is free, its id means nothing any more, and
+  /// its driver may go.
+  void retire(DeviceId id);
 
   /// The device at an address; an invalid id if there is none.
   DeviceId find(Address address) const;
   /// What to say of an address where no device is: "no such device, the nearest is 6665:laser:0".
   std::string why_missing(Address address) const;
+  /// False for a device that has retired.
+  bool has(DeviceId id) const { return entries_.contains(id); }
+  /// Asserts that the device is there.
   const Entry& operator[](DeviceId id) const;
   std::size_t size() const { return entries_.size(); }
   /// The devices of one port, in order of creation.
@@ -54,10 +62,11 @@ class DeviceTable {
  private:
   std::optional<Address> nearest_on(std::uint32_t robot, Address wanted) const;
 
-  std::vector<Entry> entries_;
+  std::unordered_map<DeviceId, Entry> entries_;
+  std::uint32_t next_row_ = 0;
   bool ending_ = false;
   std::map<Address, DeviceId> by_address_;
-  std::map<std::uint32_t, std::vector<DeviceId>> by_robot_;
+  std::map<std::uint32_t, std::vector<DeviceId>> by_robot_;  // in order of creation
 };
 
 }  // namespace playhouse::device

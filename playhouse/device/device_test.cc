@@ -70,6 +70,35 @@ TEST(DeviceTable, starts_with_the_first_open_and_stops_with_the_last_close) {
   EXPECT_EQ(driver.stops, 1);
 }
 
+TEST(DeviceTable, a_device_that_retires_is_stopped_and_leaves_its_address_to_another_of_a_new_id) {
+  CountingDriver driver, heir;
+  DeviceTable table;
+  const DeviceId first = *table.add({6665, 4, 0}, driver);
+  const DeviceId old = *table.add({6665, 6, 0}, driver);
+  const DeviceId last = *table.add({6665, 62, 0}, driver);
+  ASSERT_TRUE(table.open(old));
+  table.retire(old);
+  EXPECT_EQ(driver.stops, 1);
+  EXPECT_FALSE(table.has(old));
+  EXPECT_FALSE(table.find({6665, 6, 0}).valid());
+  EXPECT_EQ(table.size(), 2u);
+
+  const DeviceId next = *table.add({6665, 6, 0}, heir);
+  EXPECT_NE(next, old);
+  EXPECT_FALSE(table.has(old));
+  EXPECT_EQ(table[next].users, 0u);
+  const std::vector<DeviceId> listed(table.devices_of(6665).begin(), table.devices_of(6665).end());
+  EXPECT_EQ(listed, (std::vector{first, last, next}));
+}
+
+TEST(DeviceTable, does_not_stop_a_device_that_nobody_has_open_when_it_retires) {
+  CountingDriver driver;
+  DeviceTable table;
+  table.retire(*table.add({6665, 4, 0}, driver));
+  EXPECT_EQ(driver.stops, 0);
+  EXPECT_TRUE(table.devices_of(6665).empty());
+}
+
 TEST(DeviceTable, counts_no_user_for_a_device_that_did_not_start) {
   CountingDriver driver;
   DeviceTable table;

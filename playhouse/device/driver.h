@@ -88,8 +88,8 @@ class Driver {
   /// The name clients are told ("stage", "rangertolaser", ...), below limits::kDriverNameBytes.
   virtual std::string_view name() const = 0;
 
-  /// Called by the table for the first open and after the last close of one device. Must not block. Io
-  /// thread; all that follows is called on any thread.
+  /// Called by the table for the first open, and after the last close of one device or when it retires while
+  /// it is open. Must not block. Io thread; all that follows is called on any thread.
   virtual Result<void> start(DeviceId device) = 0;
   virtual void stop(DeviceId device) = 0;
 
@@ -105,6 +105,10 @@ class Driver {
   /// each of them and lets no client get more than limits::kSessionAnswers ahead, so that none fills a queue
   /// which the others need too. To be overridden by drivers that let things wait.
   virtual void barrier(Replier replier) { replier.ack(); }
+
+  /// A device that this driver held has retired, which ended the hold; comes once per hold. The other driver
+  /// may be gone after the call. To be overridden by drivers that hold devices.
+  virtual void retired(DeviceId) {}
 };
 
 }  // namespace playhouse::device

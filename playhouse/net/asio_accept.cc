@@ -39,7 +39,7 @@ void tune(tcp::socket& socket) {
 class AcceptLoop : public std::enable_shared_from_this<AcceptLoop> {
  public:
   AcceptLoop(IoLoop::Impl& loop, SocketAcceptor acceptor)
-      : acceptor_(loop.context), pause_(loop.context), accept_(std::move(acceptor)) {}
+      : loop_(loop), acceptor_(loop.context), pause_(loop.context), accept_(std::move(acceptor)) {}
 
   error_code open(const tcp::endpoint& endpoint) {
     error_code error;
@@ -79,15 +79,18 @@ class AcceptLoop : public std::enable_shared_from_this<AcceptLoop> {
     accept_(std::move(socket), endpoint_text(peer));
   }
 
-  // Out of descriptors or memory: the peer waits in the backlog meanwhile.
+  // Out of descriptors or memory: the peer waits in the backlog meanwhile, and who has been told everything
+  // gives way.
   void wait_and_retry(const error_code& error) {
     if (!std::exchange(failing_, true)) log::warn("port {}: cannot accept: {}", port_, error.message());
+    loop_.end_lingering();
     pause_.expires_after(kAcceptPause);
     pause_.async_wait([self = shared_from_this()](const error_code& cancelled) {
       if (!cancelled && self->acceptor_.is_open()) self->accept_next();
     });
   }
 
+  IoLoop::Impl& loop_;
   tcp::acceptor acceptor_;
   asio::steady_timer pause_;
   SocketAcceptor accept_;

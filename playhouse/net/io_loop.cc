@@ -6,6 +6,7 @@
 #include <chrono>
 #include <utility>
 
+#include "playhouse/base/limits.h"
 #include "playhouse/net/asio_loop.h"
 
 namespace playhouse::net {
@@ -37,11 +38,32 @@ void wait_for_signal(IoLoop::Impl& impl) {
 
 }  // namespace
 
+IoLoop::Impl::Lingering::iterator IoLoop::Impl::linger(std::function<void()> end) {
+  if (lingering.size() >= limits::kLingering) end_first();
+  return lingering.insert(lingering.end(), std::move(end));
+}
+
+void IoLoop::Impl::leave(Lingering::iterator place) {
+  lingering.erase(place);
+  if (finishing && lingering.empty()) context.stop();
+}
+
+void IoLoop::Impl::end_lingering() {
+  while (!lingering.empty()) end_first();
+}
+
+// A copy, because the entry goes while it is called.
+void IoLoop::Impl::end_first() {
+  const std::function<void()> end = lingering.front();
+  end();
+}
+
 IoLoop::IoLoop() : impl_(std::make_unique<Impl>()) {}
 IoLoop::~IoLoop() = default;
 
 void IoLoop::run() {
   impl_->context.restart();
+  impl_->finishing = false;
   const auto work = boost::asio::make_work_guard(impl_->context);
   impl_->context.run();
 }
@@ -54,6 +76,17 @@ void IoLoop::poll() {
 void IoLoop::stop() {
   // Posted, so that a stop before run() counts too.
   boost::asio::post(impl_->context, [context = &impl_->context] { context->stop(); });
+}
+
+void IoLoop::finish() {
+  post([impl = impl_.get()] {
+    impl->finishing = true;
+    if (impl->lingering.empty()) impl->context.stop();
+  });
+}
+
+std::size_t IoLoop::lingering() const {
+  return impl_->lingering.size();
 }
 
 void IoLoop::on_signal(std::initializer_list<int> signals, std::function<void(int)> task) {

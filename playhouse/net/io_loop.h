@@ -3,6 +3,7 @@
 /// The event loop: one thread calls run(), everything of net and server happens in it. Built on Boost.Asio,
 /// which stays in the .cc files (asio_loop.h gives the other transports of net their io_context).
 
+#include <cstddef>
 #include <initializer_list>
 #include <memory>
 
@@ -21,6 +22,10 @@ class IoLoop final : public Network {
   void run();
   /// Makes run() return soon; tasks not begun stay for the next run(). Any thread.
   void stop();
+  /// As stop(), once no connection waits for its peer any more (Connection::close_after_flush). Any thread.
+  void finish();
+  /// Connections that do now.
+  std::size_t lingering() const;
   /// Runs what is ready now and returns without waiting.
   void poll();
 

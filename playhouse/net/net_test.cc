@@ -8,7 +8,9 @@
 #include <cstring>
 #include <thread>
 
+#include "playhouse/base/limits.h"
 #include "playhouse/base/log.h"
+#include "playhouse/net/asio_loop.h"
 #include "playhouse/net/io_loop.h"
 #include "playhouse/net/simulated.h"
 
@@ -298,6 +300,113 @@ TEST(Tcp, flushes_before_it_closes) {
   log.connection.reset();
   loop.poll();
   EXPECT_EQ(client.read(7), "answer");
+}
+
+/// Sends at once what the peer has to read and closes, over input that nobody has read.
+void say_and_close(Log& log, const std::string& words) {
+  log.connection->pause();
+  log.connection->send(std::vector{shared(words)});
+  log.connection->close_after_flush();
+  log.connection.reset();
+}
+
+TEST(Tcp, a_peer_that_sends_all_the_time_and_reads_late_gets_everything) {
+  IoLoop loop;
+  Log log;
+  auto listener = loop.listen("127.0.0.1", 0, into(log));
+  Client client((*listener)->port());
+  ASSERT_TRUE(serve_until(loop, [&] { return log.connection != nullptr; }));
+  client.send(std::string(100000, 'c'));
+  say_and_close(log, "the end of the run");
+  for (int i = 0; i < 100; ++i) {
+    client.send("command");
+    loop.poll();
+  }
+  EXPECT_EQ(client.read(100), "the end of the run");
+  EXPECT_EQ(loop.lingering(), 1u);
+  client.finish();
+  EXPECT_TRUE(serve_until(loop, [&] { return loop.lingering() == 0; }));
+}
+
+TEST(Tcp, does_not_wait_for_a_peer_that_has_ended) {
+  IoLoop loop;
+  Log log;
+  auto listener = loop.listen("127.0.0.1", 0, into(log));
+  Client client((*listener)->port());
+  client.finish();
+  ASSERT_TRUE(serve_until(loop, [&] { return !log.end.empty(); }));
+  log.connection->close_after_flush();
+  EXPECT_EQ(loop.lingering(), 0u);
+}
+
+TEST(Tcp, waits_no_longer_than_it_may_for_a_peer_that_never_ends) {
+  IoLoop loop;
+  Log log;
+  auto listener = loop.listen("127.0.0.1", 0, into(log));
+  Client client((*listener)->port());
+  ASSERT_TRUE(serve_until(loop, [&] { return log.connection != nullptr; }));
+  say_and_close(log, "bye");
+  EXPECT_TRUE(serve_until(loop, [&] { return loop.lingering() == 1; }));
+  EXPECT_TRUE(serve_until(loop, [&] { return loop.lingering() == 0; }));
+  EXPECT_EQ(client.read(100), "bye");
+}
+
+TEST(Tcp, one_that_waits_for_its_peer_gives_way_when_no_descriptor_is_left) {
+  IoLoop loop;
+  Log log;
+  auto listener = loop.listen("127.0.0.1", 0, into(log));
+  Client first((*listener)->port());
+  ASSERT_TRUE(serve_until(loop, [&] { return log.connection != nullptr; }));
+  say_and_close(log, "bye");
+  ASSERT_TRUE(serve_until(loop, [&] { return loop.lingering() == 1; }));
+
+  log::warn("port {}: the next line is due: {}", (*listener)->port(), std::string("no descriptors"));
+  rlimit normal{};
+  ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &normal), 0);
+  const int unused = socket(AF_INET, SOCK_STREAM, 0);  // the lowest descriptor that is free
+  close(unused);
+  const rlimit none_left{static_cast<rlim_t>(unused) + 1, normal.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &none_left), 0);
+  Client second((*listener)->port());  // takes the last one
+  loop.poll();
+  EXPECT_EQ(loop.lingering(), 0u);
+  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &normal), 0);
+  second.send("served");
+  EXPECT_TRUE(serve_until(loop, [&] { return log.bytes == "served"; }));
+}
+
+TEST(IoLoop, ends_the_connection_that_has_waited_longest_for_its_peer_when_too_many_do) {
+  IoLoop loop;
+  IoLoop::Impl& impl = loop.impl();
+  std::vector<IoLoop::Impl::Lingering::iterator> places;
+  std::vector<std::size_t> ended;
+  for (std::size_t i = 0; i < limits::kLingering + 2; ++i) {
+    places.push_back(impl.linger([&, i] {
+      ended.push_back(i);
+      impl.leave(places[i]);
+    }));
+  }
+  EXPECT_EQ(ended, (std::vector<std::size_t>{0, 1}));
+  EXPECT_EQ(loop.lingering(), limits::kLingering);
+}
+
+TEST(IoLoop, finishes_when_no_connection_waits_for_its_peer_any_more) {
+  IoLoop loop;
+  Log log;
+  auto listener = loop.listen("127.0.0.1", 0, into(log));
+  Client client((*listener)->port());
+  ASSERT_TRUE(serve_until(loop, [&] { return log.connection != nullptr; }));
+  say_and_close(log, "bye");
+  loop.finish();
+  std::thread late([&] {
+    EXPECT_EQ(client.read(100), "bye");
+    client.finish();
+  });
+  loop.run();
+  late.join();
+  EXPECT_EQ(loop.lingering(), 0u);
+  loop.finish();
+  loop.run();  // at once
 }
 
 TEST(Tcp, may_be_closed_by_its_owner_inside_an_event) {

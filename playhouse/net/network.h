@@ -52,8 +52,9 @@ class Connection {
   /// all the same, closed() does not.
   virtual void pause() = 0;
   virtual void resume() = 0;
-  /// Lets what is in flight go out in the background (for a few seconds at most), then closes. No more
-  /// events.
+  /// Lets what is in flight go out in the background (for a few seconds at most), says that nothing follows,
+  /// and closes when the peer has ended as well: it has a second for that, so that one that still sends gets
+  /// what it has not read. No more events.
   virtual void close_after_flush() = 0;
   /// The other end as "address:port", for log lines.
   virtual const std::string& peer() const = 0;

@@ -1,4 +1,4 @@
-// TCP behind Connection: one gathered write at a time.
+// TCP behind Connection: one gathered write at a time, and an end that takes nothing back.
 
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/steady_timer.hpp>
@@ -18,13 +18,18 @@ namespace asio = boost::asio;
 using asio::ip::tcp;
 using boost::system::error_code;
 
-constexpr std::chrono::seconds kFlushTime{5};  // a closing connection may use this long to send the rest
+constexpr std::chrono::seconds kFlushTime{5};   // a closing connection may use this long to send the rest
+constexpr std::chrono::seconds kLingerTime{1};  // and then its peer this long to end
+
+bool is_end(const error_code& error) {
+  return error && error != asio::error::would_block && error != asio::error::interrupted;
+}
 
 /// The socket and its queue. Shared by the Connection and the operations in progress, which may outlive it.
 class TcpStream : public std::enable_shared_from_this<TcpStream> {
  public:
   TcpStream(tcp::socket socket, IoLoop::Impl& loop, std::string peer)
-      : socket_(std::move(socket)), loop_(loop), peer_(std::move(peer)), flush_timer_(loop.context) {}
+      : socket_(std::move(socket)), loop_(loop), peer_(std::move(peer)), end_timer_(loop.context) {}
 
   void start(ConnectionEvents& events) {
     events_ = &events;
@@ -49,8 +54,9 @@ class TcpStream : public std::enable_shared_from_this<TcpStream> {
 
   void close() {
     events_ = nullptr;
+    if (lingering_) loop_.leave(*std::exchange(lingering_, {}));
     error_code ignored;
-    flush_timer_.cancel(ignored);
+    end_timer_.cancel(ignored);
     socket_.close(ignored);
   }
 
@@ -58,10 +64,7 @@ class TcpStream : public std::enable_shared_from_this<TcpStream> {
     events_ = nullptr;
     if (in_flight_bytes_ == 0) return end_of_output();
     closing_ = true;
-    flush_timer_.expires_after(kFlushTime);
-    flush_timer_.async_wait([self = shared_from_this()](const error_code& error) {
-      if (!error) self->close();
-    });
+    close_after(kFlushTime);
   }
 
   std::size_t in_flight_bytes() const { return in_flight_bytes_; }
@@ -78,13 +81,13 @@ class TcpStream : public std::enable_shared_from_this<TcpStream> {
   }
 
   void read() {
+    if (lingering_) return discard();
     if (!events_ || paused_) return;
     error_code error;
     const std::size_t count = socket_.read_some(asio::buffer(loop_.read_buffer), error);
     if (count > 0) events_->received(std::span(loop_.read_buffer).first(count));
     if (!events_) return;  // the owner closed us
-    if (error && error != asio::error::would_block && error != asio::error::interrupted)
-      return end_reading(error);
+    if (is_end(error)) return end_reading(error);
     if (!paused_) wait_for_bytes();
   }
 
@@ -125,19 +128,38 @@ class TcpStream : public std::enable_shared_from_this<TcpStream> {
     if (events_) events_->lost();
   }
 
+  // Says that nothing follows and reads on to the peer's end: closing over bytes that nobody read would make
+  // the system take back what was sent.
   void end_of_output() {
+    if (read_to_end_) return close();
     error_code ignored;
-    socket_.shutdown(tcp::socket::shutdown_both, ignored);
-    close();
+    socket_.shutdown(tcp::socket::shutdown_send, ignored);
+    lingering_ = loop_.linger([this] { close(); });
+    close_after(kLingerTime);
+    if (!waiting_) wait_for_bytes();
+  }
+
+  void discard() {
+    error_code error;
+    socket_.read_some(asio::buffer(loop_.read_buffer), error);
+    is_end(error) ? close() : wait_for_bytes();
+  }
+
+  void close_after(std::chrono::seconds time) {
+    end_timer_.expires_after(time);
+    end_timer_.async_wait([self = shared_from_this()](const error_code& error) {
+      if (!error) self->close();
+    });
   }
 
   tcp::socket socket_;
   IoLoop::Impl& loop_;
   const std::string peer_;
-  asio::steady_timer flush_timer_;
+  asio::steady_timer end_timer_;  // once the owner has let it go
   ConnectionEvents* events_ = nullptr;
   std::vector<SharedBytes> writing_, queued_;
   std::size_t in_flight_bytes_ = 0;
+  std::optional<IoLoop::Impl::Lingering::iterator> lingering_;  // once everything is sent
   bool waiting_ = false, paused_ = false, read_to_end_ = false, closing_ = false, peer_lost_ = false;
 };
 

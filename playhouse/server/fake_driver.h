@@ -25,7 +25,7 @@ class FakeDriver final : public device::Driver {
   bool bounces = false, fails_to_start = false, holds_requests = false, capable_of_all = false,
        holds_barriers = false;
 
-  int starts = 0, stops = 0;
+  int starts = 0, stops = 0, lost_holds = 0;
   std::vector<std::pair<std::uint8_t, std::vector<std::byte>>> commands;  // subtype, body
   int requests = 0;
   std::vector<device::Replier> held;
@@ -52,6 +52,7 @@ class FakeDriver final : public device::Driver {
     if (const auto found = answers.find(message.subtype); found != answers.end()) replier.ack(found->second);
   }
   bool capable(device::DeviceId, std::uint8_t, std::uint8_t) const override { return capable_of_all; }
+  void retired(device::DeviceId) override { ++lost_holds; }
   void barrier(device::Replier replier) override {
     if (holds_barriers) return barriers.push_back(std::move(replier));
     replier.ack();

@@ -10,27 +10,23 @@
 
 namespace playhouse::server {
 
-Fanout::Channel& Fanout::channel(device::DeviceId device) {
-  PLAYHOUSE_ASSERT(device.valid());
-  if (device.row >= channels_.size()) channels_.resize(device.row + 1);
-  return channels_[device.row];
-}
-
 void Fanout::join(device::DeviceId device, Reader& reader) {
-  std::vector<Reader*>& readers = channel(device).readers;
+  std::vector<Reader*>& readers = channels_[device].readers;
   if (std::find(readers.begin(), readers.end(), &reader) == readers.end()) readers.push_back(&reader);
 }
 
 void Fanout::leave(device::DeviceId device, Reader& reader) {
-  std::erase(channel(device).readers, &reader);
+  if (const auto found = channels_.find(device); found != channels_.end())
+    std::erase(found->second.readers, &reader);
 }
 
 bool Fanout::has_readers(device::DeviceId device) const {
-  return device.row < channels_.size() && !channels_[device.row].readers.empty();
+  const auto found = channels_.find(device);
+  return found != channels_.end() && !found->second.readers.empty();
 }
 
 void Fanout::publish(const device::Publication& publication, device::Address address, double now) {
-  Channel& to = channel(publication.device);
+  Channel& to = channels_[publication.device];
   const double timestamp = next_timestamp(to, publication, now);
   if (to.readers.empty()) return;
   if (publication.body.size() > limits::kBodyBytes) {

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <map>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,10 @@ class Fanout {
   void join(device::DeviceId device, Reader& reader);
   void leave(device::DeviceId device, Reader& reader);
   bool has_readers(device::DeviceId device) const;
+  /// Forgets the device: its readers and its last timestamps.
+  void retire(device::DeviceId device) { channels_.erase(device); }
+  /// Devices that were read or published.
+  std::size_t size() const { return channels_.size(); }
 
   /// Encodes the message if anybody reads the device, and delivers it in the order of joining. A timestamp
   /// that does not increase is raised by the least step, because clients take equal ones for old data; one
@@ -43,11 +48,10 @@ class Fanout {
     std::vector<Reader*> readers;
     std::map<std::uint8_t, double> last_timestamp;  // by subtype
   };
-  Channel& channel(device::DeviceId device);
   double next_timestamp(Channel& channel, const device::Publication& publication, double now);
 
   const FrameBytes frame_bytes_;
-  std::vector<Channel> channels_;  // by device row
+  std::unordered_map<device::DeviceId, Channel> channels_;
   std::uint64_t encoded_ = 0;
   bool logged_too_long_ = false;
 };

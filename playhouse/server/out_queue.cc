@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 #include "playhouse/base/limits.h"
@@ -92,6 +93,20 @@ void OutQueue::forget(std::uint16_t interf, std::uint16_t index) {
   }
 }
 
+void OutQueue::add_notice(std::uint16_t interf, std::uint16_t index, Frame frame) {
+  notice_bytes_ += frame.bytes->size();
+  notice_numbers_[{interf, index}] = next_number_;
+  notices_[next_number_++] = {interf, index, std::move(frame)};
+}
+
+void OutQueue::replace_device(std::uint16_t interf, std::uint16_t index) {
+  const auto number = notice_numbers_.find({interf, index});
+  if (number == notice_numbers_.end()) return;
+  Frame notice = take_notice(number->second);
+  answer_bytes_ += notice.bytes->size();
+  answers_.push_back({next_number_++, std::move(notice)});
+}
+
 void OutQueue::drop_data() {
   while (!data_.empty()) drop_one();
 }
@@ -101,7 +116,9 @@ void OutQueue::clear() {
   kinds_.clear();
   shares_.clear();
   answers_.clear();
-  data_bytes_ = answer_bytes_ = 0;
+  notices_.clear();
+  notice_numbers_.clear();
+  data_bytes_ = answer_bytes_ = notice_bytes_ = 0;
   data_requested_ = data_delivered_ = false;
 }
 
@@ -134,8 +151,12 @@ void OutQueue::take(std::vector<net::SharedBytes>& out, std::size_t max_bytes, d
 
 // An answer never waits for a round: it goes out with the data before it.
 bool OutQueue::may_send() const {
-  if (!answers_.empty()) return true;
+  if (!answers_.empty() || may_tell()) return true;
   return !data_.empty() && (mode_ == DeliveryMode::kPush || data_requested_);
+}
+
+bool OutQueue::may_tell() const {
+  return !notices_.empty() && !awaited_ && (mode_ == DeliveryMode::kPush || data_requested_ || unasked_);
 }
 
 // The round holds what waited when its first data went out, so that it ends even if data comes faster than it
@@ -144,12 +165,18 @@ bool OutQueue::round_is_over() const {
   if (mode_ != DeliveryMode::kPull || !data_requested_ || !data_delivered_) return false;
   const bool answer_left = !answers_.empty() && answers_.front().number <= round_end_;
   const bool data_left = !data_.empty() && data_.front().number <= round_end_;
-  return !answer_left && !data_left;
+  const bool notice_left = may_tell() && notices_.begin()->first <= round_end_;
+  return !answer_left && !data_left && !notice_left;
 }
 
+// What came first of what may go.
 Frame OutQueue::pop() {
-  const bool answer = data_.empty() || (!answers_.empty() && answers_.front().number < data_.front().number);
-  if (answer) {
+  constexpr std::uint64_t kNone = std::numeric_limits<std::uint64_t>::max();
+  const std::uint64_t answer = answers_.empty() ? kNone : answers_.front().number;
+  const std::uint64_t data = data_.empty() ? kNone : data_.front().number;
+  if (may_tell() && notices_.begin()->first < std::min(answer, data))
+    return take_notice(notices_.begin()->first);
+  if (answer < data) {
     Frame frame = std::move(answers_.front().frame);
     answers_.pop_front();
     answer_bytes_ -= frame.bytes->size();
@@ -159,6 +186,15 @@ Frame OutQueue::pop() {
   Frame frame = data_.front().frame;
   remove_data(data_.begin());
   return frame;
+}
+
+// Nothing of the device has to be counted any more.
+Frame OutQueue::take_notice(std::uint64_t number) {
+  const Notice notice = std::move(notices_.extract(number).mapped());
+  notice_numbers_.erase({notice.interf, notice.index});
+  notice_bytes_ -= notice.frame.bytes->size();
+  forget(notice.interf, notice.index);
+  return notice.frame;
 }
 
 Frame OutQueue::finish_round(double now) {

@@ -287,6 +287,87 @@ TEST(OutQueue, is_bounded_in_bytes_too) {
   EXPECT_EQ(queue.dropped(), 7u);
 }
 
+TEST(OutQueue, a_notice_goes_out_behind_the_data_of_its_device_when_pushing_unless_an_answer_is_awaited) {
+  OutQueue queue;
+  queue.add(data(4, 1));
+  queue.set_awaited(true);
+  queue.add_notice(4, 0, ack(99));
+  EXPECT_EQ(taken(queue), "D4.1");
+  EXPECT_FALSE(queue.has_output());
+  queue.add(ack(2));
+  queue.set_awaited(false);
+  EXPECT_EQ(taken(queue), "A99 A2");
+}
+
+TEST(OutQueue, a_notice_waits_for_a_round_in_pull_mode_and_no_answer_takes_it_along) {
+  OutQueue queue;
+  queue.set_mode(DeliveryMode::kPull);
+  queue.add(data(4, 1));
+  queue.add_notice(4, 0, ack(99));
+  queue.add(data(6, 2));
+  queue.add(ack(3));
+  EXPECT_EQ(taken(queue), "D4.1 D6.2 A3");
+  EXPECT_FALSE(queue.has_output());
+  queue.add(data(6, 4));
+  queue.request_data(ack(5));
+  EXPECT_EQ(taken(queue), "A5 A99 D6.4 S1");
+}
+
+TEST(OutQueue, a_notice_goes_out_in_its_place_in_the_round_and_does_not_end_it) {
+  OutQueue queue;
+  queue.set_mode(DeliveryMode::kPull);
+  queue.add(data(4, 1));
+  queue.add_notice(4, 0, ack(99));
+  queue.request_data(ack(2));
+  EXPECT_EQ(taken(queue), "A2 D4.1 A99 S1");
+  queue.request_data(ack(3));
+  queue.add_notice(6, 0, ack(98));
+  EXPECT_EQ(taken(queue), "A3 A98") << "a SYNCH needs data";
+  queue.add(data(7, 4));
+  EXPECT_EQ(taken(queue), "D7.4 S1");
+}
+
+TEST(OutQueue, a_notice_goes_out_whatever_the_rules_are_and_unasked_at_the_end) {
+  OutQueue queue;
+  queue.set_mode(DeliveryMode::kPull);
+  queue.add_rule({-1, -1, -1, -1, QueueAction::kIgnore});
+  queue.add_notice(4, 0, ack(99));
+  EXPECT_EQ(queue.waiting(), 0u) << "it holds up no end";
+  queue.send_unasked();
+  EXPECT_EQ(taken(queue), "A99");
+}
+
+TEST(OutQueue, knows_nothing_of_a_device_once_its_notice_is_out) {
+  OutQueue queue;
+  queue.set_mode(DeliveryMode::kPull);
+  for (std::uint16_t device = 0; device < 100; ++device) {
+    queue.add(data(device, 1));
+    queue.add_notice(device, 0, ack(99));
+  }
+  EXPECT_EQ(queue.kinds(), 100u);
+  queue.request_data(ack(2));
+  taken(queue);
+  EXPECT_EQ(queue.kinds(), 0u);
+  EXPECT_EQ(queue.notices_waiting(), 0u);
+  EXPECT_EQ(queue.bytes_waiting(), 0u);
+}
+
+TEST(OutQueue, a_device_in_the_place_of_another_gets_none_of_its_data_and_the_notice_before_the_next_answer) {
+  OutQueue queue;
+  queue.set_mode(DeliveryMode::kPull);
+  queue.add(data(4, 1));
+  queue.add(data(6, 1));
+  queue.add_notice(4, 0, ack(99));
+  queue.add_notice(6, 0, ack(98));
+  queue.replace_device(4, 0);
+  queue.add(ack(2));
+  queue.add(data(4, 3));
+  EXPECT_EQ(taken(queue), "D6.1 A99 A2");
+  queue.request_data(ack(5));
+  EXPECT_EQ(taken(queue), "A5 A98 D4.3 S1");
+  EXPECT_EQ(queue.bytes_waiting(), 0u);
+}
+
 TEST(OutQueue, never_drops_an_answer) {
   OutQueue queue;
   queue.add(ack(1));

@@ -127,9 +127,10 @@ std::uint8_t Session::open(device::DeviceId device, Access access, std::uint8_t 
   const device::Address address = board_.devices[device].address;
   auto found = open_.find(device);
   if (found == open_.end()) {
-    if (open_.size() >= limits::kSubscriptions) {
+    if (open_.size() + queue_.notices_waiting() >= limits::kSubscriptions) {
       log_once(Fault::kLimit, "open of " + device::describe(address),
-               fmt::format("{} devices are open, the limit", open_.size()));
+               fmt::format("{} devices are open, or have retired and the client has not read so: the limit",
+                           open_.size() + queue_.notices_waiting()));
       return player::kErrorMode;
     }
     if (const Result<void> started = board_.devices.open(device); !started) {
@@ -139,6 +140,8 @@ std::uint8_t Session::open(device::DeviceId device, Access access, std::uint8_t 
     }
     if (board_.devices[device].users == 1) take_credit(device);
     found = open_.try_emplace(device).first;
+    board_.uses.open(device, serial_);
+    queue_.replace_device(address.interf, address.index);
   }
   found->second.access = access;
   ++found->second.opens;
@@ -159,6 +162,7 @@ bool Session::close(device::DeviceId device) {
   const device::Address address = board_.devices[device].address;
   open_.erase(found);
   board_.fanout.leave(device, *this);
+  board_.uses.close(device, serial_);
   queue_.forget(address.interf, address.index);
   board_.devices.close(device);
   if (board_.devices[device].users == 0) take_credit(device);

@@ -13,12 +13,15 @@
 #include "playhouse/net/fair_share.h"
 #include "playhouse/server/outbox.h"
 #include "playhouse/server/session.h"
+#include "playhouse/wire/codec.h"
+#include "playhouse/wire/generated/player.h"
 
 namespace playhouse::server {
 namespace {
 
 constexpr std::size_t kWriteBytes = 256u
                                     << 10;  // of one gathered write; the rest stays where it can be replaced
+constexpr std::uint8_t kErrorLetter = 'e';  // an access code that answers to openings do not have
 constexpr double kLastRounds = 1;   // s; after the run, clients may ask so long for the rest of its data
 constexpr double kLastWrites = 1;   // s; and then, what nobody asked for may take so long to go out
 constexpr double kLastAnswers = 5;  // s; a client that will send no more waits so long for the next
@@ -37,6 +40,22 @@ net::SharedBytes make_banner(const std::string& version) {
   text.resize(limits::kBannerBytes);
   const auto bytes = std::as_bytes(std::span(text));
   return std::make_shared<std::vector<std::byte>>(bytes.begin(), bytes.end());
+}
+
+/// What clients that have a device open hear when it retires: the answer to an opening that nobody asked for.
+Frame make_notice(device::Address address, const device::Driver& driver, double now) {
+  wire::player::DeviceReq body;
+  body.addr = {wire::kLocalhost, address.robot, address.interf, address.index};
+  body.access = kErrorLetter;
+  body.driver_name = wire::c_string(driver.name());
+  wire::Header header;
+  header.host = wire::kLocalhost;
+  header.robot = address.robot;
+  header.interf = wire::player::kCode;
+  header.type = wire::MessageType::kAck;
+  header.subtype = wire::player::kReqDev;
+  header.timestamp = now;
+  return make_frame(header, wire::encode(body));
 }
 
 }  // namespace
@@ -59,6 +78,10 @@ class Server::Impl {
   ServerStatus status() const;
   Switchboard& board() { return board_; }
   void finish(std::function<void()> done);
+  Result<device::DeviceId> add_device(device::Address address, device::Driver& driver);
+  void retire_device(device::DeviceId id);
+  Result<void> hold(device::DeviceId device, device::Driver* holder);
+  void release(device::DeviceId device, device::Driver* holder);
 
  private:
   /// A session and its connection.
@@ -130,6 +153,7 @@ class Server::Impl {
   void turn();
   void deliver_outbox();
   void deliver(const Answer& answer);
+  std::size_t device_rows() const;
   void tell_of_lost_data();
   void make_room();
   void advance_everybody();
@@ -152,7 +176,7 @@ class Server::Impl {
   std::unique_ptr<net::Timer> last_moments_;  // of those that do not ask, and then of those that do not read
   std::map<std::string, Host> hosts_;         // but this machine
   std::uint32_t next_serial_ = 1;
-  std::uint64_t accepted_ = 0, refused_ = 0, silent_ = 0, broken_ = 0, turns_ = 0;
+  std::uint64_t accepted_ = 0, refused_ = 0, silent_ = 0, broken_ = 0, turns_ = 0, retired_ = 0;
   bool full_ = false, told_of_lost_data_ = false, scheduled_ = false;
 };
 
@@ -358,6 +382,7 @@ void Server::Impl::turn() {
 void Server::Impl::deliver_outbox() {
   for (Outbox::Item& item : outbox_.take_all()) {
     if (const auto* publication = std::get_if<device::Publication>(&item)) {
+      if (!board_.devices.has(publication->device)) continue;  // it has retired
       const device::Address address = board_.devices[publication->device].address;
       board_.fanout.publish(*publication, address, board_.clock());
     } else {
@@ -378,6 +403,47 @@ void Server::Impl::deliver(const Answer& answer) {
   const auto found = clients_.find(static_cast<std::uint32_t>(answer.ticket >> 32));
   if (found == clients_.end()) return;  // the client is gone
   found->second->session().answer(static_cast<std::uint32_t>(answer.ticket), answer.ack, answer.body);
+}
+
+Result<device::DeviceId> Server::Impl::add_device(device::Address address, device::Driver& driver) {
+  board_.device_lists.erase(address.robot);
+  return board_.devices.add(address, driver);
+}
+
+void Server::Impl::retire_device(device::DeviceId id) {
+  if (!board_.devices.has(id)) return;
+  deliver_outbox();
+  const auto [address, driver, users] = board_.devices[id];
+  const Frame notice = counted(make_notice(address, *driver, board_.clock()), board_.frame_bytes);
+  const DeviceUses::Use use = board_.uses.take(id);
+  board_.device_lists.erase(address.robot);
+  board_.fanout.retire(id);
+  board_.devices.retire(id);
+  ++retired_;
+  for (const std::uint64_t ticket : use.tickets) deliver({ticket, false, {}});
+  for (const std::uint32_t serial : use.sessions) clients_.at(serial)->session().retire(id, address, notice);
+  for (device::Driver* holder : use.holders) holder->retired(id);
+  if (users > 0) log::info("{} has retired, {} clients had it open", describe(address), use.sessions.size());
+  schedule();
+}
+
+Result<void> Server::Impl::hold(device::DeviceId device, device::Driver* holder) {
+  if (!board_.devices.has(device)) return Error{"", "the device has retired"};
+  if (Result<void> opened = board_.devices.open(device); !opened) return opened;
+  if (holder != nullptr) board_.uses.hold(device, *holder);
+  return {};
+}
+
+void Server::Impl::release(device::DeviceId device, device::Driver* holder) {
+  if (!board_.devices.has(device)) return;  // the hold has ended with it
+  if (holder != nullptr) board_.uses.release(device, *holder);
+  board_.devices.close(device);
+}
+
+std::size_t Server::Impl::device_rows() const {
+  std::size_t rows = board_.devices.size() + board_.fanout.size() + board_.uses.size();
+  for (const auto& [serial, client] : clients_) rows += client->session().device_rows();
+  return rows;
 }
 
 // A message of an honest client takes moments, however long it is, so the one begun first has to go.
@@ -472,6 +538,9 @@ ServerStatus Server::Impl::status() const {
   status.data_dropped = board_.counters.data_dropped + outbox_.data_dropped();
   status.commands_dropped = board_.counters.commands_dropped;
   status.requests_refused = board_.counters.requests_refused;
+  status.devices = board_.devices.size();
+  status.devices_retired = retired_;
+  status.device_rows = device_rows();
   return status;
 }
 
@@ -483,14 +552,16 @@ Result<std::uint16_t> Server::listen(std::uint16_t port) {
   return impl_->listen(port);
 }
 Result<device::DeviceId> Server::add_device(device::Address address, device::Driver& driver) {
-  impl_->board().device_lists.clear();
-  return impl_->board().devices.add(address, driver);
+  return impl_->add_device(address, driver);
 }
-Result<void> Server::hold(device::DeviceId device) {
-  return impl_->board().devices.open(device);
+void Server::retire_device(device::DeviceId device) {
+  impl_->retire_device(device);
 }
-void Server::release(device::DeviceId device) {
-  impl_->board().devices.close(device);
+Result<void> Server::hold(device::DeviceId device, device::Driver* holder) {
+  return impl_->hold(device, holder);
+}
+void Server::release(device::DeviceId device, device::Driver* holder) {
+  impl_->release(device, holder);
 }
 void Server::finish(std::function<void()> done) {
   impl_->finish(std::move(done));

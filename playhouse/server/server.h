@@ -2,8 +2,8 @@
 
 /// Server: devices on TCP ports for every client of the Player 3 protocol. Accepts sessions, routes their
 /// commands and requests to drivers, and sends what drivers publish to whoever has the device open
-/// (docs/server.md). Knows drivers only by their interface. Everything is for the io thread or for before the
-/// loop runs, but publish() and answer(), which are for any thread.
+/// (docs/server.md). Devices may come and go all the time. Knows drivers only by their interface. Everything
+/// is for the io thread or for before the loop runs, but publish() and answer(), which are for any thread.
 
 #include <cstddef>
 #include <cstdint>
@@ -46,12 +46,15 @@ struct ServerStatus {
   std::uint64_t data_dropped = 0;      // data that a full queue had no room for
   std::uint64_t commands_dropped = 0;  // commands that no driver could be given
   std::uint64_t requests_refused = 0;  // requests answered NACK by the server itself
+  std::size_t devices = 0;             // now
+  std::uint64_t devices_retired = 0;
+  std::size_t device_rows = 0;  // now: entries about devices in the tables of the server and of its sessions
 };
 
 class Server final : public device::Publisher, public device::Outlet {
  public:
-  /// `network` outlives the server, and the drivers outlive it too; repliers must not be used after it is
-  /// gone.
+  /// `network` outlives the server, and so do the drivers of devices that have not retired; repliers must not
+  /// be used after it is gone.
   explicit Server(net::Network& network, ServerOptions options = {});
   /// Closes every session and stops the devices they had open.
   ~Server() override;
@@ -62,13 +65,24 @@ class Server final : public device::Publisher, public device::Outlet {
   /// port is a name space of its own.
   Result<std::uint16_t> listen(std::uint16_t port);
 
-  /// Makes a device known. Clients list devices in order of creation.
+  /// Makes a device known, also while clients are connected. Clients list devices in order of creation.
   Result<device::DeviceId> add_device(device::Address address, device::Driver& driver);
 
-  /// Opens a device on behalf of the program or a driver, so that it runs whoever closes it; release() undoes
-  /// one hold().
-  Result<void> hold(device::DeviceId device);
-  void release(device::DeviceId device);
+  /// Takes a device out: what was published or answered for it before the call still counts, then it is as if
+  /// there had never been one at its address. Requests that its driver has not answered get NACK; clients
+  /// that have it open are told (docs/server.md); drivers that hold it get Driver::retired(); if it is open
+  /// its driver is told to stop. What comes for it later is dropped, and the driver may go when the call
+  /// returns. The address may be given to another device; clients that are not told yet then command the new
+  /// one. A device that has retired is left alone. Not from inside a call of a driver. From another thread:
+  /// network.post([&server, id] { server.retire_device(id); }), which keeps its place behind what that thread
+  /// published.
+  void retire_device(device::DeviceId device);
+
+  /// Opens a device on behalf of the program, or of a driver that wants to hear when it retires, so that it
+  /// runs whoever closes it. release() undoes one hold() of the same holder; once the device has retired it
+  /// does nothing. A holder outlives its holds. Fails if the device cannot start, or has retired.
+  Result<void> hold(device::DeviceId device, device::Driver* holder = nullptr);
+  void release(device::DeviceId device, device::Driver* holder = nullptr);
 
   /// The time in s that goes into answers; called on the io thread. Default: seconds since 1970.
   void set_clock(std::function<double()> clock);

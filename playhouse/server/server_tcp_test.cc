@@ -53,6 +53,8 @@ class Socket {
     if (!fill(received.body)) return {};
     return received;
   }
+  /// Says that it will send nothing more.
+  void finish() { shutdown(descriptor_, SHUT_WR); }
   bool connected() const { return connected_; }
 
  private:
@@ -125,6 +127,58 @@ TEST_F(ServerOnTcp, delivers_every_message_of_another_thread_to_every_client) {
   tick.join();
 }
 
+// As the thread of the ticks does it, for devices that live for a few ticks.
+TEST_F(ServerOnTcp, delivers_what_devices_published_that_came_and_went_while_clients_read) {
+  constexpr std::uint16_t kDevices = 2000, kPublished = 4;
+  constexpr std::uint16_t kLaser = 6;
+  FakeDriver driver;
+  std::array<Socket, 2> clients{Socket(port), Socket(port)};
+  for (Socket& client : clients) EXPECT_EQ(client.banner().size(), 32u);
+  const auto on_io = [this](auto task) {
+    std::promise<void> done;
+    loop.post([&] {
+      task();
+      done.set_value();
+    });
+    done.get_future().wait();
+  };
+  for (std::uint16_t i = 0; i < kDevices; ++i) {
+    device::DeviceId id;
+    const auto index = static_cast<std::uint16_t>(i % 8);
+    on_io([&] { id = *server.add_device({port, kLaser, index}, driver); });
+    for (Socket& client : clients) {
+      client.send(open_request(kLaser, index));
+      const auto opened = client.read();
+      ASSERT_TRUE(opened);
+      ASSERT_EQ(access_of(*opened), 1);
+    }
+    for (int n = 0; n < kPublished; ++n) {
+      std::vector<device::Publication> batch;
+      batch.push_back({id, 1, 1.0 + n, Bytes(8)});
+      server.publish(std::move(batch));
+    }
+    loop.post([this, id] { server.retire_device(id); });
+    if (i % 2 == 0) {
+      on_io([] {});  // it has retired
+      std::vector<device::Publication> late;
+      late.push_back({id, 1, 99.0, Bytes(8)});
+      server.publish(std::move(late));
+    }
+    for (Socket& client : clients) {
+      for (int n = 0; n < kPublished; ++n) {
+        const auto data = client.read();
+        ASSERT_TRUE(data);
+        ASSERT_EQ(data->header.type, wire::MessageType::kData);
+        ASSERT_EQ(data->header.timestamp, 1.0 + n);
+      }
+      const auto notice = client.read();
+      ASSERT_TRUE(notice);
+      ASSERT_EQ(access_of(*notice), 'e');
+    }
+  }
+  on_io([&] { EXPECT_EQ(server.status().device_rows, 1u) << "the wheels"; });
+}
+
 TEST_F(ServerOnTcp, serves_others_while_one_client_does_not_read) {
   Socket stalled(port), good(port);
   for (Socket* client : {&stalled, &good}) {
@@ -158,6 +212,37 @@ TEST_F(ServerOnTcp, carries_out_a_command_sent_just_before_the_socket_closes) {
   }
   TearDown();
   EXPECT_EQ(wheels.commands.size(), static_cast<std::size_t>(kTimes));
+}
+
+TEST_F(ServerOnTcp, gives_all_of_the_run_to_a_client_that_commands_all_the_time_and_reads_after_its_end) {
+  constexpr int kMessages = 48;
+  Socket client(port);
+  EXPECT_EQ(client.banner().size(), 32u);
+  client.send(open_request(kWheels, 0));
+  ASSERT_TRUE(client.read());
+  const Bytes command = message(wire::MessageType::kCmd, kWheels, 0, 1, Bytes(28));
+  for (int i = 0; i < kMessages; ++i) {
+    publish(i);
+    client.send(command);
+  }
+  std::promise<void> ended;
+  loop.post([&] {
+    server.finish([&] {
+      loop.finish();
+      ended.set_value();
+    });
+  });
+  ended.get_future().wait();
+  for (int i = 0; i < kMessages; ++i) client.send(command);
+  for (int i = 0; i < kMessages; ++i) {
+    const auto data = client.read();
+    ASSERT_TRUE(data) << i;
+    EXPECT_EQ(data->header.timestamp, i);
+  }
+  EXPECT_FALSE(client.read());
+  EXPECT_TRUE(client.connected());
+  client.finish();
+  io.join();  // the loop has ended by itself
 }
 
 TEST_F(ServerOnTcp, closes_the_session_of_an_absurd_frame_and_no_other) {

@@ -55,6 +55,8 @@ Session::Session(Switchboard& board, std::uint32_t serial, std::uint32_t robot, 
 
 Session::~Session() {
   leave();
+  for (const auto& [number, request] : pending_)
+    board_.uses.answer(request.device, make_ticket(serial_, number));
   count_input(0);
   if (commands_dropped_ > 1) log::warn("{}: {} commands were dropped in all", peer_, commands_dropped_);
   if (queue_.dropped() > 0) log::warn("{}: {} data messages were dropped in all", peer_, queue_.dropped());
@@ -82,8 +84,20 @@ void Session::lose_peer() {
 void Session::leave() {
   for (const auto& [device, opened] : std::exchange(open_, {})) {
     board_.fanout.leave(device, *this);
+    board_.uses.close(device, serial_);
     board_.devices.close(device);
   }
+}
+
+void Session::retire(device::DeviceId device, device::Address address, const Frame& notice) {
+  open_.erase(device);
+  if (peer_lost_) return;
+  queue_.add_notice(address.interf, address.index, notice);
+  if (queue_.has_output()) mark_due();
+}
+
+std::size_t Session::device_rows() const {
+  return open_.size() + pending_.size() + queue_.kinds() + queue_.notices_waiting();
 }
 
 std::size_t Session::owed_answers() const {
@@ -203,11 +217,14 @@ void Session::request(const wire::Header& header, Body body) {
   if (header.subtype == wire::kReqCapabilities) return capability(device, header, body);
 
   const std::uint32_t number = next_request_++;
-  pending_[number] = {header};
+  const std::uint64_t ticket = make_ticket(serial_, number);
+  pending_[number] = {header, device};
   pending_bytes_ += header.size;
+  queue_.set_awaited(true);
+  board_.uses.ask(device, ticket);
   const auto type = static_cast<std::uint8_t>(header.type);
   board_.devices[device].driver->request({device, type, header.subtype, body},
-                                         device::Replier(*board_.outlet, make_ticket(serial_, number)));
+                                         device::Replier(*board_.outlet, ticket));
 }
 
 void Session::capability(device::DeviceId device, const wire::Header& header, Body body) {
@@ -252,9 +269,11 @@ void Session::answer(std::uint32_t number, bool ack, std::span<const std::byte> 
   if (barriers_.erase(number) > 0) return;
   const auto found = pending_.find(number);
   if (found == pending_.end()) return;  // answered before
-  const wire::Header header = found->second.header;
+  const auto [header, device] = found->second;
   pending_.erase(found);
   pending_bytes_ -= header.size;
+  queue_.set_awaited(!pending_.empty());
+  board_.uses.answer(device, make_ticket(serial_, number));
   if (body.size() > limits::kBodyBytes)
     return refuse(header, Fault::kLimit, "the answer is over the limit of a body");
   reply(header, ack, body);

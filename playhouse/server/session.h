@@ -54,6 +54,8 @@ class Session final : public Reader {
   void lose_peer();
   /// Closes every device the session has open.
   void leave();
+  /// A device that it has open has retired: its subscription ends, and `notice` tells the client.
+  void retire(device::DeviceId device, device::Address address, const Frame& notice);
   /// Some driver has not answered yet.
   bool waits_for_answers() const { return !pending_.empty(); }
   /// take() would give something.
@@ -87,6 +89,8 @@ class Session final : public Reader {
   void take(std::vector<net::SharedBytes>& out, std::size_t max_bytes);
 
   const std::string& peer() const { return peer_; }
+  /// Entries of its tables that are about some device.
+  std::size_t device_rows() const;
   std::size_t messages_waiting() const { return queue_.waiting(); }
   std::size_t data_waiting() const { return queue_.data_waiting(); }
   /// As OutQueue.
@@ -99,6 +103,7 @@ class Session final : public Reader {
   };
   struct PendingRequest {
     wire::Header header;
+    device::DeviceId device;
   };
   /// Why something was not done; each is logged once per session.
   enum class Fault : std::uint8_t {

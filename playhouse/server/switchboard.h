@@ -12,6 +12,7 @@
 
 #include "playhouse/device/device_table.h"
 #include "playhouse/device/driver.h"
+#include "playhouse/server/device_uses.h"
 #include "playhouse/server/fanout.h"
 
 namespace playhouse::server {
@@ -27,6 +28,7 @@ struct Counters {
 };
 
 struct Switchboard {
+  DeviceUses uses;  // outlives the devices: drivers that are stopped release what they hold
   device::DeviceTable devices;
   FrameBytes frame_bytes = std::make_shared<std::size_t>(0);  // limits::kOutputBytes
   Fanout fanout{frame_bytes};
@@ -34,7 +36,7 @@ struct Switchboard {
   std::function<double()> clock;  // s; stamps answers
   device::Outlet* outlet;         // where drivers send their answers
   std::deque<std::uint32_t> due;  // serials of the sessions with something to do, the longest waiting first
-  /// Bodies of the answers to "which devices are there", by port; forgotten when a device is added.
+  /// Bodies of the answers to "which devices are there", by port; forgotten when a device comes or goes.
   std::map<std::uint32_t, std::vector<std::byte>> device_lists;
 
   std::size_t input_bytes = 0;  // of memory for long messages that have not come whole (limits::kInputBytes)

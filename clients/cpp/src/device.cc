@@ -80,6 +80,9 @@ std::uint16_t Device::index() const {
 bool Device::connected() const {
   return is_open() && session_->connection().is_open();
 }
+bool Device::gone() const {
+  return is_open() && !slot_->gone.empty();
+}
 std::string Device::driver() const {
   return is_open() ? slot_->driver : "";
 }
@@ -99,25 +102,25 @@ Result<void> Device::close() {
   if (!is_open()) return {};
   session_->remove(*slot_);
   const std::unique_ptr<Slot> slot = std::move(slot_);
-  if (!session_->connection().is_open()) return {};
+  if (!slot->gone.empty() || !session_->connection().is_open()) return {};
   const Result<std::string> closed = set_access(*session_, *slot, kCloseAccess);
   if (closed) return {};
   return Error{closed.error().where, "cannot close " + name_ + ": " + closed.error().text};
 }
 
 Result<Device::Bytes> Device::request_bytes(std::uint8_t subtype, std::span<const std::byte> body) {
-  if (!is_open()) return closed();
+  if (const Result<void> fit = usable(); !fit) return fit.error();
   return session_->request(slot_->interf, slot_->index, subtype, body);
 }
 
 Result<std::optional<Device::Bytes>> Device::ask_bytes(std::uint8_t subtype,
                                                        std::span<const std::byte> body) {
-  if (!is_open()) return closed();
+  if (const Result<void> fit = usable(); !fit) return fit.error();
   return session_->ask(slot_->interf, slot_->index, subtype, body, deadline_after(session_->timeout()));
 }
 
 Result<void> Device::command_bytes(std::uint8_t subtype, std::span<const std::byte> body) {
-  if (!is_open()) return closed();
+  if (const Result<void> fit = usable(); !fit) return fit;
   wire::Header header;
   header.interf = slot_->interf;
   header.index = slot_->index;
@@ -132,8 +135,10 @@ const std::vector<std::byte>* Device::latest_bytes(std::uint8_t subtype) const {
   return found == slot_->latest.end() ? nullptr : &found->second;
 }
 
-Error Device::closed() const {
-  return Error{"", name_.empty() ? "the device is closed" : name_ + " is closed"};
+Result<void> Device::usable() const {
+  if (!is_open()) return Error{"", name_.empty() ? "the device is closed" : name_ + " is closed"};
+  if (gone()) return Error{"", slot_->gone};
+  return {};
 }
 
 Error Device::undecoded(std::uint8_t subtype, std::string_view what) const {

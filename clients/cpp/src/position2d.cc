@@ -100,7 +100,7 @@ Result<Geometry> Position2d::geometry() {
 
 Result<void> Position2d::close() {
   if (!device_.is_open()) return {};
-  const Result<void> stopped = moving_ ? stop() : Result<void>();
+  const Result<void> stopped = moving_ && !device_.gone() ? stop() : Result<void>();
   const Result<void> closed = device_.close();
   return stopped ? closed : stopped;
 }

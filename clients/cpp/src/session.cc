@@ -18,6 +18,10 @@ double now() {
   return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
+/// The access in an answer to an opening that nobody asked for: the device has retired. (Openings that fail
+/// say kErrorMode.)
+constexpr std::uint8_t kErrorLetter = 'e';
+
 bool is_answer(const wire::Header& header) {
   return header.type == wire::MessageType::kAck || header.type == wire::MessageType::kNack;
 }
@@ -81,6 +85,7 @@ Result<Message> Session::answer(const Key& key, Deadline deadline) {
     if (!got) return got.error();
     if (!*got) break;
     Message& message = **got;
+    if (take_notice(message)) continue;
     const Match whose = match(message.header, key);
     if (whose == Match::kOurs) return std::move(message);
     if (whose == Match::kOther) {
@@ -114,6 +119,7 @@ bool Session::is_abandoned(const Key& key) const {
 
 /// Puts a message that no request waits for where it belongs.
 void Session::sort(Message message) {
+  if (take_notice(message)) return;
   if (message.header.type == wire::MessageType::kData) {
     if (waiting_.size() == kWaitingMessages) {
       waiting_.pop_front();
@@ -125,6 +131,22 @@ void Session::sort(Message message) {
   } else {
     ++skipped_count_;
   }
+}
+
+/// False for anything but the notice that a device has retired, which its slots know from then on.
+bool Session::take_notice(const Message& message) {
+  const wire::Header& header = message.header;
+  if (header.type != wire::MessageType::kAck || header.interf != wire::player::kCode) return false;
+  if (header.subtype != wire::player::kReqDev) return false;
+  const auto notice = wire::decode<wire::player::DeviceReq>(message.body);
+  if (!notice || notice->access != kErrorLetter) return false;
+  const DeviceAddress address{notice->addr.robot, notice->addr.interf, notice->addr.index};
+  for (Slot* slot : slots_) {
+    if (slot->interf != address.interf || slot->index != address.index || !slot->gone.empty()) continue;
+    slot->gone = std::to_string(address.port) + ":" + address.name() + " is gone: the server retired it";
+  }
+  told_ = true;
+  return true;
 }
 
 void Session::end_round(const Message& message) {
@@ -146,6 +168,7 @@ Result<std::size_t> Session::read(Seconds patience) {
   if (reading_)
     return Error{connection_.peer(), "read() was called from a callback that read() itself is running"};
   reading_ = true;
+  told_ = false;
   const Deadline deadline = deadline_after(patience);
   Result<std::size_t> delivered = mode_ == Mode::kPull ? read_round(deadline) : read_pushed(deadline);
   reading_ = false;
@@ -160,7 +183,7 @@ Result<std::size_t> Session::read_round(Deadline deadline) {
     if (!begun && (!connection_.is_open() || Clock::now() < deadline)) return begun.error();
     delivered += deliver();
   }
-  while (round_open_) {
+  while (round_open_ && !(told_ && delivered == 0)) {
     const Result<bool> more = sort_next(deadline);
     if (!more) return more.error();
     delivered += deliver();
@@ -171,7 +194,7 @@ Result<std::size_t> Session::read_round(Deadline deadline) {
 
 Result<std::size_t> Session::read_pushed(Deadline deadline) {
   std::size_t delivered = deliver();
-  while (delivered == 0 || connection_.has_message()) {
+  while ((delivered == 0 && !told_) || connection_.has_message()) {
     const Result<bool> more = sort_next(deadline);
     if (!more) return more.error();
     if (!*more) break;
@@ -200,10 +223,12 @@ bool Session::deliver_one(const Message& message) {
   const wire::MessageDef* row = wire::find_message(header.interf, wire::MessageType::kData, header.subtype);
   if (row == nullptr || !row->check(message.body).empty()) return false;
   bool taken = false;
-  const std::vector<Slot*> slots = slots_;  // a callback may open and close devices
+  const bool is_open = has_open(header.interf, header.index);  // else it is the last of a device that is gone
+  const std::vector<Slot*> slots = slots_;                     // a callback may open and close devices
   for (Slot* slot : slots) {
     if (std::find(slots_.begin(), slots_.end(), slot) == slots_.end()) continue;
     if (slot->interf != header.interf || slot->index != header.index) continue;
+    if (is_open && !slot->gone.empty()) continue;
     slot->latest[header.subtype] = message.body;
     slot->timestamp = header.timestamp;
     slot->fresh = true;
@@ -214,13 +239,30 @@ bool Session::deliver_one(const Message& message) {
   return taken;
 }
 
+void Session::add(Slot& slot) {
+  const bool replaces = std::ranges::any_of(slots_, [&](const Slot* old) {
+    return old->interf == slot.interf && old->index == slot.index && !old->gone.empty();
+  });
+  if (replaces) drop_waiting(slot.interf, slot.index);
+  slots_.push_back(&slot);
+}
+
 void Session::remove(Slot& slot) {
   std::erase(slots_, &slot);
+  if (!slot.gone.empty() && !has_open(slot.interf, slot.index)) drop_waiting(slot.interf, slot.index);
+}
+
+/// Data of a device that is gone must not become those of the next one at its address.
+void Session::drop_waiting(std::uint16_t interf, std::uint16_t index) {
+  skipped_count_ += std::erase_if(waiting_, [=](const Message& message) {
+    return message.header.interf == interf && message.header.index == index;
+  });
 }
 
 bool Session::has_open(std::uint16_t interf, std::uint16_t index) const {
-  return std::ranges::any_of(
-      slots_, [=](const Slot* slot) { return slot->interf == interf && slot->index == index; });
+  return std::ranges::any_of(slots_, [=](const Slot* slot) {
+    return slot->interf == interf && slot->index == index && slot->gone.empty();
+  });
 }
 
 void Session::close() {

@@ -28,6 +28,7 @@ struct Slot {
   std::map<std::uint8_t, std::vector<std::byte>> latest;  // body by subtype
   double timestamp = 0;                                   // s
   bool fresh = false;
+  std::string gone;  // why nothing can be asked any more: the server retired the device; empty until then
   Device::OnData on_data;
 };
 
@@ -59,8 +60,9 @@ class Session {
   Result<std::size_t> read(Seconds patience);
 
   /// `slot` must stay where it is until remove().
-  void add(Slot& slot) { slots_.push_back(&slot); }
+  void add(Slot& slot);
   void remove(Slot& slot);
+  /// One that has retired is not open.
   bool has_open(std::uint16_t interf, std::uint16_t index) const;
 
   void close();
@@ -78,6 +80,8 @@ class Session {
   Match match(const wire::Header& header, const Key& key) const;
   bool is_abandoned(const Key& key) const;
   void sort(Message message);
+  bool take_notice(const Message& message);
+  void drop_waiting(std::uint16_t interf, std::uint16_t index);
   void end_round(const Message& message);
   Result<bool> sort_next(Deadline deadline);
   Result<std::size_t> read_round(Deadline deadline);
@@ -91,6 +95,7 @@ class Session {
   Mode mode_ = Mode::kPush;  // what a server starts with
   bool round_open_ = false;
   bool reading_ = false;
+  bool told_ = false;  // in this read(), that a device has retired
   std::uint64_t overflow_count_ = 0;
   std::uint64_t skipped_count_ = 0;
   std::uint32_t sequence_ = 0;

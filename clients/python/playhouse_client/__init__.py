@@ -14,6 +14,7 @@ from .device import Access, Device
 from .errors import (
     ConnectionLost,
     DeviceClosed,
+    DeviceGone,
     InvalidValue,
     NoData,
     PlayerError,
@@ -43,8 +44,8 @@ from .robot import Robot
 __version__ = "0.1.0"
 
 __all__ = [
-    "Access", "Client", "ConnectionLost", "Device", "DeviceAddress", "DeviceClosed", "DeviceEntry", "Fiducial",
-    "Geometry", "InvalidValue", "Laser", "Marker", "Mode", "Model", "NoData", "PlayerError", "Pose", "Pose3d",
+    "Access", "Client", "ConnectionLost", "Device", "DeviceAddress", "DeviceClosed", "DeviceEntry", "DeviceGone",
+    "Fiducial", "Geometry", "InvalidValue", "Laser", "Marker", "Mode", "Model", "NoData", "PlayerError", "Pose", "Pose3d",
     "Position2d", "Ranger", "RequestRefused", "RequestTimeout", "Robot", "Rule", "Scan", "Simulation", "Size", "Sonar",
     "State", "Velocity", "WireError", "connect",
 ]

@@ -71,8 +71,8 @@ class Client:
         mode: Mode = Mode.PULL,
         timeout: float = 5.0,
     ) -> None:
-        self._session = Session(Connection(host, port, timeout), timeout)
         self._devices: Dict[Tuple[int, int], List[Device]] = {}
+        self._session = Session(Connection(host, port, timeout), timeout, self._retire)
         self._families: Optional[List[List[Model]]] = None
         self._robots: Dict[int, Robot] = {}
         self._reading = False
@@ -126,13 +126,13 @@ class Client:
         """Waits for the next data and hands them to the devices; returns how many messages there were.
 
         In pull mode this is one round: everything the server holds for this client. In push mode it is what
-        has arrived, at least one message. Raises RequestTimeout when no data come; the next read() goes on
-        waiting. When the server goes, what it had sent is delivered first; the next read() raises ConnectionLost.
+        has arrived, at least one message; none if a device turns out to be gone first (Device.gone). Raises
+        RequestTimeout when no data come; the next read() goes on waiting. When the server goes, what it had sent is delivered first; the next read() raises ConnectionLost.
         """
         if self._reading:
             raise PlayerError("read() was called from a callback that read() itself is running")
         deadline = time.monotonic() + self._session.timeout_or_own(timeout)
-        self._reading = True
+        self._reading, self._session.told = True, False
         try:
             return self._read_round(deadline) if self.mode == Mode.PULL else self._read_pushed(deadline)
         finally:
@@ -188,6 +188,10 @@ class Client:
         same = self._devices.get((device.code, device.index), [])
         if device in same:
             same.remove(device)
+        if not same:
+            self._devices.pop((device.code, device.index), None)
+            if device.gone:
+                self._session.drop_waiting(device.code, device.index)
 
     def close(self) -> None:
         """Closes what is open, last opened first, and waits until the server has read everything."""
@@ -246,9 +250,16 @@ class Client:
             self._robots[place] = Robot(self, self._list_families()[place], self._session.server_port)
         return self._robots[place]
 
+    def _retire(self, addr: common.Devaddr) -> None:
+        for device in self._devices.get((addr.interf, addr.index), []):
+            device.retire(addr.robot)
+
     def _open(self, kind: Type[P], interface: str, index: int, access: Access) -> P:
         device = kind(self, self._session, interface, index, access)
-        self._devices.setdefault((device.code, index), []).append(device)
+        same = self._devices.setdefault((device.code, index), [])
+        if any(each.gone for each in same):
+            self._session.drop_waiting(device.code, index)
+        same.append(device)
         try:
             device.prepare()
         except RequestRefused:
@@ -272,7 +283,7 @@ class Client:
         """Delivers what waits, and what comes as long as `more` of the count so far; how many messages there were.
         An end that comes after data is left to the next call, so that the data are seen first."""
         delivered = self._deliver()
-        while more(delivered):
+        while more(delivered) and not (self._session.told and not delivered):
             try:
                 self._session.sort_next(deadline)
             except (ConnectionLost, RequestTimeout) as error:
@@ -298,7 +309,8 @@ class Client:
             except WireError:
                 self._session.skipped_count += 1
                 continue
-            for device in list(takers):
+            # The last data of a device that is gone are its own, unless another one has taken its address.
+            for device in [each for each in takers if not each.gone] or list(takers):
                 device.take(row, value, header.timestamp)
             count += 1
         return count

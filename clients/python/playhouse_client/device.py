@@ -6,7 +6,7 @@ import sys
 import time
 from typing import TYPE_CHECKING, Any, Callable, Dict, Iterable, NamedTuple, Optional, Tuple, Type, TypeVar, Union
 
-from .errors import DeviceClosed, InvalidValue, NoData, RequestRefused, RequestTimeout
+from .errors import DeviceClosed, DeviceGone, InvalidValue, NoData, RequestRefused, RequestTimeout
 from .generated import INTERFACES, common, player
 from .session import Session, device_name
 from .wire import MessageType, Struct, c_string, text
@@ -88,6 +88,7 @@ class Device:
         self._latest: Dict[int, Tuple[Struct, float]] = {}
         self._callback: Optional[Callable[[MessageType, Struct, float], None]] = None
         self._open = False
+        self._gone = ""  # why nothing can be asked any more
         self.driver = self._set_access(access)
         self._open = True
 
@@ -99,6 +100,13 @@ class Device:
     def is_open(self) -> bool:
         """False after close(), of the device or of its client."""
         return self._open
+
+    @property
+    def gone(self) -> bool:
+        """Whether read() was told that the server has retired the device. Using it raises DeviceGone from then on, the
+        last data stay, and close() has nothing to do. Until read() comes to it the server refuses requests and drops
+        commands."""
+        return bool(self._gone)
 
     @property
     def has_data(self) -> bool:
@@ -179,13 +187,17 @@ class Device:
         if self._callback:
             self._callback(message, value, timestamp)
 
+    def retire(self, port: int) -> None:
+        """Hears that the server, which knows its port by this number, has retired the device."""
+        self._gone = self._gone or f"{port}:{self.name} is gone: the server retired it"
+
     def close(self) -> None:
         """Closes the device; a second call does nothing."""
         if not self._open:
             return
         self._open = False
         self._client.forget(self)
-        if self._session.connection.alive:
+        if self._session.connection.alive and not self._gone:
             self._set_access(player.CLOSE_MODE)
 
     def __enter__(self: D) -> D:
@@ -197,6 +209,8 @@ class Device:
     def _insist_on_open(self) -> None:
         if not self._open:
             raise DeviceClosed(f"{self._session.peer}: {self.name} is closed")
+        if self._gone:
+            raise DeviceGone(self._gone)
 
     def _insist_on_finite(self, **values: float) -> None:
         for name, value in values.items():

@@ -25,6 +25,10 @@ class DeviceClosed(PlayerError):
     """A device was used after close(), or after its client's."""
 
 
+class DeviceGone(PlayerError):
+    """A device was used that the server has retired: what it belonged to is no more."""
+
+
 class InvalidValue(PlayerError, ValueError):
     """An argument that means nothing: a speed that is no number, an interface that does not exist. Nothing was sent."""
 

@@ -172,7 +172,7 @@ class Position2d(Device):
         return _geometry(_answer(self.request(position2d.REQ_GET_GEOM)))
 
     def close(self) -> None:
-        if self._open and self._moving and self._session.connection.alive:
+        if self._open and self._moving and not self.gone and self._session.connection.alive:
             self.stop()
         super().close()
 

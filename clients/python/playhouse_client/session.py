@@ -2,11 +2,11 @@
 
 import time
 from collections import deque
-from typing import Deque, List, Optional, Tuple
+from typing import Callable, Deque, List, Optional, Tuple
 
 from .connection import Connection, Message, checked_seconds
 from .errors import ConnectionLost, RequestRefused, RequestTimeout, WireError
-from .generated import INTERFACES, player
+from .generated import INTERFACES, common, player
 from .wire import Header, Kind, MessageType, Struct
 
 # Data that come while a request waits for its answer, and wait for the next read(): as many as a server keeps for one
@@ -15,6 +15,10 @@ WAITING_LIMIT = 1024
 
 _Key = Tuple[int, int, int]
 _DATA_KEY: _Key = (player.CODE, 0, player.REQ_DATA.subtype)
+_OPENING_KEY: _Key = (player.CODE, 0, player.REQ_DEV.subtype)
+
+# The access in an answer to an opening that nobody asked for: the device has retired. (Openings that fail say ERROR_MODE.)
+_ERROR_LETTER = ord("e")
 
 
 def device_name(interface: int, index: int) -> str:
@@ -25,12 +29,17 @@ def device_name(interface: int, index: int) -> str:
 class Session:
     """Sorts what arrives: answers to the request that waits, data to the queue, everything else aside."""
 
-    def __init__(self, connection: Connection, timeout: float) -> None:
+    def __init__(
+        self, connection: Connection, timeout: float, retire: Callable[[common.Devaddr], None] = lambda _: None
+    ) -> None:
+        """`retire` is called with the address of a device when the server says that it has retired."""
         self.connection = connection
         self.timeout = checked_seconds(timeout)
         self.waiting: Deque[Message] = deque()
         self.round_open = False
         self.round_refused = False
+        self.told = False  # that a device has retired
+        self._retire = retire
         self.overflow_count = 0
         self.skipped_count = 0
         self._server_port = 0
@@ -92,13 +101,23 @@ class Session:
 
     def sort_next(self, deadline: float) -> None:
         """Receives one message that nobody asked for and puts it where it belongs."""
-        self._sort(self.connection.receive(deadline))
+        message = self.connection.receive(deadline)
+        if not self._take_notice(message):
+            self._sort(message)
+
+    def drop_waiting(self, interface: int, index: int) -> None:
+        """Forgets the data of a device that is gone: they must not become those of the next one at its address."""
+        kept = [each for each in self.waiting if (each.header.interface, each.header.index) != (interface, index)]
+        self.skipped_count += len(self.waiting) - len(kept)
+        self.waiting = deque(kept)
 
     def _answer(self, key: _Key, deadline: float) -> Message:
         settled = False
         try:
             while True:
                 message = self.connection.receive(deadline)
+                if self._take_notice(message):
+                    continue
                 if not self._answers(message.header, key):
                     self._sort(message)
                 elif self._is_ours(message.header.sequence, key):
@@ -124,6 +143,20 @@ class Session:
     def _answers(header: Header, key: _Key) -> bool:
         answers = header.kind in (Kind.ACK, Kind.NACK)
         return answers and (header.interface, header.index, header.subtype) == key
+
+    def _take_notice(self, message: Message) -> bool:
+        """False for anything but the notice that a device has retired."""
+        if message.header.kind != Kind.ACK or not self._answers(message.header, _OPENING_KEY):
+            return False
+        try:
+            notice = player.DeviceReq.decode(message.body)
+        except WireError:
+            return False
+        if notice.access != _ERROR_LETTER:
+            return False
+        self.told = True
+        self._retire(notice.addr)
+        return True
 
     def _sort(self, message: Message) -> None:
         if message.header.kind == Kind.DATA:

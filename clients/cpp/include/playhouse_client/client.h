@@ -85,9 +85,10 @@ class Client {
   Result<void> set_replace_rule(Rule rule, const RuleScope& scope = {});
 
   /// Waits for the next data and hands them to the devices; how many messages there were, 0 if none came in
-  /// time. In pull mode this is one round: everything the server holds for this client; a round that is not
-  /// complete in time goes on in the next call. In push mode it is what has arrived. The only errors are a
-  /// lost connection, a refusing server and a call from inside a callback.
+  /// time, or before it was told that a device is gone (Device::gone()). In pull mode this is one round:
+  /// everything the server holds for this client; a round that is not complete in time goes on in the next
+  /// call. In push mode it is what has arrived. The only errors are a lost connection, a refusing server and
+  /// a call from inside a callback.
   Result<std::size_t> read();
   Result<std::size_t> read(Seconds patience);
 

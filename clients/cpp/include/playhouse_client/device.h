@@ -52,6 +52,10 @@ class Device {
 
   /// False after close() and in what was moved from.
   bool is_open() const { return slot_ != nullptr; }
+  /// Client::read() was told that the server has retired the device. Requests and commands are errors from
+  /// then on, the last data stay, and close() has nothing to do. Until read() comes to it the server refuses
+  /// requests and drops commands.
+  bool gone() const;
   /// False once the server is gone or the client closed.
   bool connected() const;
   std::uint16_t interf() const;
@@ -114,7 +118,7 @@ class Device {
   Result<void> command_bytes(std::uint8_t subtype, std::span<const std::byte> body);
   const std::vector<std::byte>* latest_bytes(std::uint8_t subtype) const;
   Error undecoded(std::uint8_t subtype, std::string_view what) const;
-  Error closed() const;
+  Result<void> usable() const;
 
   std::shared_ptr<Session> session_;
   std::unique_ptr<Slot> slot_;  // none when closed

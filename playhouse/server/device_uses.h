@@ -1,0 +1,46 @@
+#pragma once
+
+/// DeviceUses: for each device, who has to hear of it when it retires: sessions that have it open, requests
+/// that its driver has not answered, drivers that hold it. Keeps nothing of devices that nobody uses. Io
+/// thread only.
+
+#include <cstddef>
+#include <cstdint>
+#include <set>
+#include <unordered_map>
+#include <vector>
+
+#include "playhouse/device/address.h"
+#include "playhouse/device/driver.h"
+
+namespace playhouse::server {
+
+class DeviceUses {
+ public:
+  struct Use {
+    std::set<std::uint32_t> sessions;      // serials
+    std::set<std::uint64_t> tickets;       // of requests, those of a session in their order
+    std::vector<device::Driver*> holders;  // once per hold
+  };
+
+  void open(device::DeviceId device, std::uint32_t session) { uses_[device].sessions.insert(session); }
+  void close(device::DeviceId device, std::uint32_t session);
+  void ask(device::DeviceId device, std::uint64_t ticket) { uses_[device].tickets.insert(ticket); }
+  void answer(device::DeviceId device, std::uint64_t ticket);
+  void hold(device::DeviceId device, device::Driver& holder) { uses_[device].holders.push_back(&holder); }
+  /// Ends one hold; nothing if there is none.
+  void release(device::DeviceId device, device::Driver& holder);
+
+  /// Takes out what there is of a device.
+  Use take(device::DeviceId device);
+  /// Devices that somebody uses.
+  std::size_t size() const { return uses_.size(); }
+
+ private:
+  using Uses = std::unordered_map<device::DeviceId, Use>;
+  void drop_if_unused(Uses::iterator place);
+
+  Uses uses_;
+};
+
+}  // namespace playhouse::server
