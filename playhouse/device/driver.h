@@ -106,8 +106,8 @@ class Driver {
   /// which the others need too. To be overridden by drivers that let things wait.
   virtual void barrier(Replier replier) { replier.ack(); }
 
-  /// A device that this driver held has retired, which ended the hold; comes once per hold. The other driver
-  /// may be gone after the call. To be overridden by drivers that hold devices.
+  /// A device that this driver held has retired, which ended the hold; comes once per hold, on the io thread.
+  /// The other driver may be gone after the call. To be overridden by drivers that hold devices.
   virtual void retired(DeviceId) {}
 };
 
