@@ -193,26 +193,24 @@ PLAYHOUSE_INLINE void fill_up(std::size_t count, Lanes& lanes) {
 }
 
 /// Keeps the first of what is known about ray k and the edges. Branch-free: hits are unpredictable.
-PLAYHOUSE_INLINE void meet(std::span<const Walls::Group> groups, Observers by, std::size_t k, Rays& rays) {
-  const double px = rays.px[k], py = rays.py[k], dx = rays.dx[k], dy = rays.dy[k], z = rays.z[k];
-  Four range = {rays.range[k]}, solid = {rays.solid[k]};
-  for (const Walls::Group& group : groups) {
-    if (group.z_min > z || z > group.z_max || (group.seen_by & by) == 0) continue;
-    Four ax, ay, bx, v;
-    load(ax, group.x);
-    load(ay, group.y);
-    load(bx, group.x + 1);
-    load(v, group.y + 1);
-    Four t = Distance<double, Four>(dx, dy, ax - px, ay - py, bx - px, v - py).t;
-    const Four across = __builtin_shufflevector(t, t, 2, 3, 0, 1);
-    t = t < across ? t : across;
-    const Four beside = __builtin_shufflevector(t, t, 1, 0, 3, 2);
-    t = t < beside ? t : beside;
-    if (t[0] < 0) t = Four{edges_alone(group, {px, py}, {dx, dy})};
-    keep_first(t, Four{number_of(group.solid)}, range, solid);
-  }
-  rays.range[k] = range[0];
-  rays.solid[k] = solid[0];
+PLAYHOUSE_INLINE void meet(const Walls::Group& group, std::size_t k, Rays& rays) {
+  const double px = rays.px[k], py = rays.py[k];
+  Four ax, ay, bx, by;
+  load(ax, group.x);
+  load(ay, group.y);
+  load(bx, group.x + 1);
+  load(by, group.y + 1);
+  ax -= px;
+  ay -= py;
+  bx -= px;
+  by -= py;
+  Four t = Distance<double, Four>(rays.dx[k], rays.dy[k], ax, ay, bx, by).t;
+  const Four across = __builtin_shufflevector(t, t, 2, 3, 0, 1);
+  t = t < across ? t : across;
+  const Four beside = __builtin_shufflevector(t, t, 1, 0, 3, 2);
+  t = t < beside ? t : beside;
+  if (t[0] < 0) t = Four{edges_alone(group, rays.p(k), rays.d(k))};
+  keep_first_alone(t[0], number_of(group.solid), rays.range[k], rays.solid[k]);
 }
 
 PLAYHOUSE_INLINE void march_here(const Walls& walls, Observers by, Rays& rays) {
@@ -227,7 +225,9 @@ PLAYHOUSE_INLINE void march_here(const Walls& walls, Observers by, Rays& rays) {
   while (const std::size_t on = found.going_on()) {
     for (std::size_t i = 0; i < found.touches; ++i) {
       const std::uint32_t lane = found.touch[i], k = lanes.ray[lane];
-      meet(walls.in_cell(static_cast<std::size_t>(lanes.place[lane]) >> 2), by, k, rays);
+      for (const Walls::Group& group : walls.in_cell(static_cast<std::size_t>(lanes.place[lane]) >> 2))
+        if (group.z_min <= rays.z[k] && rays.z[k] <= group.z_max && (group.seen_by & by) != 0)
+          meet(group, k, rays);
       lanes.range[lane] = static_cast<float>(rays.range[k]);
     }
     if (2 * on <= used) {

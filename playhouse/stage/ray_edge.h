@@ -33,13 +33,13 @@ namespace playhouse::stage {
 
 inline constexpr double kMiss = 1e300;
 inline constexpr double kEdgeOn = 1e-9;  // m
-inline constexpr double kNoSolid = 0;
+inline constexpr double kNoSolid = -1;
 /// A row of Solids, as a number that is chosen as distances are; kNoSolid where nothing was met.
 constexpr double number_of(std::uint32_t row) {
-  return static_cast<double>(row + 1);
+  return static_cast<double>(row);
 }
 constexpr std::uint32_t row_of(double solid) {
-  return static_cast<std::uint32_t>(solid) - 1;
+  return static_cast<std::uint32_t>(solid);
 }
 
 template <typename First, typename Second, typename Number>

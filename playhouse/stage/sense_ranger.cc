@@ -22,10 +22,10 @@ PLAYHOUSE_INLINE void report(const float* returns, const double* solid, std::siz
   for (; k + kFour <= beams; k += kFour) {
     Four four;
     load(four, solid + k);
-    const FourInts row = __builtin_convertvector(four, FourInts);
+    const FourInts row = __builtin_convertvector(four - kNoSolid, FourInts);
     for (std::size_t i = 0; i < kFour; ++i) intensities[k + i] = returns[static_cast<std::uint32_t>(row[i])];
   }
-  for (; k < beams; ++k) intensities[k] = returns[static_cast<std::uint32_t>(solid[k])];
+  for (; k < beams; ++k) intensities[k] = returns[static_cast<std::uint32_t>(solid[k] - kNoSolid)];
 }
 
 }  // namespace
