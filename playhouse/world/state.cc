@@ -59,10 +59,13 @@ void put_value(Packer& out, const T& value) {
   }
 }
 
+/// Headings are normalised, or what a scene made in code says.  [rad]
+constexpr double kMostTurn = 1e6;
+
 /// Values that arithmetic can go on with.
 template <typename T>
 bool is_good(const T& value) {
-  if constexpr (std::is_same_v<T, geom::Pose>) return is_place(value);
+  if constexpr (std::is_same_v<T, geom::Pose>) return is_place(value) && std::fabs(value.a) <= kMostTurn;
   if constexpr (std::is_same_v<T, ControlMode>) return value <= ControlMode::kHeading;
   bool good = true;
   if constexpr (!kIsList<T>)
