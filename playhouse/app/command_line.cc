@@ -194,7 +194,7 @@ void add_running(CLI::App& app, Raw& raw, Running& running) {
 void add_commands(CLI::App& app, Raw& raw) {
   CLI::App* run = app.add_subcommand("run", "simulate a world file and serve every robot of it");
   run->footer(kRunExamples);
-  auto* world = run->add_option("WORLD", raw.run.world, "a .world file");
+  auto* world = run->add_option("WORLD", raw.run.world, "a .world file")->required();
   add_serving(*run, raw, raw.run.serving);
   add_running(*run, raw, raw.run.running);
   run->add_option("--from", raw.run.from,
@@ -205,6 +205,7 @@ void add_commands(CLI::App& app, Raw& raw) {
   run->add_option("--save-at", raw.saves, "save the state at a simulated time, and go on; may be given again")
       ->type_name("SECONDS FILE")
       ->expected(1)
+      ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 
   CLI::App* serve = app.add_subcommand("serve", "serve the devices of a Player configuration file");
@@ -355,6 +356,10 @@ Result<CommandLine> parse_command_line(std::span<const char* const> words) {
 
   if (words.empty()) return CommandLine(Answer{app.help()});
   if (const Result<void> known = check_words(app, words); !known) return known.error();
+  // CLI11 gives every further word to an option that may be given again, unless something still wants it.
+  const bool goes_on = std::ranges::any_of(
+      words, [](std::string_view word) { return word == "--from" || word.starts_with("--from="); });
+  if (goes_on) app.get_subcommand("run")->get_option("WORLD")->required(false);
   try {
     // CLI11 takes the words last first.
     std::vector<std::string> reversed(words.rbegin(), words.rend());
@@ -373,9 +378,6 @@ Result<CommandLine> parse_command_line(std::span<const char* const> words) {
   } catch (const CLI::ParseError& error) {
     return Error{"", error.what()};
   }
-  const bool runs = app.get_subcommands().front()->get_name() == "run";
-  if (runs && raw.run.world.empty() && raw.run.from.empty())
-    return Error{"", "run wants a WORLD, or --from with a saved run"};
   for (const auto& [seconds, file] : raw.saves) {
     if (!std::isfinite(seconds) || seconds < 0)
       return Error{"", "--save-at wants a number of seconds that is not negative, and a file"};

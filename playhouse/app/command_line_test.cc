@@ -66,6 +66,34 @@ TEST(CommandLine, files_and_libraries_may_be_several) {
   EXPECT_EQ(run.world, "w");
 }
 
+TEST(CommandLine, a_run_begins_with_a_world_or_goes_on_from_a_saved_one) {
+  const auto run = parsed<RunOptions>({"run", "--save-at", "2.5", "a.run", "w", "--save-at", "7", "b.run"});
+  EXPECT_EQ(run.world, "w");
+  ASSERT_EQ(run.saves.size(), 2u);
+  EXPECT_EQ(run.saves[0].seconds, 2.5);
+  EXPECT_EQ(run.saves[0].file, "a.run");
+  EXPECT_EQ(run.saves[1].file, "b.run");
+  const auto on = parsed<RunOptions>({"run", "--from", "a.run", "--save-at", "9", "c.run"});
+  EXPECT_EQ(on.from, "a.run");
+  EXPECT_EQ(on.world, "");
+  EXPECT_THAT(fault({"run"}), HasSubstr("WORLD"));
+  EXPECT_THAT(fault({"run", "--from", "a.run", "w"}), HasSubstr("WORLD"));
+  EXPECT_THAT(fault({"run", "--from", "a.run", "--seed", "2"}), HasSubstr("--seed"));
+  EXPECT_THAT(fault({"run", "w", "--save-at", "-1", "a.run"}), HasSubstr("--save-at"));
+  EXPECT_THAT(fault({"run", "w", "--save-at", "soon", "a.run"}), HasSubstr("--save-at"));
+  EXPECT_THAT(fault({"run", "w", "--save-at", "1"}), HasSubstr("--save-at"));
+}
+
+TEST(CommandLine, verify_takes_numbers_of_workers) {
+  const auto verify = parsed<VerifyOptions>({"verify", "w", "--ticks", "5", "--workers", "1,3"});
+  EXPECT_EQ(verify.world, "w");
+  EXPECT_EQ(verify.ticks, 5u);
+  EXPECT_THAT(verify.workers, testing::ElementsAre(1u, 3u));
+  EXPECT_THAT(fault({"verify", "w"}), HasSubstr("--ticks"));
+  EXPECT_THAT(fault({"verify", "w", "--ticks", "0"}), HasSubstr("--ticks"));
+  EXPECT_THAT(fault({"verify", "w", "--ticks", "5", "--workers", "1,0"}), HasSubstr("--workers"));
+}
+
 TEST(CommandLine, kinds_takes_a_name_or_none) {
   EXPECT_EQ(parsed<KindsOptions>({"kinds"}).name, "");
   const auto kinds = parsed<KindsOptions>({"kinds", "ranger", "--json"});
