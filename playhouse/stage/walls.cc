@@ -118,24 +118,24 @@ void Walls::list(const std::vector<Edge>& edges, const Solids& solids) {
   });
 }
 
-/// A square is as large as the least of its three neighbours allows. The second time round sees what wraps.
+/// A square is as large as the least of its three neighbours allows. What wraps is seen as far into the
+/// second time round as a square can reach.
 void Walls::measure_clearance() {
-  const auto side = static_cast<std::int64_t>(torus_.side());
-  const auto farthest = static_cast<int>(std::min<std::int64_t>(kFarthest, side / 2));
+  const std::size_t side = torus_.side(), last = side - 1,
+                    farthest = std::min<std::size_t>(kFarthest, side / 2);
   clearance_.assign(1 + 4 * torus_.cells(), static_cast<std::uint8_t>(farthest));
   for (unsigned quadrant = 0; quadrant < 4; ++quadrant) {
-    const std::int64_t dx = quadrant & 1 ? -1 : 1, dy = quadrant & 2 ? -1 : 1;
-    for (std::int64_t i = 0; i < 2 * side; ++i) {
-      const std::int64_t y = -i * dy;
-      for (std::int64_t k = 0; k < 2 * side; ++k) {
-        const std::int64_t x = -k * dx;
-        const std::size_t index = torus_.index(x, y);
-        const int least = std::min({clearance(quadrant, torus_.index(x + dx, y)),
-                                    clearance(quadrant, torus_.index(x, y + dy)),
-                                    clearance(quadrant, torus_.index(x + dx, y + dy))});
-        const bool empty = first_[index] == first_[index + 1];
-        clearance_[1 + 4 * index + quadrant] =
-            static_cast<std::uint8_t>(empty ? std::min(least + 1, farthest) : 0);
+    const std::size_t dx = quadrant & 1 ? last : 1, dy = quadrant & 2 ? last : 1;  // wrapped
+    for (std::size_t i = 0, y = 0; i < side + farthest; ++i, y = (y - dy) & last) {
+      const std::uint32_t* const first = first_.data() + y * side;
+      std::uint8_t* const here = clearance_.data() + 1 + 4 * y * side + quadrant;
+      const std::uint8_t* const ahead = clearance_.data() + 1 + 4 * ((y + dy) & last) * side + quadrant;
+      std::size_t beside = here[4 * dx], across = ahead[4 * dx];
+      for (std::size_t k = 0, x = 0; k < side + farthest; ++k, x = (x - dx) & last) {
+        const std::size_t above = ahead[4 * x], square = std::min({beside, across, above}) + 1;
+        beside = first[x] == first[x + 1] ? std::min(square, farthest) : 0;
+        across = above;
+        here[4 * x] = static_cast<std::uint8_t>(beside);
       }
     }
   }
