@@ -103,11 +103,8 @@ void Batch::follow(World& world) {
 }
 
 void Batch::join_late(World& world, const Post& post) {
-  const Result<void> joined = join(world, post);
-  if (joined) {
-    ids_.push_back(post.model);
-    return;
-  }
+  const Result<void> joined = add(world, post);
+  if (joined) return;
   log::error("controller {} of {}: {}", in_quotes(name_), in_quotes(world.name(world.row(post.model))),
              joined.error().line());
 }

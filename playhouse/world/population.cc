@@ -79,10 +79,6 @@ void link(Models& models, std::uint32_t row) {
   *place = row;
 }
 
-bool is_ours(const scene::SceneDesc& scene, const Models& models, std::uint32_t top) {
-  return scene.models[models.desc[top]].parent < 0;
-}
-
 /// What of a tree can be seen in its parts, without how it came there.
 Mobility mobility_of_part(const scene::ModelDesc& desc) {
   if (desc.kind == scene::ModelKind::kPosition) return Mobility::kDriven;
@@ -91,7 +87,7 @@ Mobility mobility_of_part(const scene::ModelDesc& desc) {
 
 /// A part that a scene's tree did not have: it was attached.
 bool was_attached(const World& world, std::uint32_t row) {
-  return world.models.parent_id[row].valid() && is_ours(world.scene(), world.models, row);
+  return world.models.parent_id[row].valid() && world.desc({row}).parent < 0;
 }
 
 std::size_t corners_of(const scene::ModelDesc& desc) {

@@ -31,7 +31,7 @@ Result<void> attach(World& world, ModelId child, ModelId parent, const geom::Pos
 /// Makes a model that was attached a top-level one again, where it is now. Fails for any other.
 Result<void> detach(World& world, ModelId child);
 
-/// The row of SceneDesc::models of which `model`, a top, is a copy, and of how many models that consists.
+/// The models of the scene's tree whose top is at `row` of SceneDesc::models; none if that is no top.
 struct PrototypeRange {
   std::uint32_t first = 0, count = 0;
 };

@@ -250,6 +250,8 @@ TEST_F(PopulationTest, a_state_cut_or_changed_anywhere_is_refused_or_is_a_whole_
       std::vector<std::byte> again;
       ASSERT_TRUE(save_state(other, again).ok());
       EXPECT_EQ(again, changed) << at;
+      while (other.models.size() > 0)
+        ASSERT_TRUE(despawn(other, other.id({other.models.root[0]})).ok()) << at;
     }
   }
 }

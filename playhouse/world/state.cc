@@ -130,6 +130,21 @@ struct Census {
   std::vector<std::uint32_t> desc;
 };
 
+/// Whether the rows from `top` on are a whole tree as the scene has it: with ids, and so rows, in a run,
+/// which is what despawn() removes. `count` gets its size.
+bool is_tree(const Census& census, std::size_t top, const scene::SceneDesc& scene, std::size_t& count) {
+  const std::uint32_t first = census.desc[top];
+  count = prototype_of(scene, first).count;
+  if (count == 0 || top + count > census.id.size()) return false;
+  for (std::uint32_t i = 1; i < count; ++i) {
+    const auto parent = static_cast<std::uint32_t>(scene.models[first + i].parent) - first;
+    if (census.desc[top + i] != first + i || census.id[top + i].value != census.id[top].value + i ||
+        census.parent[top + i].value != census.id[top].value + parent)
+      return false;
+  }
+  return true;
+}
+
 Result<void> check(const Census& census, std::uint32_t next_id, const scene::SceneDesc& scene) {
   const std::size_t count = census.id.size();
   if (census.desc.size() != count || census.parent.size() != count)
@@ -139,6 +154,8 @@ Result<void> check(const Census& census, std::uint32_t next_id, const scene::Sce
     if (census.id[row].value >= next_id) return damaged("a model has an id that was never given");
     if (census.desc[row] >= scene.models.size()) return damaged("a model is none of its scene");
   }
+  for (std::size_t top = 0, size = 0; top < count; top += size)
+    if (!is_tree(census, top, scene, size)) return damaged("a model lacks a part");
   return {};
 }
 
