@@ -213,10 +213,11 @@ Result<void> Service::open_page() {
                                        .page = web_server::page_files(),
                                        .host_name = {},
                                        .further_names = serving_.web_hosts};
-  const world::World& world = simulation().world();
-  web_ = std::make_unique<web_server::WebServer>(
-      web_loop_, options, simulation(), world,
-      drivers::device_names(world, simulation().directory(), player_ports_.front()));
+  const auto device_names = [this](world::ModelId model) {
+    return drivers::device_names(simulation().directory(), model, player_ports_.front());
+  };
+  web_ = std::make_unique<web_server::WebServer>(web_loop_, options, simulation(), simulation().world(),
+                                                 device_names);
   const Result<std::uint16_t> port = web_->listen();
   if (!port) return Error{port.error().where, port.error().text + "; --web takes another port, or off"};
   web_port_ = *port;

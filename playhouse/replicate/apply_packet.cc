@@ -8,23 +8,20 @@ namespace {
 
 class PacketReader {
  public:
-  PacketReader(std::span<const std::byte> packet, const Layout& layout, Replica& replica)
-      : in_(packet), layout_(layout), replica_(replica) {}
+  PacketReader(std::span<const std::byte> packet, Replica& replica)
+      : in_(packet), layout_(*replica.layout), replica_(replica) {}
 
   Result<std::uint32_t> read() {
-    if (in_.u8() != 1) return Error{"", "not a viewer packet"};
+    if (in_.u8() != 2) return Error{"", "not a viewer packet"};
     const std::uint8_t flags = in_.u8();
     const std::uint64_t frame = in_.varint();
     replica_.tick = in_.varint();
     replica_.pace.paused = (flags & 1) != 0;
     replica_.pace.speed = in_.f32();
     replica_.pace.real_time_factor = in_.f32();
-    section(replica_.models.size(),
-            [this](std::uint8_t mask, std::uint32_t row) { model(mask, replica_.models[row]); });
-    section(replica_.positions.size(),
-            [this](std::uint8_t mask, std::uint32_t row) { position(mask, replica_.positions[row]); });
-    section(layout_.sensors.size(), [this](std::uint8_t tag, std::uint32_t row) { scan(tag, row); });
-    section(layout_.finder_model.size(), [this](std::uint8_t tag, std::uint32_t row) { finding(tag, row); });
+    section([this](std::uint8_t mask, std::uint32_t row) { model(mask, replica_.models[row]); });
+    section([this](std::uint8_t tag, std::uint32_t row) { scan(tag, row); });
+    section([this](std::uint8_t tag, std::uint32_t row) { view(tag, row); });
     if (!in_.ok() || bad_)
       return Error{"",
                    bad_ ? "a viewer packet names what the scene has not" : "a viewer packet is cut short"};
@@ -34,15 +31,17 @@ class PacketReader {
 
  private:
   template <typename Item>
-  void section(std::size_t rows, Item item) {
-    std::int64_t row = 0;
+  void section(Item item) {
+    std::int64_t id = 0;
     while (const std::uint8_t tag = in_.u8()) {
-      row += in_.zigzag() % (std::int64_t{1} << 33);
-      if (!in_.ok() || row < 0 || row >= static_cast<std::int64_t>(rows)) {
+      id += in_.zigzag() % (std::int64_t{1} << 33);
+      const bool fits = in_.ok() && id >= 0 && id < world::ModelId::kNone;
+      const auto row = fits ? layout_.row({static_cast<std::uint32_t>(id)}) : std::nullopt;
+      if (!row) {
         bad_ = true;
         return;
       }
-      item(tag, static_cast<std::uint32_t>(row));
+      item(tag, *row);
       if (!in_.ok() || bad_) return;
     }
   }
@@ -56,49 +55,56 @@ class PacketReader {
     if (mask & 32) state.color = in_.u32();
   }
 
-  void position(std::uint8_t mask, PositionState& state) {
-    if (mask & 1) add(state.vx);
-    if (mask & 2) add(state.vy);
-    if (mask & 4) add(state.va);
-    if (mask & 8) add(state.ox);
-    if (mask & 16) add(state.oy);
-    if (mask & 32) turn(state.oa);
-  }
-
-  void scan(std::uint8_t tag, std::uint32_t row) {
-    if (tag == 2) {
-      replica_.scans[row].clear();
-      return;
-    }
-    const std::uint32_t count = layout_.sensors[row].beam_count;
-    if (tag != 1 || in_.left() < 2 * std::size_t{count}) {
+  void scan(std::uint8_t tag, std::uint32_t model) {
+    const auto sensor = layout_.sensor(layout_.id[model], in_.varint());
+    if (!sensor || tag > 2) {
       bad_ = true;
       return;
     }
-    std::vector<std::uint16_t>& beams = replica_.scans[row];
+    std::vector<std::uint16_t>& beams = replica_.scans[*sensor];
+    const std::uint32_t count = tag == 2 ? 0 : layout_.sensors[*sensor].beam_count;
+    if (in_.left() < 2 * std::size_t{count}) {
+      bad_ = true;
+      return;
+    }
     beams.resize(count);
     for (std::uint16_t& beam : beams) beam = in_.u16();
   }
 
-  void finding(std::uint8_t tag, std::uint32_t row) {
-    if (tag == 2) {
-      replica_.findings.erase(row);
-      return;
-    }
-    const std::uint64_t count = in_.varint();
-    if (tag != 1 || count > in_.left() / kHitBytesMin) {
+  void view(std::uint8_t tag, std::uint32_t model) {
+    const std::uint32_t number = (tag - 1u) / 2;
+    if (number >= views().size()) {
       bad_ = true;
       return;
     }
-    std::vector<HitState>& hits = replica_.findings[row];
-    hits.resize(count);
-    for (HitState& hit : hits) {
-      hit.target = static_cast<std::uint32_t>(in_.varint());
-      hit.id = static_cast<std::int32_t>(in_.zigzag());
-      hit.range = static_cast<std::int32_t>(in_.varint());
-      hit.bearing = in_.u16();
-      hit.heading = in_.u16();
+    if (tag % 2 == 0) {
+      replica_.views.erase({number, model});
+      return;
     }
+    const View& what = views()[number];
+    const std::uint64_t records = what.list ? in_.varint() : 1;
+    if (records > in_.left()) {  // a number has a byte at least
+      bad_ = true;
+      return;
+    }
+    std::vector<std::int32_t>& values = replica_.views[{number, model}];
+    values.resize(records * what.codes.size());
+    for (std::size_t k = 0; k < values.size() && in_.ok(); ++k)
+      values[k] = value(what.codes[k % what.codes.size()]);
+  }
+
+  std::int32_t value(Code code) {
+    switch (code) {
+      case Code::kVarint:
+        return static_cast<std::int32_t>(in_.varint());
+      case Code::kZigzag:
+        return static_cast<std::int32_t>(in_.zigzag());
+      case Code::kTurn:
+        return in_.u16();
+      case Code::kRgba:
+        return static_cast<std::int32_t>(in_.u32());
+    }
+    return 0;
   }
 
   void add(std::int32_t& value) {
@@ -114,8 +120,6 @@ class PacketReader {
     angle = static_cast<std::uint16_t>(angle + static_cast<std::uint16_t>(in_.zigzag() & 0xFFFF));
   }
 
-  static constexpr std::size_t kHitBytesMin = 7;
-
   Unpacker in_;
   const Layout& layout_;
   Replica& replica_;
@@ -124,9 +128,8 @@ class PacketReader {
 
 }  // namespace
 
-Result<std::uint32_t> apply_packet(std::span<const std::byte> packet, const Layout& layout,
-                                   Replica& replica) {
-  return PacketReader(packet, layout, replica).read();
+Result<std::uint32_t> apply_packet(std::span<const std::byte> packet, Replica& replica) {
+  return PacketReader(packet, replica).read();
 }
 
 }  // namespace playhouse::replicate

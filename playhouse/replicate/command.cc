@@ -14,8 +14,8 @@ namespace {
 
 namespace json = boost::json;
 
-constexpr std::array<std::string_view, 9> kWords = {"pause", "resume", "step", "speed", "drag",
-                                                    "drive", "select", "look", "ack"};
+constexpr std::array<std::string_view, 12> kWords = {"pause", "resume", "step",   "speed",  "drag", "drive",
+                                                     "copy",  "add",    "remove", "select", "look", "ack"};
 
 /// Reads the members of one object; the first fault sticks. Done with nothing left over.
 class Members {
@@ -43,9 +43,11 @@ class Members {
     return static_cast<std::uint32_t>(value);
   }
 
-  std::optional<std::uint32_t> count_or_null(std::string_view key) {
+  world::ModelId model(std::string_view key) { return {count(key)}; }
+
+  std::optional<world::ModelId> model_or_null(std::string_view key) {
     const json::value* value = object_.if_contains(key);
-    if (!value || !value->is_null()) return count(key);
+    if (!value || !value->is_null()) return model(key);
     ++read_;
     return std::nullopt;
   }
@@ -79,18 +81,38 @@ class Members {
   std::string fault_;
 };
 
+/// The place of a Drag, Copy or Add.
+template <typename Placed>
+void place(Members& in, Placed& placed) {
+  placed.x = in.number("x", -kPlaceMost, kPlaceMost);
+  placed.y = in.number("y", -kPlaceMost, kPlaceMost);
+  placed.a = in.number("a", -kPlaceMost, kPlaceMost);
+}
+
 Drag drag(Members& in) {
   Drag drag;
-  drag.model = in.count("model");
-  drag.x = in.number("x", -kPlaceMost, kPlaceMost);
-  drag.y = in.number("y", -kPlaceMost, kPlaceMost);
-  drag.a = in.number("a", -kPlaceMost, kPlaceMost);
+  drag.model = in.model("model");
+  place(in, drag);
   return drag;
+}
+
+Copy copy(Members& in) {
+  Copy copy;
+  copy.model = in.model("model");
+  place(in, copy);
+  return copy;
+}
+
+Add add(Members& in) {
+  Add add;
+  add.robot = in.count("robot");
+  place(in, add);
+  return add;
 }
 
 Drive drive(Members& in) {
   Drive drive;
-  drive.model = in.count("model");
+  drive.model = in.model("model");
   drive.velocity.x = in.number("forward", -kDriveMost, kDriveMost);
   drive.velocity.y = in.number("sideways", -kDriveMost, kDriveMost);
   drive.velocity.a = in.number("turn", -kDriveMost, kDriveMost);
@@ -116,7 +138,10 @@ Result<Command> read(const json::object& object) {
   if (what == "speed") return in.finish(SetSpeed{in.number("times_real_time", 0, kSpeedMost)});
   if (what == "drag") return in.finish(drag(in));
   if (what == "drive") return in.finish(drive(in));
-  if (what == "select") return in.finish(Select{in.count_or_null("model")});
+  if (what == "copy") return in.finish(copy(in));
+  if (what == "add") return in.finish(add(in));
+  if (what == "remove") return in.finish(Remove{in.model("model")});
+  if (what == "select") return in.finish(Select{in.model_or_null("model")});
   if (what == "look") return in.finish(look(in));
   if (what == "ack") return in.finish(Acknowledge{in.count("frame")});
   in.fault("no such command" + did_you_mean(what, kWords));

@@ -11,6 +11,7 @@
 
 #include "playhouse/base/result.h"
 #include "playhouse/geom/pose.h"
+#include "playhouse/world/model_id.h"
 
 namespace playhouse::replicate {
 
@@ -21,17 +22,33 @@ struct SetSpeed {
   double times_real_time = 1;  // 0: as fast as possible
 };
 struct Drag {
-  std::uint32_t model = 0;  // row; the receiver checks that it exists and may be dragged
-  double x = 0, y = 0;      // m, W
-  double a = 0;             // rad
+  world::ModelId model;  // the receiver checks that it exists and may be dragged
+  double x = 0, y = 0;   // m, W
+  double a = 0;          // rad
 };
 /// Velocities of one robot's wheels, which hold for limits::kViewerDriveSeconds unless renewed.
 struct Drive {
-  std::uint32_t model = 0;  // row; the receiver checks that it exists and has wheels
-  geom::Twist velocity;     // m/s, rad/s in the robot's frame; all zero: let go
+  world::ModelId model;  // the receiver checks that it exists and has wheels
+  geom::Twist velocity;  // m/s, rad/s in the robot's frame; all zero: let go
+};
+/// Another tree like the one that this model is in, standing free at x, y, a.
+struct Copy {
+  world::ModelId model;
+  double x = 0, y = 0;  // m, W
+  double a = 0;         // rad
+};
+/// A new tree of the scene's robots (replicate::addable()).
+struct Add {
+  std::uint32_t robot = 0;  // place in that list
+  double x = 0, y = 0;      // m, W
+  double a = 0;             // rad
+};
+/// Takes the tree that this model is in out of the world.
+struct Remove {
+  world::ModelId model;
 };
 struct Select {
-  std::optional<std::uint32_t> model;  // row; none: nothing is selected any more
+  std::optional<world::ModelId> model;  // none: nothing is selected any more
 };
 struct Look {
   geom::Box view;        // m, W
@@ -41,7 +58,8 @@ struct Acknowledge {
   std::uint32_t frame = 0;
 };
 
-using Command = std::variant<Pause, Resume, Step, SetSpeed, Drag, Drive, Select, Look, Acknowledge>;
+using Command =
+    std::variant<Pause, Resume, Step, SetSpeed, Drag, Drive, Copy, Add, Remove, Select, Look, Acknowledge>;
 
 inline constexpr double kSpeedMost = 1000;  // times real time
 inline constexpr double kPlaceMost = 1e6;   // m, of a coordinate from a viewer

@@ -14,14 +14,21 @@ TEST(Command, every_command_is_read) {
   EXPECT_EQ(std::get<SetSpeed>(*parse_command(R"({"do":"speed","times_real_time":2.5})")).times_real_time,
             2.5);
   const auto drag = std::get<Drag>(*parse_command(R"({"do":"drag","model":3,"x":1,"y":-2.5,"a":0.5})"));
-  EXPECT_EQ(drag.model, 3u);
+  EXPECT_EQ(drag.model.value, 3u);
   EXPECT_EQ(drag.y, -2.5);
   const auto drive =
       std::get<Drive>(*parse_command(R"({"do":"drive","model":3,"forward":0.4,"sideways":-0.1,"turn":1.5})"));
-  EXPECT_EQ(drive.model, 3u);
+  EXPECT_EQ(drive.model.value, 3u);
   EXPECT_EQ(drive.velocity, (geom::Twist{0.4, -0.1, 0, 1.5}));
-  EXPECT_EQ(std::get<Select>(*parse_command(R"({"do":"select","model":4})")).model, 4u);
+  EXPECT_EQ(std::get<Select>(*parse_command(R"({"do":"select","model":4})")).model, world::ModelId{4});
   EXPECT_EQ(std::get<Select>(*parse_command(R"({"do":"select","model":null})")).model, std::nullopt);
+  const auto copy = std::get<Copy>(*parse_command(R"({"do":"copy","model":3,"x":1,"y":-2.5,"a":0.5})"));
+  EXPECT_EQ(copy.model.value, 3u);
+  EXPECT_EQ(copy.a, 0.5);
+  const auto add = std::get<Add>(*parse_command(R"({"do":"add","robot":2,"x":1,"y":-2.5,"a":0.5})"));
+  EXPECT_EQ(add.robot, 2u);
+  EXPECT_EQ(add.x, 1);
+  EXPECT_EQ(std::get<Remove>(*parse_command(R"({"do":"remove","model":9})")).model.value, 9u);
   const auto look = std::get<Look>(
       *parse_command(R"({"do":"look","x_min":-1,"y_min":-2,"x_max":3,"y_max":4,"sensors":true})"));
   EXPECT_EQ(look.view.y_max, 4);
@@ -57,6 +64,9 @@ TEST(Command, what_cannot_be_is_refused_with_a_reason) {
       {R"({"do":"drive","model":1,"forward":0,"sideways":NaN,"turn":0})", "not JSON"},
       {R"({"do":"drive","model":1,"forward":0,"sideways":null,"turn":0})", "\"sideways\" must be a number"},
       {R"({"do":"drive","model":1,"forward":0,"turn":0})", "\"sideways\" must be a number"},
+      {R"({"do":"copy","model":1})", "\"x\" must be a number"},
+      {R"({"do":"add","robot":-1,"x":0,"y":0,"a":0})", "within its range"},
+      {R"({"do":"remove"})", "\"model\" must be a number"},
       {R"({"do":"select"})", "\"model\" must be a number"},
       {R"({"do":"look","x_min":-1,"y_min":-2,"x_max":3,"y_max":4,"sensors":1})", "true or false"},
       {R"({"do":"ack","frame":[[[1]]]})", "not JSON"},

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
+#include "playhouse/base/assert.h"
 #include "playhouse/base/packing.h"
+#include "playhouse/replicate/scene_text.h"
 
 namespace playhouse::replicate {
 namespace {
 
-constexpr std::uint8_t kPacket = 1;
+constexpr std::uint8_t kPacket = 2;
 constexpr std::uint8_t kPaused = 1, kWaiting = 2, kBeamsFull = 4;
 constexpr std::uint8_t kEnd = 0, kFresh = 1, kGone = 2;
 
@@ -18,15 +20,18 @@ std::int64_t turn_difference(std::uint16_t from, std::uint16_t to) {
 /// Writes one packet; every function of a section returns false when the budget is spent.
 class PacketWriter {
  public:
-  PacketWriter(const Layout& layout, const Snapshot& snapshot, const Wish& wish, std::size_t budget,
-               Replica& replica, std::vector<std::byte>& out)
-      : layout_(layout),
+  PacketWriter(const Snapshot& snapshot, const Wish& wish, std::size_t budget, Replica& replica,
+               std::vector<std::byte>& out)
+      : layout_(*snapshot.layout),
         snapshot_(snapshot),
         wish_(wish),
         budget_(budget),
         replica_(replica),
         out_(out),
-        pack_(out) {}
+        pack_(out) {
+    const std::optional<std::uint32_t> row = wish.selected ? layout_.row(*wish.selected) : std::nullopt;
+    if (row) selected_ = layout_.root[*row];
+  }
 
   void head(std::uint32_t frame) {
     const world::Pace& pace = snapshot_.pace;
@@ -45,9 +50,9 @@ class PacketWriter {
 
   /// Selected first, then what is in view, then all, both from `next` on.
   void models(std::uint32_t& next) {
-    row_ = 0;
-    if (wish_.selected) {
-      for (const std::uint32_t row : layout_.tree(*wish_.selected)) model(row);
+    id_ = 0;
+    if (selected_) {
+      for (const std::uint32_t row : layout_.tree(*selected_)) model(row);
     }
     const auto count = static_cast<std::uint32_t>(replica_.models.size());
     if (next >= count) next = 0;
@@ -59,16 +64,8 @@ class PacketWriter {
     pack_.u8(kEnd);
   }
 
-  void positions() {
-    row_ = 0;
-    for (const Placed& placed : snapshot_.positions) {
-      if (selected(layout_.position_model[placed.position])) position(placed.position, placed.state);
-    }
-    pack_.u8(kEnd);
-  }
-
   void scans(std::uint32_t& next) {
-    row_ = 0;
+    id_ = 0;
     for (const Scan& scan : snapshot_.scans) {
       if (selected(layout_.sensors[scan.sensor].model) && !held(scan)) this->scan(scan);
     }
@@ -87,21 +84,11 @@ class PacketWriter {
     pack_.u8(kEnd);
   }
 
-  void findings() {
-    row_ = 0;
-    for (const Finding& finding : snapshot_.findings) {
-      if (wanted(layout_.finder_model[finding.finder])) this->finding(finding);
-    }
-    for (auto it = replica_.findings.begin(); it != replica_.findings.end();) {
-      const auto row = it->first;
-      if (wanted(layout_.finder_model[row]) && in_snapshot_finding(row)) {
-        ++it;
-        continue;
-      }
-      if (full(budget_)) break;
-      item(kGone, row);
-      it = replica_.findings.erase(it);
-    }
+  void views() {
+    id_ = 0;
+    for (const Viewed& viewed : snapshot_.viewed)
+      if (wanted(viewed)) view(viewed);
+    drop_views();
     pack_.u8(kEnd);
   }
 
@@ -118,24 +105,33 @@ class PacketWriter {
     return full;
   }
 
-  void item(std::uint8_t tag, std::uint32_t row) {
-    pack_.u8(tag);
-    pack_.zigzag(static_cast<std::int64_t>(row) - static_cast<std::int64_t>(row_));
-    row_ = row;
+  void item(unsigned tag, std::uint32_t model) {
+    const std::uint32_t id = layout_.id[model].value;
+    pack_.u8(static_cast<std::uint8_t>(tag));
+    pack_.zigzag(static_cast<std::int64_t>(id) - static_cast<std::int64_t>(id_));
+    id_ = id;
     changed_ = true;
   }
 
-  bool selected(std::uint32_t model) const {
-    return wish_.selected && layout_.root[model] == *wish_.selected;
+  void scan_item(std::uint8_t tag, std::uint32_t sensor) {
+    item(tag, layout_.sensors[sensor].model);
+    pack_.varint(layout_.sensors[sensor].nth);
   }
 
+  bool selected(std::uint32_t model) const { return selected_ && layout_.root[model] == *selected_; }
+
   bool in_view(std::uint32_t model) const {
-    const geom::Vec2 at = place_of(layout_, snapshot_, model);
+    const geom::Vec2 at = place_of(snapshot_, model);
     return at.x >= wish_.view.x_min && at.x <= wish_.view.x_max && at.y >= wish_.view.y_min &&
            at.y <= wish_.view.y_max;
   }
 
   bool wanted(std::uint32_t model) const { return selected(model) || (wish_.sensors && in_view(model)); }
+
+  bool wanted(const Viewed& viewed) const {
+    return replicate::views()[viewed.view].when == When::kShown ? wanted(viewed.model)
+                                                                : selected(viewed.model);
+  }
 
   /// Models from `first` around, as long as there is room. False: stopped before row `stopped`.
   template <typename Choose>
@@ -160,28 +156,13 @@ class PacketWriter {
                      (from.a != to.a ? 8 : 0) | (from.state != to.state ? 16 : 0) |
                      (from.color != to.color ? 32 : 0);
     if (mask == 0) return;
-    item(static_cast<std::uint8_t>(mask), row);
+    item(static_cast<unsigned>(mask), row);
     if (mask & 1) difference(from.x, to.x);
     if (mask & 2) difference(from.y, to.y);
     if (mask & 4) difference(from.z, to.z);
     if (mask & 8) pack_.zigzag(turn_difference(from.a, to.a));
     if (mask & 16) pack_.u8(to.state);
     if (mask & 32) pack_.u32(to.color);
-    from = to;
-  }
-
-  void position(std::uint32_t row, const PositionState& to) {
-    PositionState& from = replica_.positions[row];
-    const int mask = (from.vx != to.vx ? 1 : 0) | (from.vy != to.vy ? 2 : 0) | (from.va != to.va ? 4 : 0) |
-                     (from.ox != to.ox ? 8 : 0) | (from.oy != to.oy ? 16 : 0) | (from.oa != to.oa ? 32 : 0);
-    if (mask == 0) return;
-    item(static_cast<std::uint8_t>(mask), row);
-    if (mask & 1) difference(from.vx, to.vx);
-    if (mask & 2) difference(from.vy, to.vy);
-    if (mask & 4) difference(from.va, to.va);
-    if (mask & 8) difference(from.ox, to.ox);
-    if (mask & 16) difference(from.oy, to.oy);
-    if (mask & 32) pack_.zigzag(turn_difference(from.oa, to.oa));
     from = to;
   }
 
@@ -210,7 +191,7 @@ class PacketWriter {
   void scan(const Scan& scan) {
     const auto beams = beams_of(scan);
     replica_.scans[scan.sensor].assign(beams.begin(), beams.end());
-    item(kFresh, scan.sensor);
+    scan_item(kFresh, scan.sensor);
     for (const std::uint16_t beam : beams) pack_.u16(beam);
   }
 
@@ -223,29 +204,58 @@ class PacketWriter {
       const bool measured = fresh != snapshot_.scans.end() && fresh->sensor == row;
       if (measured && wanted(layout_.sensors[row].model)) continue;
       if (full(budget_)) return;
-      item(kGone, row);
+      scan_item(kGone, row);
       replica_.scans[row].clear();
     }
   }
 
-  bool in_snapshot_finding(std::uint32_t row) const {
-    return std::ranges::binary_search(snapshot_.findings, row, {}, &Finding::finder);
+  std::span<const std::int32_t> values_of(const Viewed& viewed) const {
+    return std::span(snapshot_.values).subspan(viewed.first, viewed.count);
   }
 
-  void finding(const Finding& finding) {
-    const auto hits = std::span(snapshot_.hits).subspan(finding.first, finding.count);
-    const auto held = replica_.findings.find(finding.finder);
-    if (held != replica_.findings.end() && std::ranges::equal(held->second, hits)) return;
+  void view(const Viewed& viewed) {
+    const auto values = values_of(viewed);
+    const std::pair key(viewed.view, viewed.model);
+    const auto held = replica_.views.find(key);
+    if (held != replica_.views.end() && std::ranges::equal(held->second, values)) return;
     if (full(budget_)) return;
-    replica_.findings[finding.finder].assign(hits.begin(), hits.end());
-    item(kFresh, finding.finder);
-    pack_.varint(hits.size());
-    for (const HitState& hit : hits) {
-      pack_.varint(hit.target);
-      pack_.zigzag(hit.id);
-      pack_.varint(static_cast<std::uint32_t>(std::max(hit.range, 0)));
-      pack_.u16(hit.bearing);
-      pack_.u16(hit.heading);
+    replica_.views[key].assign(values.begin(), values.end());
+    item(2 * viewed.view + kFresh, viewed.model);
+    const View& what = replicate::views()[viewed.view];
+    if (what.list) pack_.varint(values.size() / what.codes.size());
+    for (std::size_t k = 0; k < values.size(); ++k) value(what.codes[k % what.codes.size()], values[k]);
+  }
+
+  void value(Code code, std::int32_t value) {
+    switch (code) {
+      case Code::kVarint:
+        pack_.varint(static_cast<std::uint32_t>(value));
+        break;
+      case Code::kZigzag:
+        pack_.zigzag(value);
+        break;
+      case Code::kTurn:
+        pack_.u16(static_cast<std::uint16_t>(value));
+        break;
+      case Code::kRgba:
+        pack_.u32(static_cast<std::uint32_t>(value));
+        break;
+    }
+  }
+
+  /// Takes back what is held and not in the snapshot, or no longer wanted. Both are by view and model.
+  void drop_views() {
+    const auto key_of = [](const Viewed& viewed) { return std::pair(viewed.view, viewed.model); };
+    for (auto it = replica_.views.begin(); it != replica_.views.end();) {
+      const auto key = it->first;
+      const auto fresh = std::ranges::lower_bound(snapshot_.viewed, key, {}, key_of);
+      if (fresh != snapshot_.viewed.end() && key_of(*fresh) == key && wanted(*fresh)) {
+        ++it;
+        continue;
+      }
+      if (full(budget_)) return;
+      item(2 * key.first + kGone, key.second);
+      it = replica_.views.erase(it);
     }
   }
 
@@ -256,25 +266,50 @@ class PacketWriter {
   Replica& replica_;
   std::vector<std::byte>& out_;
   Packer pack_;
-  std::uint32_t row_ = 0;
+  std::optional<std::uint32_t> selected_;  // row of its top
+  std::uint32_t id_ = 0;                   // of the item before
   bool waiting_ = false;
   bool changed_ = false;
 };
 
 }  // namespace
 
-Replica::Replica(const Layout& layout)
-    : models(layout.start), positions(layout.position_model.size()), scans(layout.sensors.size()) {}
+Replica::Replica(std::shared_ptr<const Layout> of)
+    : layout(std::move(of)), models(layout->start), scans(layout->sensors.size()) {}
+
+void Replica::follow(std::shared_ptr<const Layout> to) {
+  const Layout& from = *layout;
+  Replica next(to);
+  next.tick = tick;
+  next.pace = pace;
+  constexpr std::uint32_t kGoneRow = world::ModelRow::kNone;
+  std::vector<std::uint32_t> row_now(from.id.size(), kGoneRow);
+  compare(
+      from, *to, [](std::uint32_t) {},
+      [&](std::uint32_t before, std::uint32_t now) {
+        row_now[before] = now;
+        next.models[now] = models[before];
+      },
+      [](std::uint32_t) {});
+  for (std::uint32_t sensor = 0; sensor < scans.size(); ++sensor) {
+    if (scans[sensor].empty() || row_now[from.sensors[sensor].model] == kGoneRow) continue;
+    const auto now = to->sensor(from.id[from.sensors[sensor].model], from.sensors[sensor].nth);
+    next.scans[*now] = std::move(scans[sensor]);
+  }
+  for (auto& [key, values] : views)
+    if (row_now[key.second] != kGoneRow) next.views[{key.first, row_now[key.second]}] = std::move(values);
+  *this = std::move(next);
+}
 
 Sent DeltaWriter::write(const Snapshot& snapshot, const Wish& wish, std::uint32_t frame, std::size_t budget,
                         Replica& replica, std::vector<std::byte>& out) {
+  PLAYHOUSE_ASSERT(replica.layout == snapshot.layout);
   out.clear();
-  PacketWriter packet(*layout_, snapshot, wish, budget, replica, out);
+  PacketWriter packet(snapshot, wish, budget, replica, out);
   packet.head(frame);
   packet.models(next_model_);
-  packet.positions();
   packet.scans(next_sensor_);
-  packet.findings();
+  packet.views();
   return packet.finish();
 }
 

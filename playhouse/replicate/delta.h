@@ -7,22 +7,22 @@
 ///
 ///   packet (little-endian; varint: 7 bits a byte, low first, top bit says "more"; zz: zigzag varint)
 ///   +------+-------+--------------+-------------+-----------+-----------+
-///   | u8 1 | flags | varint frame | varint tick | f32 speed | f32 rtf   |
+///   | u8 2 | flags | varint frame | varint tick | f32 speed | f32 rtf   |
 ///   +------+-------+--------------+-------------+-----------+-----------+
-///   | models    : (u8 mask, zz row step, changed fields)*  u8 0         |
-///   | positions : (u8 mask, zz row step, changed fields)*  u8 0         |
-///   | scans     : (u8 1, zz row step, u16 beams...)                     |
-///   |             or (u8 2, zz row step)                   u8 0         |
-///   | findings  : (u8 1, zz row step, varint n, hit * n)                |
-///   |             or (u8 2, zz row step)                   u8 0         |
+///   | models : (u8 mask, zz id step, changed fields)*      u8 0         |
+///   | scans  : (u8 1, zz id step, varint nth, u16 beams...)             |
+///   |          or (u8 2, zz id step, varint nth)           u8 0         |
+///   | views  : (u8 2v + 1, zz id step, values)                          |
+///   |          or (u8 2v + 2, zz id step)                  u8 0         |
 ///   +-------------------------------------------------------------------+
 ///   flags: 1 paused, 2 rows are waiting, 4 too many beams in view
-///   row step: row - row of the item before (first: from 0)
-///   u8 2 in scans and findings: no data any more, nothing follows
-///   model fields, by mask bit: 1 x, 2 y, 4 z (zz difference, mm), 8 heading (zz difference mod 2^16),
+///   id step: the model's id - the id of the item before (first: from 0)
+///   nth: which of the model's sensors
+///   v: place in views(); values: of each of its codes in turn, and, where it is a list, varint n and n times
+///   that the second form of scans and views: no data any more, nothing follows model fields, by mask bit: 1
+///   x, 2 y, 4 z (zz difference, mm), 8 heading (zz difference mod 2^16),
 ///                              16 u8 state, 32 u32 colour
-///   position fields: 1 vx, 2 vy, 4 va, 8 ox, 16 oy (zz difference), 32 odometry heading (as above)
-///   hit: varint target row, zz id, varint range mm, u16 bearing, u16 heading
+///   codes: varint, zz, u16 turn, u32 colour
 ///
 /// Frames of one viewer count from 1. A scan has as many beams as the scene says its sensor has.
 
@@ -31,6 +31,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "playhouse/base/result.h"
@@ -40,45 +41,46 @@ namespace playhouse::replicate {
 
 /// What one viewer looks at.
 struct Wish {
-  geom::Box view;                         // what is on the screen  [m, W]
-  bool sensors = false;                   // show the sensors of every robot in view
-  std::optional<std::uint32_t> selected;  // top-level model row: its sensors and devices, wherever it is
+  geom::Box view;                          // what is on the screen  [m, W]
+  bool sensors = false;                    // show the sensors of every robot in view
+  std::optional<world::ModelId> selected;  // its robot's sensors and devices, wherever it is
 };
 
 /// What one viewer holds.
 struct Replica {
-  explicit Replica(const Layout& layout);
+  explicit Replica(std::shared_ptr<const Layout> layout);
 
+  /// Goes over to another population, as a viewer does that was told changes_text().
+  void follow(std::shared_ptr<const Layout> to);
+
+  std::shared_ptr<const Layout> layout;
   std::uint64_t tick = 0;
   world::Pace pace;
-  std::vector<ModelState> models;
-  std::vector<PositionState> positions;
-  std::vector<std::vector<std::uint16_t>> scans;            // by sensor row; empty: none held
-  std::map<std::uint32_t, std::vector<HitState>> findings;  // by finder row
+  std::vector<ModelState> models;                 // by row
+  std::vector<std::vector<std::uint16_t>> scans;  // by sensor row; empty: none held
+  /// By view and model row.
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::int32_t>> views;
 };
 
 enum class Sent { kNothing, kPart, kAll };
 
-/// Writes the differences between replicas and snapshots, within a byte budget: the selected robot first,
-/// then what is in view, then the rest, each from where the last frame stopped, so that nothing waits for
-/// ever.
+/// Writes the differences between replicas and snapshots of one population, within a byte budget: the
+/// selected robot first, then what is in view, then the rest, each from where the last frame stopped, so that
+/// nothing waits for ever.
 class DeltaWriter {
  public:
-  explicit DeltaWriter(const Layout& layout) : layout_(&layout) {}
-
   /// Replaces `out` by a packet and brings `replica` up to what it says. kNothing: they were equal already
   /// (the packet is valid and empty). A scan larger than the budget still goes, alone.
   Sent write(const Snapshot& snapshot, const Wish& wish, std::uint32_t frame, std::size_t budget,
              Replica& replica, std::vector<std::byte>& out);
 
  private:
-  const Layout* layout_;
   std::uint32_t next_model_ = 0;   // where the walk over all models goes on
   std::uint32_t next_sensor_ = 0;  // the same for scans
 };
 
 /// Applies a packet to the replica it was made for, as a page does. For tests, and for viewers in C++.
-/// Fails when the bytes are no packet for this layout; the replica is then of no use any more.
-Result<std::uint32_t> apply_packet(std::span<const std::byte> packet, const Layout& layout, Replica& replica);
+/// Fails when the bytes are no packet for its layout; the replica is then of no use any more.
+Result<std::uint32_t> apply_packet(std::span<const std::byte> packet, Replica& replica);
 
 }  // namespace playhouse::replicate

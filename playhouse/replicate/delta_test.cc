@@ -6,8 +6,10 @@
 #include <algorithm>
 
 #include "playhouse/base/limits.h"
+#include "playhouse/replicate/quantize.h"
 #include "playhouse/replicate/small_world.h"
 #include "playhouse/replicate/viewer.h"
+#include "playhouse/world/population.h"
 
 namespace playhouse::replicate {
 namespace {
@@ -16,21 +18,19 @@ constexpr geom::Box kEverywhere{-1000, -1000, 1000, 1000};
 
 /// A viewer at both ends of a wire: what the writer thinks it holds, and what the packets made of it.
 struct Pair {
-  explicit Pair(const Layout& layout) : layout(layout), writer(layout), sender(layout), receiver(layout) {}
+  explicit Pair(const std::shared_ptr<const Layout>& layout) : sender(layout), receiver(layout) {}
 
   Sent send(const Snapshot& snapshot, const Wish& wish, std::size_t budget) {
     const Sent sent = writer.write(snapshot, wish, ++frame, budget, sender, packet);
-    const Result<std::uint32_t> applied = apply_packet(packet, layout, receiver);
+    const Result<std::uint32_t> applied = apply_packet(packet, receiver);
     RC_ASSERT(applied.ok());
     RC_ASSERT(*applied == frame);
     RC_ASSERT(receiver.models == sender.models);
-    RC_ASSERT(receiver.positions == sender.positions);
     RC_ASSERT(receiver.scans == sender.scans);
-    RC_ASSERT(receiver.findings == sender.findings);
+    RC_ASSERT(receiver.views == sender.views);
     return sent;
   }
 
-  const Layout& layout;
   DeltaWriter writer;
   Replica sender, receiver;
   std::vector<std::byte> packet;
@@ -45,8 +45,29 @@ Wish any_wish(int robots) {
   Wish wish;
   wish.sensors = *rc::gen::arbitrary<bool>();
   if (*rc::gen::arbitrary<bool>()) wish.view = kEverywhere;
-  if (*rc::gen::arbitrary<bool>()) wish.selected = SmallWorld::robot(*rc::gen::inRange(0, robots));
+  if (*rc::gen::arbitrary<bool>()) wish.selected = SmallWorld::id(*rc::gen::inRange(0, robots));
   return wish;
+}
+
+/// Somebody comes, goes, or is taken along.
+void change_population(SmallWorld& small) {
+  world::World& world = small.world;
+  const auto any = [&] { return world.models.id[*rc::gen::inRange<std::size_t>(0, world.models.size())]; };
+  switch (*rc::gen::inRange(0, 4)) {
+    case 0:
+      static_cast<void>(world::spawn(world, SmallWorld::robot(0), {1, 2, 0, 3}));
+      subscribe_all(world);
+      return;
+    case 1:
+      static_cast<void>(world::spawn(world, small.puck(), {1, 2, 0, 3}));
+      return;
+    case 2:
+      if (world.models.size() > 1) static_cast<void>(world::despawn(world, any()));
+      return;
+    default:
+      static_cast<void>(world::attach(world, any(), any(), {0.2, 0, 0, 0}));
+      return;
+  }
 }
 
 Interest interest_of(const Wish& wish) {
@@ -57,9 +78,11 @@ Interest interest_of(const Wish& wish) {
 }
 
 /// The oracle: what a viewer with this wish must hold in the end.
-void expect_whole(const Snapshot& snapshot, const Wish& wish, const Layout& layout, const Replica& replica) {
+void expect_whole(const Snapshot& snapshot, const Wish& wish, const Replica& replica) {
+  const Layout& layout = *snapshot.layout;
   const auto wanted = [&](std::uint32_t model) {
-    return (wish.sensors && !wish.view.empty()) || (wish.selected && layout.root[model] == *wish.selected);
+    return (wish.sensors && !wish.view.empty()) ||
+           (wish.selected && layout.id[layout.root[model]] == *wish.selected);
   };
   RC_ASSERT(replica.models == snapshot.models);
   std::vector<std::vector<std::uint16_t>> scans(layout.sensors.size());
@@ -69,15 +92,14 @@ void expect_whole(const Snapshot& snapshot, const Wish& wish, const Layout& layo
     scans[scan.sensor].assign(first, first + layout.sensors[scan.sensor].beam_count);
   }
   RC_ASSERT(replica.scans == scans);
-  for (const Placed& placed : snapshot.positions)
-    RC_ASSERT(replica.positions[placed.position] == placed.state);
-  std::map<std::uint32_t, std::vector<HitState>> findings;
-  for (const Finding& finding : snapshot.findings) {
-    if (!wanted(layout.finder_model[finding.finder])) continue;
-    const auto first = snapshot.hits.begin() + finding.first;
-    findings[finding.finder].assign(first, first + finding.count);
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::int32_t>> expected;
+  for (const Viewed& viewed : snapshot.viewed) {
+    const bool is_selected = wish.selected && layout.id[layout.root[viewed.model]] == *wish.selected;
+    if (views()[viewed.view].when == When::kShown ? !wanted(viewed.model) : !is_selected) continue;
+    const auto first = snapshot.values.begin() + viewed.first;
+    expected[{viewed.view, viewed.model}].assign(first, first + viewed.count);
   }
-  RC_ASSERT(replica.findings == findings);
+  RC_ASSERT(replica.views == expected);
 }
 
 RC_GTEST_PROP(DeltaLaw,
@@ -85,39 +107,45 @@ RC_GTEST_PROP(DeltaLaw,
   const int robots = *rc::gen::inRange(1, 12);
   SmallWorld small(robots);
   subscribe_all(small.world);
-  const Layout layout(small.world);
+  auto layout = small.layout();
   Pair pair(layout);
   Snapshot snapshot;
   for (int round = *rc::gen::inRange(1, 6); round > 0; --round) {
     const Wish wish = any_wish(robots);
+    for (int changes = *rc::gen::inRange(0, 3); changes > 0; --changes) change_population(small);
+    if (layout->population != small.world.population()) {
+      layout = small.layout({}, layout.get());
+      pair.sender.follow(layout);
+      pair.receiver.follow(layout);
+    }
     for (int ticks = *rc::gen::inRange(0, 3); ticks > 0; --ticks) small.tick();
     capture(small.world, {}, layout, interest_of(wish), snapshot);
     const auto budget = static_cast<std::size_t>(*rc::gen::inRange(40, 400));
     int packets = 0;
     while (pair.send(snapshot, wish, budget) == Sent::kPart) RC_ASSERT(++packets < 200);
-    expect_whole(snapshot, wish, layout, pair.receiver);
+    expect_whole(snapshot, wish, pair.receiver);
     RC_ASSERT(pair.send(snapshot, wish, budget) == Sent::kNothing);
   }
 }
 
 RC_GTEST_PROP(DeltaLaw, any_bytes_are_applied_or_refused, (const std::vector<std::uint8_t>& bytes)) {
   SmallWorld small(2);
-  const Layout layout(small.world);
+  const auto layout = small.layout();
   Replica replica(layout);
-  const Result<std::uint32_t> applied = apply_packet(std::as_bytes(std::span(bytes)), layout, replica);
+  const Result<std::uint32_t> applied = apply_packet(std::as_bytes(std::span(bytes)), replica);
   RC_ASSERT(applied.ok() || !applied.error().text.empty());
 }
 
 TEST(Delta, a_packet_stays_near_its_budget_and_shows_the_selected_robot_first) {
   SmallWorld small(300);
-  const Layout layout(small.world);
+  const auto layout = small.layout();
   for (std::uint32_t k = 0; k < 300; ++k)
     world::set_pose(small.world, {SmallWorld::robot(static_cast<int>(k))}, {50, 50, 0, 1});
   Snapshot snapshot;
   capture(small.world, {}, layout, {}, snapshot);
   Pair pair(layout);
   Wish wish;
-  wish.selected = SmallWorld::robot(299);
+  wish.selected = SmallWorld::id(299);
   EXPECT_EQ(pair.send(snapshot, wish, 400), Sent::kPart);
   EXPECT_LT(pair.packet.size(), 450u);
   EXPECT_EQ(pair.receiver.models[SmallWorld::robot(299)].x, 50000);
@@ -126,7 +154,7 @@ TEST(Delta, a_packet_stays_near_its_budget_and_shows_the_selected_robot_first) {
 
 TEST(Delta, what_is_in_view_goes_before_the_rest) {
   SmallWorld small(100);
-  const Layout layout(small.world);
+  const auto layout = small.layout();
   for (int k = 0; k < 100; ++k)
     world::set_pose(small.world, {SmallWorld::robot(k)}, {k < 90 ? 500.0 : 2.0, 0, 0, 1});
   Snapshot snapshot;
@@ -138,23 +166,23 @@ TEST(Delta, what_is_in_view_goes_before_the_rest) {
   for (int k = 90; k < 100; ++k) EXPECT_EQ(pair.receiver.models[SmallWorld::robot(k)].x, 2000) << k;
 }
 
-TEST(Delta, an_unchanged_world_costs_a_head_and_four_ends) {
+TEST(Delta, an_unchanged_world_costs_a_head_and_three_ends) {
   SmallWorld small(50);
-  const Layout layout(small.world);
+  const auto layout = small.layout();
   Snapshot snapshot;
   capture(small.world, {}, layout, {}, snapshot);
   Pair pair(layout);
   EXPECT_EQ(pair.send(snapshot, {}, 1000), Sent::kNothing);
-  EXPECT_EQ(pair.packet.size(), 1u + 1 + 1 + 1 + 4 + 4 + 4);
+  EXPECT_EQ(pair.packet.size(), 1u + 1 + 1 + 1 + 4 + 4 + 3);
 }
 
 TEST(Delta, a_sensor_that_stops_measuring_is_taken_back) {
   SmallWorld small(1);
-  const Layout layout(small.world);
+  const auto layout = small.layout();
   subscribe_all(small.world);
   small.tick();
   Wish wish;
-  wish.selected = SmallWorld::robot(0);
+  wish.selected = SmallWorld::id(0);
   Snapshot snapshot;
   capture(small.world, {}, layout, interest_of(wish), snapshot);
   Pair pair(layout);
@@ -164,12 +192,14 @@ TEST(Delta, a_sensor_that_stops_measuring_is_taken_back) {
   capture(small.world, {}, layout, interest_of(wish), snapshot);
   pair.send(snapshot, wish, 1000);
   EXPECT_TRUE(std::ranges::all_of(pair.receiver.scans, [](const auto& beams) { return beams.empty(); }));
-  EXPECT_TRUE(pair.receiver.findings.empty());
+  EXPECT_TRUE(std::ranges::all_of(pair.receiver.views, [](const auto& held) {
+    return views()[held.first.first].when == When::kSelected;
+  }));
 }
 
 TEST(Snapshot, captures_sensors_only_of_robots_in_view_or_selected) {
   SmallWorld small(3);
-  const Layout layout(small.world);
+  const auto layout = small.layout();
   subscribe_all(small.world);
   small.tick();
   for (int k = 0; k < 3; ++k) world::set_pose(small.world, {SmallWorld::robot(k)}, {100.0 * k, 0, 0, 0});
@@ -178,7 +208,7 @@ TEST(Snapshot, captures_sensors_only_of_robots_in_view_or_selected) {
   EXPECT_TRUE(snapshot.scans.empty());
   Interest interest;
   interest.view = {-1, -1, 1, 1};
-  interest.selected = {SmallWorld::robot(2)};
+  interest.selected = {SmallWorld::id(2)};
   capture(small.world, {}, layout, interest, snapshot);
   ASSERT_EQ(snapshot.scans.size(), 6u);
   EXPECT_EQ(snapshot.scans[0].sensor, 0u);
@@ -199,18 +229,19 @@ TEST(Snapshot, holds_no_more_beams_than_the_limit_and_those_of_selected_robots_f
   }
   world::World world(scene, 1);
   world.rangers.measured_tick.assign(kScanners, 1);
-  const Layout layout(world);
+  const Prototypes prototypes(scene);
+  const auto layout = std::make_shared<const Layout>(world, prototypes, DeviceNames());
   Snapshot snapshot;
   Interest interest;
   interest.view = {-1, -1, 1, 1};
   capture(world, {}, layout, interest, snapshot);
   EXPECT_EQ(snapshot.scans.size(), 4u);
   EXPECT_TRUE(snapshot.beams_full);
-  interest.selected = {5};
+  interest.selected = {{5}};
   capture(world, {}, layout, interest, snapshot);
   ASSERT_EQ(snapshot.scans.size(), 4u);
   EXPECT_EQ(snapshot.scans.back().sensor, 5u);
-  interest.selected = {0, 1, 2, 3, 4, 5};
+  interest.selected = {{0}, {1}, {2}, {3}, {4}, {5}};
   capture(world, {}, layout, interest, snapshot);
   EXPECT_LE(snapshot.beams.size(), limits::kSnapshotBeams);
   EXPECT_TRUE(snapshot.beams_full);
@@ -231,42 +262,45 @@ TEST(Quantization, keeps_millimetres_and_turns_and_survives_what_is_no_number) {
 
 TEST(Viewer, gets_no_more_frames_than_it_acknowledges) {
   SmallWorld small(3);
-  const Layout layout(small.world);
+  const auto layout = small.layout();
   Viewer viewer(layout);
+  ChangesTexts texts;
   Snapshot snapshot;
   std::vector<std::byte> packet;
   std::uint32_t frames = 0;
   for (int k = 0; k < 20; ++k) {
     small.tick();
     capture(small.world, {}, layout, {}, snapshot);
-    frames += viewer.next_frame(snapshot, Emit::kIfChanged, packet);
+    frames += viewer.next_frame(snapshot, Emit::kIfChanged, texts, packet).packet;
   }
   EXPECT_EQ(frames, limits::kViewerFramesInFlight);
   EXPECT_FALSE(viewer.acknowledge(frames + 1).ok());
   EXPECT_TRUE(viewer.acknowledge(1).ok());
-  EXPECT_TRUE(viewer.next_frame(snapshot, Emit::kIfChanged, packet));
-  EXPECT_FALSE(viewer.next_frame(snapshot, Emit::kAlways, packet));
+  EXPECT_TRUE(viewer.next_frame(snapshot, Emit::kIfChanged, texts, packet).packet);
+  EXPECT_FALSE(viewer.next_frame(snapshot, Emit::kAlways, texts, packet).packet);
 }
 
 TEST(Viewer, a_still_world_sends_nothing_unless_asked_to) {
   SmallWorld small(3);
-  const Layout layout(small.world);
+  const auto layout = small.layout();
   Viewer viewer(layout);
+  ChangesTexts texts;
   Snapshot snapshot;
   std::vector<std::byte> packet;
   capture(small.world, {}, layout, {}, snapshot);
-  EXPECT_FALSE(viewer.next_frame(snapshot, Emit::kIfChanged, packet));
-  EXPECT_TRUE(viewer.next_frame(snapshot, Emit::kAlways, packet));
+  EXPECT_FALSE(viewer.next_frame(snapshot, Emit::kIfChanged, texts, packet).packet);
+  EXPECT_TRUE(viewer.next_frame(snapshot, Emit::kAlways, texts, packet).packet);
 }
 
-TEST(Viewer, selects_the_robot_of_a_part_and_refuses_a_row_that_is_not_there) {
+TEST(Viewer, selects_the_robot_of_a_part_and_nothing_where_there_is_none) {
   SmallWorld small(3);
-  const Layout layout(small.world);
-  Viewer viewer(layout);
-  EXPECT_TRUE(viewer.select({SmallWorld::robot(1) + 2}).ok());
-  EXPECT_EQ(viewer.wish().selected, SmallWorld::robot(1));
-  EXPECT_FALSE(viewer.select({1000}).ok());
-  EXPECT_TRUE(viewer.select({std::nullopt}).ok());
+  Viewer viewer(small.layout());
+  viewer.select({world::ModelId{SmallWorld::robot(1) + 2}});
+  EXPECT_EQ(viewer.wish().selected, SmallWorld::id(1));
+  viewer.select({world::ModelId{1000}});
+  EXPECT_EQ(viewer.wish().selected, std::nullopt);
+  viewer.select({SmallWorld::id(0)});
+  viewer.select({std::nullopt});
   EXPECT_EQ(viewer.wish().selected, std::nullopt);
 }
 

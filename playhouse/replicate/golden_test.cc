@@ -12,6 +12,8 @@
 #include "playhouse/replicate/delta.h"
 #include "playhouse/replicate/scene_text.h"
 #include "playhouse/replicate/small_world.h"
+#include "playhouse/replicate/views.h"
+#include "playhouse/world/population.h"
 
 namespace playhouse::replicate {
 namespace {
@@ -24,71 +26,78 @@ std::string hex(std::span<const std::byte> bytes) {
   return text;
 }
 
-/// What a page must hold afterwards, as the test there compares it.
+/// What a page must hold afterwards, as the test there compares it: by id, and per view the bare numbers.
 std::string held(const Replica& replica) {
-  std::string models, positions, scans, findings;
-  for (const ModelState& m : replica.models) {
-    models +=
-        fmt::format("{}[{},{},{},{},{},{}]", models.empty() ? "" : ",", m.x, m.y, m.z, m.a, m.state, m.color);
-  }
-  for (const PositionState& p : replica.positions) {
-    positions += fmt::format("{}[{},{},{},{},{},{}]", positions.empty() ? "" : ",", p.vx, p.vy, p.va, p.ox,
-                             p.oy, p.oa);
+  const Layout& layout = *replica.layout;
+  std::string models, scans, views_text;
+  for (std::size_t row = 0; row < replica.models.size(); ++row) {
+    const ModelState& m = replica.models[row];
+    models += fmt::format("{}\"{}\":[{},{},{},{},{},{}]", models.empty() ? "" : ",", layout.id[row].value,
+                          m.x, m.y, m.z, m.a, m.state, m.color);
   }
   for (std::size_t row = 0; row < replica.scans.size(); ++row) {
     if (replica.scans[row].empty()) continue;
-    scans += fmt::format("{}\"{}\":[{}]", scans.empty() ? "" : ",", row, fmt::join(replica.scans[row], ","));
+    const SensorLayout& sensor = layout.sensors[row];
+    scans += fmt::format("{}\"{}/{}\":[{}]", scans.empty() ? "" : ",", layout.id[sensor.model].value,
+                         sensor.nth, fmt::join(replica.scans[row], ","));
   }
-  for (const auto& [row, hits] : replica.findings) {
-    std::string list;
-    for (const HitState& h : hits) {
-      list += fmt::format("{}[{},{},{},{},{}]", list.empty() ? "" : ",", h.target, h.id, h.range, h.bearing,
-                          h.heading);
-    }
-    findings += fmt::format("{}\"{}\":[{}]", findings.empty() ? "" : ",", row, list);
+  for (const auto& [key, values] : replica.views) {
+    views_text += fmt::format("{}\"{}\":[{}]", views_text.empty() ? "" : ",", layout.id[key.second].value,
+                              fmt::join(values, ","));
   }
   return fmt::format(
-      "{{\"tick\":{},\"paused\":{},\"speed\":{},\"models\":[{}],\n\"positions\":[{}],\n\"scans\":{{{}}},"
-      "\n\"findings\":{{{}}}}}",
-      replica.tick, replica.pace.paused, replica.pace.speed, models, positions, scans, findings);
+      "{{\"tick\":{},\"paused\":{},\"speed\":{},\"models\":{{{}}},\n\"scans\":{{{}}},\n\"views\":{{{}}}}}",
+      replica.tick, replica.pace.paused, replica.pace.speed, models, scans, views_text);
 }
 
 /// Wheels on the first port for every robot, and for the first a laser on another port.
-DeviceNames small_devices(const SmallWorld& small) {
-  DeviceNames devices(small.world.models.size());
-  for (std::uint32_t k = 0; k < small.world.positions.size(); ++k)
-    devices[SmallWorld::robot(static_cast<int>(k))] = {fmt::format("position2d:{}", k)};
-  devices[SmallWorld::robot(0) + 1] = {"6666:ranger:0", "6666:laser:0"};
-  return devices;
+std::vector<std::string> small_devices(world::ModelId model) {
+  if (model.value == SmallWorld::robot(0) + 1) return {"6666:ranger:0", "6666:laser:0"};
+  if (model.value % 4 != 1) return {};
+  return {fmt::format("position2d:{}", model.value / 4)};
 }
 
-/// Packets of a short story: everything in view, one robot selected, nothing selected, far away, paused.
+/// A short story: everything in view, one robot selected, nothing selected, far away, paused; then a robot
+/// goes, another one and a puck come, and a robot takes the puck along.
 std::string make_golden() {
   SmallWorld small(3);
-  const Layout layout(small.world);
+  auto layout = small.layout(small_devices);
+  const std::string scene = scene_text(small.world.scene(), small.prototypes, *layout);
   for (std::uint32_t row = 0; row < small.world.models.size(); ++row) world::subscribe(small.world, {row});
-  DeltaWriter writer(layout);
+  DeltaWriter writer;
   Replica replica(layout);
   Snapshot snapshot;
   std::vector<std::byte> packet;
   std::string frames;
   Wish wish;
-  for (std::uint32_t frame = 1; frame <= 6; ++frame) {
+  world::ModelId puck;
+  for (std::uint32_t frame = 1; frame <= 9; ++frame) {
     if (frame == 1) wish = {{-50, -50, 50, 50}, true, std::nullopt};
-    if (frame == 3) wish = {{-50, -50, 50, 50}, false, SmallWorld::robot(1)};
+    if (frame == 3) wish = {{-50, -50, 50, 50}, false, SmallWorld::id(1)};
     if (frame == 5) wish = {};
+    if (frame == 7) wish = {{-50, -50, 50, 50}, true, SmallWorld::id(1)};
+    if (frame == 7) EXPECT_TRUE(world::despawn(small.world, SmallWorld::id(0)).ok());
+    if (frame == 8) EXPECT_TRUE(world::spawn(small.world, SmallWorld::robot(1), {7, 8, 0, 1}).ok());
+    if (frame == 8) puck = *world::spawn(small.world, small.puck(), {1, 1, 0, 0}, "load");
+    if (frame == 9) EXPECT_TRUE(world::attach(small.world, puck, SmallWorld::id(1), {0.3, 0, 0.1, 0}).ok());
     if (frame != 4) small.tick();
     if (frame == 6) world::set_pose(small.world, {SmallWorld::robot(2)}, {-2000.5, 300000, 1, -3.1});
     const world::Pace pace{frame == 4, frame == 5 ? 0.0 : 1.5, 0.5};
     Interest interest;
     if (wish.sensors) interest.view = wish.view;
     if (wish.selected) interest.selected = {*wish.selected};
+    std::string changes;
+    if (layout->population != small.world.population()) {
+      const auto before = std::exchange(layout, small.layout(small_devices, layout.get()));
+      changes = fmt::format("\"changes\":{},\n", changes_text(*before, *layout));
+      replica.follow(layout);
+    }
     capture(small.world, pace, layout, interest, snapshot);
     writer.write(snapshot, wish, frame, 100000, replica, packet);
-    frames += fmt::format("{}\n{{\"packet\":\"{}\",\n\"after\":{}}}", frame > 1 ? "," : "", hex(packet),
-                          held(replica));
+    frames += fmt::format("{}\n{{{}\"packet\":\"{}\",\n\"after\":{}}}", frame > 1 ? "," : "", changes,
+                          hex(packet), held(replica));
   }
-  return fmt::format("{{\"scene\":{},\"frames\":[{}]}}\n", scene_text(small.world, layout, small_devices(small)), frames);
+  return fmt::format("{{\"scene\":{},\"frames\":[{}]}}\n", scene, frames);
 }
 
 TEST(Golden, the_packets_that_the_page_is_tested_with_are_current) {
@@ -100,27 +109,36 @@ TEST(Golden, the_packets_that_the_page_is_tested_with_are_current) {
   EXPECT_EQ(text.str(), golden) << "UPDATE_GOLDEN=1 writes " << kGolden << " anew";
 }
 
-TEST(SceneText, is_json_with_equal_shapes_and_sensors_written_once) {
+boost::json::value parsed_scene(const SmallWorld& small, const DeviceNames& devices = {}) {
+  return boost::json::parse(scene_text(small.world.scene(), small.prototypes, *small.layout(devices)));
+}
+
+TEST(SceneText, is_json_with_equal_shapes_and_prototypes_written_once) {
   SmallWorld small(5);
-  const Layout layout(small.world);
-  const boost::json::value scene = boost::json::parse(scene_text(small.world, layout, {}));
-  EXPECT_EQ(scene.at("protocol").as_int64(), 1);
-  EXPECT_EQ(scene.at("models").as_array().size(), 21u);
-  EXPECT_EQ(scene.at("shapes").as_array().size(), 2u);
-  EXPECT_EQ(scene.at("sensors").as_array().size(), 2u);
+  const boost::json::value scene = parsed_scene(small);
+  EXPECT_EQ(scene.at("protocol").as_int64(), 2);
+  EXPECT_EQ(scene.at("models").as_array().size(), 22u);
+  EXPECT_EQ(scene.at("shapes").as_array().size(), 3u);
+  EXPECT_EQ(scene.at("prototypes").as_array().size(), 6u);
+  EXPECT_EQ(boost::json::serialize(scene.at("addable")), R"(["r0","puck"])") << "and no walls";
   const auto& robot = scene.at("models").at(5);
   EXPECT_EQ(robot.at("name").as_string(), "r1");
   EXPECT_EQ(robot.at("alias").as_string(), "position:1");
-  EXPECT_EQ(robot.at("start").at(0).as_int64(), layout.start[5].x);
-  EXPECT_TRUE(robot.at("movable").as_bool());
-  EXPECT_FALSE(scene.at("models").at(0).as_object().contains("movable"));
+  EXPECT_EQ(robot.at("start").at(0).as_int64(), small.layout()->start[5].x);
+  EXPECT_FALSE(robot.as_object().contains("parent"));
   EXPECT_FALSE(robot.as_object().contains("devices"));
+  EXPECT_EQ(scene.at("models").at(6).at("parent").as_int64(), 5);
+  const auto prototype_of = [&](std::uint32_t row) {
+    return scene.at("prototypes").at(scene.at("models").at(row).at("prototype").as_int64());
+  };
+  EXPECT_TRUE(prototype_of(5).at("movable").as_bool());
+  EXPECT_FALSE(prototype_of(0).as_object().contains("movable"));
+  EXPECT_EQ(prototype_of(6).at("sensors").at(0).at("samples").as_int64(), 5);
 }
 
 TEST(SceneText, tells_each_model_with_its_devices) {
   SmallWorld small(2);
-  const boost::json::value scene =
-      boost::json::parse(scene_text(small.world, Layout(small.world), small_devices(small)));
+  const boost::json::value scene = parsed_scene(small, small_devices);
   const auto devices = [&](std::uint32_t row) {
     const boost::json::object& model = scene.at("models").at(row).as_object();
     return model.contains("devices") ? boost::json::serialize(model.at("devices")) : "none";
@@ -137,9 +155,31 @@ TEST(SceneText, names_from_files_cannot_break_it) {
   desc.models.emplace_back();
   desc.models[0].name = desc.models[0].alias = "</script>\"";
   const world::World world(desc, 1);
-  const boost::json::value scene = boost::json::parse(scene_text(world, Layout(world), {}));
+  const Prototypes prototypes(desc);
+  const boost::json::value scene =
+      boost::json::parse(scene_text(desc, prototypes, Layout(world, prototypes, {})));
   EXPECT_EQ(scene.at("name").as_string(), desc.name);
   EXPECT_EQ(scene.at("models").at(0).at("name").as_string(), desc.models[0].name);
+}
+
+TEST(ChangesText, tells_who_went_and_who_came_and_whose_parent_is_another) {
+  SmallWorld small(2);
+  const auto before = small.layout();
+  ASSERT_TRUE(world::despawn(small.world, SmallWorld::id(0)).ok());
+  const Result<world::ModelId> load = world::spawn(small.world, small.puck(), {1, 1, 0, 0}, "load");
+  ASSERT_TRUE(load.ok());
+  const auto after = small.layout({}, before.get());
+  const boost::json::value changes = boost::json::parse(changes_text(*before, *after));
+  EXPECT_EQ(boost::json::serialize(changes.at("gone")), "[1,2,3,4]");
+  ASSERT_EQ(changes.at("models").as_array().size(), 1u);
+  EXPECT_EQ(changes.at("models").at(0).at("name").as_string(), "load");
+  EXPECT_EQ(changes.at("models").at(0).at("id").as_int64(), load->value);
+  EXPECT_EQ(changes_text(*after, *after), "{\"gone\":[],\n\"models\":[]}\n");
+  ASSERT_TRUE(world::attach(small.world, *load, SmallWorld::id(1), {0.3, 0, 0, 0}).ok());
+  const auto carried = boost::json::parse(changes_text(*after, *small.layout({}, after.get())));
+  EXPECT_EQ(carried.at("gone").at(0).as_int64(), load->value);
+  EXPECT_EQ(carried.at("models").at(0).at("id").as_int64(), load->value);
+  EXPECT_EQ(carried.at("models").at(0).at("parent").as_int64(), SmallWorld::robot(1));
 }
 
 }  // namespace

@@ -1,16 +1,13 @@
 #include "playhouse/replicate/layout.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+
+#include "playhouse/replicate/json_text.h"
+#include "playhouse/replicate/quantize.h"
+#include "playhouse/replicate/views.h"
 
 namespace playhouse::replicate {
 namespace {
-
-std::uint32_t channel(float value) {
-  return static_cast<std::uint32_t>(std::clamp(std::isfinite(value) ? value : 0.0f, 0.0f, 1.0f) * 255.0f +
-                                    0.5f);
-}
 
 /// Rows grouped by key, ascending within a group: group k is rows[start[k] .. start[k + 1]).
 void group(std::span<const std::uint32_t> key_of_row, std::size_t keys, std::vector<std::uint32_t>& start,
@@ -23,25 +20,30 @@ void group(std::span<const std::uint32_t> key_of_row, std::size_t keys, std::vec
   for (std::uint32_t row = 0; row < key_of_row.size(); ++row) rows[next[key_of_row[row]]++] = row;
 }
 
+std::uint8_t traits_of(const world::World& world, world::ModelRow row) {
+  const scene::ModelDesc& desc = world.desc(row);
+  const bool top_level = world.models.parent[row.index] == world::ModelRow::kNone;
+  unsigned traits = 0;
+  if (top_level && desc.gui_move) traits |= kMovable;
+  if (desc.alwayson) traits |= kAlwaysOn;
+  if (world.position(world.id(row))) traits |= kDrives;
+  return static_cast<std::uint8_t>(traits);
+}
+
+/// What is this model's own and stays: its names and devices, and its mark.
+std::string words_of(const world::World& world, world::ModelRow row, const DeviceNames& devices) {
+  const std::string name = world.name(row);
+  std::string text = R"("name":)" + quoted(name);
+  const scene::ModelDesc& desc = world.desc(row);
+  if (desc.name == name && desc.alias != name) text += R"(,"alias":)" + quoted(desc.alias);
+  const std::vector<std::string> names = devices ? devices(world.id(row)) : std::vector<std::string>();
+  if (!names.empty()) text += R"(,"devices":)" + list(names, quoted);
+  const std::int32_t fiducial = world.models.fiducial_return[row.index];
+  if (fiducial != 0) text += fmt::format(R"(,"fiducial":{})", fiducial);
+  return text;
+}
+
 }  // namespace
-
-std::int32_t quantize(double value, double per_unit) {
-  const double scaled = value * per_unit;
-  if (!std::isfinite(scaled)) return 0;
-  constexpr double kMost = std::numeric_limits<std::int32_t>::max();
-  return static_cast<std::int32_t>(std::lround(std::clamp(scaled, -kMost, kMost)));
-}
-
-std::uint16_t quantize_angle(double radians) {
-  if (!std::isfinite(radians)) return 0;
-  const double turns = radians / geom::kTwoPi;
-  return static_cast<std::uint16_t>(std::lround((turns - std::floor(turns)) * 65536.0) & 0xFFFF);
-}
-
-std::uint16_t quantize_range(double range, double range_max) {
-  if (!(range_max > 0) || std::isnan(range)) return 0xFFFF;
-  return static_cast<std::uint16_t>(std::lround(std::clamp(range / range_max, 0.0, 1.0) * 65535.0));
-}
 
 ModelState model_state(const world::World& world, std::uint32_t row) {
   const world::Models& models = world.models;
@@ -51,55 +53,65 @@ ModelState model_state(const world::World& world, std::uint32_t row) {
   state.y = quantize(X_PM.y, 1000);
   state.z = quantize(X_PM.z, 1000);
   state.a = quantize_angle(X_PM.a);
-  const scene::Color& color = models.color[row];
-  state.color = channel(color.r) << 24 | channel(color.g) << 16 | channel(color.b) << 8 | channel(color.a);
-  if (models.subscribers[row] > 0) state.state |= kSubscribed;
-  if (models.kind[row] == scene::ModelKind::kPosition) {
-    const std::uint32_t part = models.part[row];
-    if (world.positions.stall[part]) state.state |= kStalled;
-    if (!world.positions.motor_on[part]) state.state |= kMotorOff;
-  }
+  state.color = quantize_color(models.color[row]);
+  state.state = state_bits(world, row);
   return state;
 }
 
-Layout::Layout(const world::World& world) {
+Layout::Layout(const world::World& world, const Prototypes& prototypes, const DeviceNames& devices,
+               const Layout* before)
+    : population(world.population()) {
   const world::Models& models = world.models;
+  id = models.id;
+  parent = models.parent;
   root = models.root;
+  prototype.resize(models.size());
   traits.resize(models.size());
+  words.resize(models.size());
   start.resize(models.size());
+  viewed.resize(views().size());
+  std::size_t known = 0;  // row of `before`; both are in the order of ids
   for (std::uint32_t row = 0; row < models.size(); ++row) {
-    const bool top_level = models.parent[row] == world::ModelRow::kNone;
-    if (top_level && world.desc({row}).gui_move) traits[row] |= kMovable;
-    if (world.desc({row}).alwayson) traits[row] |= kAlwaysOn;
+    prototype[row] = prototypes.of(models.desc[row]);
+    traits[row] = traits_of(world, {row});
     start[row] = model_state(world, row);
+    while (before && known < before->id.size() && before->id[known] < id[row]) ++known;
+    const bool is_known = before && known < before->id.size() && before->id[known] == id[row];
+    words[row] = is_known ? before->words[known]
+                          : std::make_shared<const std::string>(words_of(world, {row}, devices));
+    for (std::size_t view = 0; view < views().size(); ++view)
+      if (views()[view].kind == models.kind[row]) viewed[view].push_back(row);
   }
   group(root, models.size(), tree_start_, tree_rows_);
 
-  std::vector<std::uint32_t> position_root;
-  for (const world::ModelRow model : world.positions.model) {
-    position_model.push_back(model.index);
-    position_root.push_back(root[model.index]);
-  }
-  group(position_root, models.size(), position_start_, position_rows_);
-  for (const world::ModelRow model : world.fiducials.model) finder_model.push_back(model.index);
-
+  sensors.reserve(world.sensors.size());
   for (std::uint32_t row = 0; row < world.sensors.size(); ++row) {
     const std::uint32_t ranger = world.sensors.ranger[row].index;
     const world::ModelRow model = world.rangers.model[ranger];
     const std::uint32_t nth = row - world.rangers.first_sensor[ranger];
-    sensors.push_back({ranger, model.index, world.sensors.first_beam[row], world.sensors.beam_count[row],
+    sensors.push_back({ranger, model.index, nth, world.sensors.first_beam[row], world.sensors.beam_count[row],
                        world.desc(model).sensors[nth].range_max});
   }
+}
+
+std::optional<std::uint32_t> Layout::row(world::ModelId model) const {
+  const auto found = std::ranges::lower_bound(id, model);
+  if (found == id.end() || *found != model) return std::nullopt;
+  return static_cast<std::uint32_t>(found - id.begin());
+}
+
+std::optional<std::uint32_t> Layout::sensor(world::ModelId model, std::uint64_t nth) const {
+  const std::optional<std::uint32_t> of = row(model);
+  if (!of) return std::nullopt;
+  const auto first = std::ranges::lower_bound(sensors, *of, {}, &SensorLayout::model);
+  const auto index = static_cast<std::uint64_t>(first - sensors.begin());
+  if (nth >= sensors.size() - index || sensors[index + nth].model != *of) return std::nullopt;
+  return static_cast<std::uint32_t>(index + nth);
 }
 
 std::span<const std::uint32_t> Layout::tree(std::uint32_t root_row) const {
   return std::span(tree_rows_)
       .subspan(tree_start_[root_row], tree_start_[root_row + 1] - tree_start_[root_row]);
-}
-
-std::span<const std::uint32_t> Layout::tree_positions(std::uint32_t root_row) const {
-  return std::span(position_rows_)
-      .subspan(position_start_[root_row], position_start_[root_row + 1] - position_start_[root_row]);
 }
 
 }  // namespace playhouse::replicate

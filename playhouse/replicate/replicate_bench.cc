@@ -11,12 +11,12 @@ namespace playhouse::replicate {
 namespace {
 
 struct Show {
-  explicit Show(int robots) : small(robots), layout(small.world) {
+  explicit Show(int robots) : small(robots), layout(small.layout()) {
     for (std::uint32_t row = 0; row < small.world.models.size(); ++row) world::subscribe(small.world, {row});
     interest.view = {-10000, -10000, 10000, 10000};
   }
   SmallWorld small;
-  const Layout layout;
+  const std::shared_ptr<const Layout> layout;
   Interest interest;
   Snapshot snapshot;
 };
@@ -35,7 +35,7 @@ BENCHMARK(BM_capture)->Arg(100)->Arg(10000)->Unit(benchmark::kMicrosecond);
 
 void BM_packet(benchmark::State& state) {
   Show show(static_cast<int>(state.range(0)));
-  DeltaWriter writer(show.layout);
+  DeltaWriter writer;
   Replica replica(show.layout);
   std::vector<std::byte> packet;
   const Wish wish{show.interest.view, true, std::nullopt};

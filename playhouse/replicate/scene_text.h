@@ -1,19 +1,45 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "playhouse/replicate/layout.h"
 
 namespace playhouse::replicate {
 
-/// Per model row, the devices that show it to Player clients, as a person writes them; may end early.
-using DeviceNames = std::vector<std::vector<std::string>>;
+/// The scene as the JSON text that every viewer gets first: shapes, prototypes, and the models of a layout with
+/// their start state (the very numbers of `layout.start`, the first baseline). docs/viewer-protocol.md shows
+/// the fields.
+std::string scene_text(const scene::SceneDesc& scene, const Prototypes& prototypes, const Layout& layout);
 
-/// The scene as the JSON text that every viewer gets first: models with their names, types, parents, colours,
-/// devices, shapes, sensors and start state (the very numbers of `layout.start`, the first baseline). Equal shapes and
-/// equal sets of sensors are written once and named by their place in a list, so that a thousand robots stay
-/// small. docs/viewer-protocol.md shows the fields.
-std::string scene_text(const world::World& world, const Layout& layout, const DeviceNames& devices);
+/// What a viewer that holds one population must be told to hold another one: who has gone, and models that
+/// came or have another parent, with their start state. Both layouts are of one run.
+std::string changes_text(const Layout& from, const Layout& to);
+
+/// Calls gone(row of `from`), stays(row of `from`, row of `to`) and came(row of `to`) in the order of ids; a model
+/// with another parent goes and comes.
+template <typename Gone, typename Stays, typename Came>
+void compare(const Layout& from, const Layout& to, Gone gone, Stays stays, Came came) {
+  const auto parent_id = [](const Layout& layout, std::uint32_t row) {
+    const std::uint32_t parent = layout.parent[row];
+    return parent == world::ModelRow::kNone ? world::ModelId{} : layout.id[parent];
+  };
+  const auto from_size = static_cast<std::uint32_t>(from.id.size());
+  const auto to_size = static_cast<std::uint32_t>(to.id.size());
+  for (std::uint32_t a = 0, b = 0; a < from_size || b < to_size;) {
+    if (b == to_size || (a < from_size && from.id[a] < to.id[b])) {
+      gone(a++);
+    } else if (a == from_size || to.id[b] < from.id[a]) {
+      came(b++);
+    } else {
+      if (parent_id(from, a) == parent_id(to, b)) {
+        stays(a, b);
+      } else {
+        gone(a);
+        came(b);
+      }
+      ++a, ++b;
+    }
+  }
+}
 
 }  // namespace playhouse::replicate

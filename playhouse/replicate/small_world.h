@@ -1,23 +1,34 @@
 #pragma once
 
-/// SmallWorld: a world built in memory for the tests here and of the web server: a wall, and robots with a
-/// laser of 5 beams, two sonars and a fiducial finder each.
+/// SmallWorld: a world built in memory for the tests here and of the web server: a wall, robots with a laser
+/// of 5 beams, two sonars and a fiducial finder each, and a puck.
 
 #include <string>
 
+#include <memory>
+
 #include "playhouse/base/rng.h"
+#include "playhouse/replicate/layout.h"
 #include "playhouse/world/world.h"
 
 namespace playhouse::replicate {
 
 class SmallWorld {
  public:
-  explicit SmallWorld(int robots) : scene_(make_scene(robots)), world(scene_, 1) {}
+  explicit SmallWorld(int robots) : scene_(make_scene(robots)), prototypes(scene_), world(scene_, 1) {}
   SmallWorld(const SmallWorld&) = delete;
   SmallWorld& operator=(const SmallWorld&) = delete;
 
-  /// Row of robot k; the wall is row 0.
+  /// Row of robot k, and its id, as long as nobody goes; the wall is row 0.
   static std::uint32_t robot(int k) { return static_cast<std::uint32_t>(1 + 4 * k); }
+  static world::ModelId id(int k) { return {robot(k)}; }
+  /// The puck's row of the scene.
+  std::uint32_t puck() const { return static_cast<std::uint32_t>(scene_.models.size()) - 1; }
+
+  std::shared_ptr<const Layout> layout(const DeviceNames& devices = {},
+                                       const Layout* before = nullptr) const {
+    return std::make_shared<const Layout>(world, prototypes, devices, before);
+  }
 
   /// One tick of make-believe: some robots move and turn, sensors that measure get new values. Depends on the
   /// tick alone.
@@ -40,6 +51,10 @@ class SmallWorld {
     wall.gui_move = false;
     scene.models.push_back(wall);
     for (int k = 0; k < robots; ++k) add_robot(scene, k);
+    scene::ModelDesc puck = model("puck", "model", scene::ModelKind::kPlain, -1);
+    puck.blocks.push_back({{{-0.05, -0.05}, {0.05, -0.05}, {0.05, 0.05}, {-0.05, 0.05}}, 0, 0.1});
+    puck.gui_move = true;
+    scene.models.push_back(puck);
     return scene;
   }
 
@@ -112,6 +127,7 @@ class SmallWorld {
   scene::SceneDesc scene_;
 
  public:
+  const Prototypes prototypes;
   world::World world;
 };
 

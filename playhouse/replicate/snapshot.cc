@@ -3,32 +3,24 @@
 #include <algorithm>
 
 #include "playhouse/base/limits.h"
+#include "playhouse/replicate/quantize.h"
 
 namespace playhouse::replicate {
 namespace {
 
 class Capture {
  public:
-  Capture(const world::World& world, const Layout& layout, const Interest& interest, Snapshot& out)
-      : world_(world), layout_(layout), interest_(interest), out_(out) {}
+  Capture(const world::World& world, const Interest& interest, Snapshot& out)
+      : world_(world), layout_(*out.layout), interest_(interest), out_(out) {
+    // By root: what was selected may be a part of something by now.
+    for (const world::ModelId id : interest.selected)
+      if (const auto row = layout_.row(id)) selected_.push_back(layout_.root[*row]);
+    std::ranges::sort(selected_);
+  }
 
   void models() {
     out_.models.resize(world_.models.size());
     for (std::uint32_t row = 0; row < out_.models.size(); ++row) out_.models[row] = model_state(world_, row);
-  }
-
-  void positions() {
-    const world::Positions& from = world_.positions;
-    out_.positions.clear();
-    for (const std::uint32_t robot : interest_.selected) {
-      for (const std::uint32_t row : layout_.tree_positions(robot)) {
-        const geom::Twist& v = from.velocity[row];
-        const geom::Pose& X_OM = from.X_OM[row];
-        out_.positions.push_back({row,
-                                  {quantize(v.x, 1000), quantize(v.y, 1000), quantize(v.a, 1000),
-                                   quantize(X_OM.x, 1000), quantize(X_OM.y, 1000), quantize_angle(X_OM.a)}});
-      }
-    }
   }
 
   void scans() {
@@ -53,32 +45,23 @@ class Capture {
     }
   }
 
-  void findings() {
-    out_.findings.clear();
-    out_.hits.clear();
+  void views() {
+    out_.viewed.clear();
+    out_.values.clear();
     if (nothing_to_sense()) return;
-    for (std::uint32_t row = 0; row < layout_.finder_model.size(); ++row) {
-      const std::uint32_t model = layout_.finder_model[row];
-      if (!runs(model) || world_.fiducials.measured_tick[row] == 0) continue;
-      if (!selected(model) && !in_view(model)) continue;
-      const auto first = static_cast<std::uint32_t>(out_.hits.size());
-      for (const world::FiducialHit& hit : world_.fiducials.hits[row]) {
-        out_.hits.push_back({hit.target.value, hit.id, quantize(hit.range, 1000), quantize_angle(hit.bearing),
-                             quantize_angle(hit.heading)});
-      }
-      out_.findings.push_back({row, first, static_cast<std::uint32_t>(out_.hits.size()) - first});
-    }
+    for (std::uint32_t view = 0; view < layout_.viewed.size(); ++view)
+      for (const std::uint32_t model : layout_.viewed[view]) this->view(view, model);
   }
 
  private:
-  bool nothing_to_sense() const { return interest_.view.empty() && interest_.selected.empty(); }
+  bool nothing_to_sense() const { return interest_.view.empty() && selected_.empty(); }
 
   bool runs(std::uint32_t model) const {
     return world_.models.subscribers[model] > 0 || (layout_.traits[model] & kAlwaysOn) != 0;
   }
 
   bool selected(std::uint32_t model) const {
-    return std::binary_search(interest_.selected.begin(), interest_.selected.end(), layout_.root[model]);
+    return std::ranges::binary_search(selected_, layout_.root[model]);
   }
 
   bool in_view(std::uint32_t model) const {
@@ -88,12 +71,21 @@ class Capture {
   }
 
   std::size_t selected_beams() const {
-    if (interest_.selected.empty()) return 0;
+    if (selected_.empty()) return 0;
     std::size_t beams = 0;
     for (const SensorLayout& sensor : layout_.sensors) {
       if (selected(sensor.model)) beams += sensor.beam_count;
     }
     return beams;
+  }
+
+  void view(std::uint32_t view, std::uint32_t model) {
+    const View& what = replicate::views()[view];
+    const bool wanted = selected(model) || (what.when == When::kShown && in_view(model));
+    if (!wanted || (measures(what.kind) && !runs(model))) return;
+    const auto first = static_cast<std::uint32_t>(out_.values.size());
+    if (!what.capture(world_, world_.models.part[model], out_.values)) return;
+    out_.viewed.push_back({view, model, first, static_cast<std::uint32_t>(out_.values.size()) - first});
   }
 
   void copy_scan(std::uint32_t row, const SensorLayout& sensor) {
@@ -108,23 +100,24 @@ class Capture {
   const Layout& layout_;
   const Interest& interest_;
   Snapshot& out_;
+  std::vector<std::uint32_t> selected_;  // rows of tops, ascending
 };
 
 }  // namespace
 
-void capture(const world::World& world, const world::Pace& pace, const Layout& layout,
+void capture(const world::World& world, const world::Pace& pace, std::shared_ptr<const Layout> layout,
              const Interest& interest, Snapshot& out) {
+  out.layout = std::move(layout);
   out.tick = world.tick();
   out.pace = pace;
-  Capture capture(world, layout, interest, out);
+  Capture capture(world, interest, out);
   capture.models();
-  capture.positions();
   capture.scans();
-  capture.findings();
+  capture.views();
 }
 
-geom::Vec2 place_of(const Layout& layout, const Snapshot& snapshot, std::uint32_t row) {
-  const ModelState& state = snapshot.models[layout.root[row]];
+geom::Vec2 place_of(const Snapshot& snapshot, std::uint32_t row) {
+  const ModelState& state = snapshot.models[snapshot.layout->root[row]];
   return {state.x / 1000.0, state.y / 1000.0};
 }
 

@@ -1,16 +1,28 @@
 #include "playhouse/replicate/viewer.h"
 
+#include "playhouse/replicate/scene_text.h"
+
 namespace playhouse::replicate {
+
+std::shared_ptr<const std::string> ChangesTexts::text(const std::shared_ptr<const Layout>& from,
+                                                      const std::shared_ptr<const Layout>& to) {
+  if (from != from_ || to != to_) {
+    from_ = from;
+    to_ = to;
+    text_ = std::make_shared<const std::string>(changes_text(*from, *to));
+  }
+  return text_;
+}
 
 void Viewer::look(const Look& look) {
   wish_.view = look.view;
   wish_.sensors = look.sensors;
 }
 
-Result<void> Viewer::select(const Select& select) {
-  if (select.model && *select.model >= layout_->root.size()) return Error{"", "no such model to select"};
-  wish_.selected = select.model ? std::optional(layout_->root[*select.model]) : std::nullopt;
-  return {};
+void Viewer::select(const Select& select) {
+  const Layout& layout = *replica_.layout;
+  const auto row = select.model ? layout.row(*select.model) : std::nullopt;
+  wish_.selected = row ? std::optional(layout.id[layout.root[*row]]) : std::nullopt;
 }
 
 Result<void> Viewer::acknowledge(std::uint32_t frame) {
@@ -19,13 +31,21 @@ Result<void> Viewer::acknowledge(std::uint32_t frame) {
   return {};
 }
 
-bool Viewer::next_frame(const Snapshot& snapshot, Emit emit, std::vector<std::byte>& out) {
-  if (!ready()) return false;
+NextFrame Viewer::next_frame(const Snapshot& snapshot, Emit emit, ChangesTexts& texts,
+                             std::vector<std::byte>& out) {
+  NextFrame next;
+  if (!ready()) return next;
+  if (replica_.layout != snapshot.layout) {
+    next.changes = texts.text(replica_.layout, snapshot.layout);
+    replica_.follow(snapshot.layout);
+    if (wish_.selected && !snapshot.layout->row(*wish_.selected)) wish_.selected.reset();
+    emit = Emit::kAlways;  // what was told is acknowledged with it
+  }
   const Sent sent = writer_.write(snapshot, wish_, sent_ + 1, limits::kViewerFrameBytes, replica_, out);
   waiting_ = sent == Sent::kPart;
-  if (sent == Sent::kNothing && emit == Emit::kIfChanged) return false;
-  ++sent_;
-  return true;
+  next.packet = sent != Sent::kNothing || emit == Emit::kAlways;
+  if (next.packet) ++sent_;
+  return next;
 }
 
 }  // namespace playhouse::replicate

@@ -12,28 +12,45 @@ namespace playhouse::replicate {
 
 enum class Emit { kIfChanged, kAlways };
 
+/// What goes to a viewer next, in this order.
+struct NextFrame {
+  std::shared_ptr<const std::string> changes;  // of the population; none if it is the same
+  bool packet = false;                         // there is one
+};
+
+/// changes_text() of the last two populations that somebody asked for: viewers mostly ask for the same.
+class ChangesTexts {
+ public:
+  std::shared_ptr<const std::string> text(const std::shared_ptr<const Layout>& from,
+                                          const std::shared_ptr<const Layout>& to);
+
+ private:
+  std::shared_ptr<const Layout> from_, to_;
+  std::shared_ptr<const std::string> text_;
+};
+
 class Viewer {
  public:
-  explicit Viewer(const Layout& layout) : layout_(&layout), replica_(layout), writer_(layout) {}
+  /// It holds this population, as scene_text() says.
+  explicit Viewer(std::shared_ptr<const Layout> layout) : replica_(std::move(layout)) {}
 
   const Wish& wish() const { return wish_; }
 
   void look(const Look& look);
-  /// Fails when there is no such row. The robot of a part is selected, not the part.
-  Result<void> select(const Select& select);
+  /// The robot of a part is selected, not the part. One that is not there, or no more, is none.
+  void select(const Select& select);
   /// Fails for a frame that was never sent.
   Result<void> acknowledge(std::uint32_t frame);
 
   /// False: too many frames are unacknowledged; ask again when one comes back.
   bool ready() const { return sent_ - acknowledged_ < limits::kViewerFramesInFlight; }
 
-  /// Writes the next frame into `out` and counts it as sent. False: there is nothing to send, or the viewer
-  /// is not ready. `waiting()` then says whether rows are left for the next frame.
-  bool next_frame(const Snapshot& snapshot, Emit emit, std::vector<std::byte>& out);
+  /// Writes the next packet into `out` and counts it as sent. No packet: there is nothing to send, or the
+  /// viewer is not ready. `waiting()` then says whether rows are left for the next frame.
+  NextFrame next_frame(const Snapshot& snapshot, Emit emit, ChangesTexts& texts, std::vector<std::byte>& out);
   bool waiting() const { return waiting_; }
 
  private:
-  const Layout* layout_;
   Wish wish_;
   Replica replica_;
   DeltaWriter writer_;

@@ -4,17 +4,11 @@
 
 namespace playhouse::web_server {
 
-DrivenRobots::DrivenRobots(net::Network& network, world::Control& control, const world::World& world)
-    : network_(network), control_(control) {
-  for (const world::ModelRow model : world.positions.model) wheels_.insert(world.id(model));
-}
-
-Result<void> DrivenRobots::drive(const replicate::Drive& drive, Driver driver) {
-  const world::ModelId robot{drive.model};
-  if (!wheels_.contains(robot)) return Error{"", "no such robot to drive"};
+void DrivenRobots::drive(const replicate::Drive& drive, Driver driver) {
+  const world::ModelId robot = drive.model;
   if (drive.velocity == geom::Twist{}) {
     if (held_.contains(robot)) let_go(robot);
-    return {};
+    return;
   }
   Held& held = held_[robot];
   held.driver = driver;
@@ -27,7 +21,6 @@ Result<void> DrivenRobots::drive(const replicate::Drive& drive, Driver driver) {
   }
   control_.drive(robot, drive.velocity);
   hold_until_deadline(robot, held);
-  return {};
 }
 
 void DrivenRobots::left(Driver driver) {

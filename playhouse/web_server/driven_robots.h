@@ -8,10 +8,8 @@
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <set>
 #include <vector>
 
-#include "playhouse/base/result.h"
 #include "playhouse/net/network.h"
 #include "playhouse/replicate/command.h"
 #include "playhouse/world/control.h"
@@ -23,11 +21,10 @@ class DrivenRobots {
   /// Who drives; only compared.
   using Driver = const void*;
 
-  /// Reads the world's fixed parts at once.
-  DrivenRobots(net::Network& network, world::Control& control, const world::World& world);
+  DrivenRobots(net::Network& network, world::Control& control) : network_(network), control_(control) {}
 
-  /// Fails for a model without wheels.
-  Result<void> drive(const replicate::Drive& drive, Driver driver);
+  /// The model has wheels; if it has gone by the time of the tick nothing happens.
+  void drive(const replicate::Drive& drive, Driver driver);
 
   /// Stops what this driver was the last to drive.
   void left(Driver driver);
@@ -44,7 +41,6 @@ class DrivenRobots {
 
   net::Network& network_;
   world::Control& control_;
-  std::set<world::ModelId> wheels_;  // models that have wheels
   std::map<world::ModelId, Held> held_;
 };
 

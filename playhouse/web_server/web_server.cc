@@ -7,11 +7,15 @@
 #include <atomic>
 #include <cctype>
 #include <chrono>
+#include <functional>
+#include <map>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
 
+#include "playhouse/base/assert.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/limits.h"
 #include "playhouse/base/log.h"
@@ -19,6 +23,7 @@
 #include "playhouse/net/http.h"
 #include "playhouse/web_server/driven_robots.h"
 #include "playhouse/web_server/web_viewer.h"
+#include "playhouse/world/population.h"
 
 namespace playhouse::web_server {
 namespace {
@@ -64,16 +69,22 @@ std::string machine_name() {
   return gethostname(name, sizeof name - 1) == 0 ? name : "";
 }
 
-/// Models of a robot that measure.
-std::vector<world::ModelId> sensing_models(const world::World& world, const replicate::Layout& layout,
-                                           std::uint32_t robot) {
-  std::vector<world::ModelId> models;
-  for (const std::uint32_t row : layout.tree(robot)) {
-    const scene::ModelKind kind = world.models.kind[row];
-    if (kind == scene::ModelKind::kRanger || kind == scene::ModelKind::kFiducial)
-      models.push_back(world.id({row}));
+/// Models that a selection lets measure: those that did when it was made, so that each is let go again.
+using Measuring = std::vector<world::ModelId>;
+
+void subscribe_measuring(world::World& world, world::ModelId robot, Measuring& measuring) {
+  const world::ModelRow top = world.row(robot);
+  if (!top) return;
+  for (std::uint32_t row = 0; row < world.models.size(); ++row) {
+    if (world.models.root[row] != top.index || !replicate::measures(world.models.kind[row])) continue;
+    measuring.push_back(world.id({row}));
+    world::subscribe(world, {row});
   }
-  return models;
+}
+
+void unsubscribe_measuring(world::World& world, const Measuring& measuring) {
+  for (const world::ModelId id : measuring)
+    if (const world::ModelRow model = world.row(id)) world::unsubscribe(world, model);
 }
 
 }  // namespace
@@ -83,19 +94,17 @@ class WebServer::Impl final : public net::HttpService,
                               public std::enable_shared_from_this<WebServer::Impl> {
  public:
   Impl(net::IoLoop& loop, WebOptions options, world::Control& control, const world::World& world,
-       const replicate::DeviceNames& devices)
+       replicate::DeviceNames devices)
       : loop_(loop),
         options_(std::move(options)),
         host_name_(options_.host_name.empty() ? machine_name() : options_.host_name),
         control_(control),
-        layout_(world),
-        scene_(std::make_shared<const std::string>(replicate::scene_text(world, layout_, devices))),
-        driven_(loop, control, world) {
-    sensing_.resize(layout_.root.size());
-    for (std::uint32_t row = 0; row < layout_.root.size(); ++row) {
-      if (layout_.root[row] == row) sensing_[row] = sensing_models(world, layout_, row);
-    }
-  }
+        scene_(world.scene()),
+        prototypes_(scene_),
+        newest_(std::make_shared<const replicate::Layout>(world, prototypes_, devices)),
+        driven_(loop, control),
+        devices_(std::move(devices)),
+        layout_(newest_) {}
 
   Result<std::uint16_t> listen() {
     auto listener = net::listen_http(loop_, options_.bind, options_.port, *this);
@@ -113,6 +122,8 @@ class WebServer::Impl final : public net::HttpService,
       const std::lock_guard lock(mutex_);
       tick_interest_ = interest_;
     }
+    if (layout_->population != world.population())
+      layout_ = std::make_shared<const replicate::Layout>(world, prototypes_, devices_, layout_.get());
     replicate::capture(world, pace, layout_, tick_interest_, back_);
     {
       const std::lock_guard lock(mutex_);
@@ -148,6 +159,8 @@ class WebServer::Impl final : public net::HttpService,
       if (std::exchange(fresh_, false)) std::swap(ready_, front_);
     }
     offer();
+    if (std::exchange(newest_, front_.layout) != front_.layout)
+      interest_changed();  // somebody who was selected may be gone
   }
 
   void offer() {
@@ -205,10 +218,10 @@ class WebServer::Impl final : public net::HttpService,
   void upgraded(std::unique_ptr<net::WebSocket> socket, const net::HttpRequest&) override {
     if (viewers_.size() >= limits::kViewers && !make_room(net::network_of(socket->peer())))
       return refuse(*socket);
-    viewers_.push_back(std::make_unique<WebViewer>(std::move(socket), layout_, *this));
+    viewers_.push_back(std::make_unique<WebViewer>(std::move(socket), newest_, *this));
     log::info("web: {} watches ({} now)", viewers_.back()->peer(), viewers_.size());
     watched_ = viewers_.size();
-    viewers_.back()->start(scene_);
+    viewers_.back()->start(scene_text());
   }
 
   // WebViewerOwner
@@ -221,7 +234,10 @@ class WebServer::Impl final : public net::HttpService,
     if (const auto* speed = std::get_if<replicate::SetSpeed>(&command))
       control_.set_speed(speed->times_real_time);
     if (const auto* drag = std::get_if<replicate::Drag>(&command)) return move(*drag);
-    if (const auto* drive = std::get_if<replicate::Drive>(&command)) return driven_.drive(*drive, &from);
+    if (const auto* drive = std::get_if<replicate::Drive>(&command)) return this->drive(*drive, from);
+    if (const auto* copy = std::get_if<replicate::Copy>(&command)) return this->copy(*copy, from);
+    if (const auto* add = std::get_if<replicate::Add>(&command)) return this->add(*add, from);
+    if (const auto* remove = std::get_if<replicate::Remove>(&command)) return this->remove(*remove);
     if (std::holds_alternative<replicate::Select>(command) ||
         std::holds_alternative<replicate::Look>(command)) {
       interest_changed();
@@ -280,12 +296,20 @@ class WebServer::Impl final : public net::HttpService,
     socket.close("there are as many viewers as this program serves");
   }
 
+  /// Row of a model that a viewer names; none if it has gone meanwhile, which is nobody's fault. Fails for
+  /// one that never was.
+  Result<std::optional<std::uint32_t>> row_of(world::ModelId model) const {
+    const replicate::Layout& layout = *newest_;
+    if (layout.id.empty() || model > layout.id.back()) return Error{"", "no such model"};
+    return layout.row(model);
+  }
+
   Result<void> move(const replicate::Drag& drag) {
-    if (drag.model >= layout_.traits.size()) return Error{"", "no such model to drag"};
-    if (!(layout_.traits[drag.model] & replicate::kMovable))
-      return Error{"", "this model may not be moved by hand"};
-    const bool posted = control_.post([drag](world::World& world) {
-      const world::ModelRow model = world.row({drag.model});
+    const auto row = row_of(drag.model);
+    if (!row || !*row) return row ? Result<void>{} : row.error();
+    if (!may_be_moved(**row)) return Error{"", "this model may not be moved by hand"};
+    return post_change([drag](world::World& world) {
+      const world::ModelRow model = world.row(drag.model);
       if (!model) return;  // it is gone
       geom::Pose X_PM = world.models.X_PM[model.index];
       X_PM.x = drag.x;
@@ -293,8 +317,69 @@ class WebServer::Impl final : public net::HttpService,
       X_PM.a = geom::normalize(drag.a);
       world::set_pose(world, model, X_PM);
     });
-    if (!posted) return Error{"", "the program is too busy to move it"};
+  }
+
+  Result<void> drive(const replicate::Drive& drive, WebViewer& from) {
+    const auto row = row_of(drive.model);
+    if (!row || !*row) return row ? Result<void>{} : row.error();
+    if (!(newest_->traits[**row] & replicate::kDrives)) return Error{"", "no such robot to drive"};
+    driven_.drive(drive, &from);
     return {};
+  }
+
+  bool may_be_moved(std::uint32_t row) const { return newest_->traits[row] & replicate::kMovable; }
+
+  Result<void> copy(const replicate::Copy& copy, const WebViewer& from) {
+    const auto row = row_of(copy.model);
+    if (!row || !*row) return row ? Result<void>{} : row.error();
+    if (!may_be_moved(newest_->root[**row])) return Error{"", "this model may not be copied"};
+    return post_change([copy, tell = teller(from)](world::World& world) {
+      const world::ModelRow model = world.row(copy.model);
+      if (!model) return;
+      const std::uint32_t top = world.models.root[model.index];
+      const geom::Pose X_WM{copy.x, copy.y, world.models.X_PM[top].z, copy.a};
+      const auto came = world::spawn(world, world.models.desc[top], X_WM);
+      if (!came) tell(came.error().text);
+    });
+  }
+
+  Result<void> add(const replicate::Add& add, const WebViewer& from) {
+    if (add.robot >= prototypes_.addable().size()) return Error{"", "there is no such robot to add"};
+    const std::uint32_t desc = prototypes_.addable()[add.robot].desc;
+    return post_change([add, desc, tell = teller(from)](world::World& world) {
+      const geom::Pose X_WM{add.x, add.y, world.scene().models[desc].X_PM.z, add.a};
+      const auto came = world::spawn(world, desc, X_WM);
+      if (!came) tell(came.error().text);
+    });
+  }
+
+  Result<void> remove(const replicate::Remove& remove) {
+    const auto row = row_of(remove.model);
+    if (!row || !*row) return row ? Result<void>{} : row.error();
+    if (!may_be_moved(newest_->root[**row])) return Error{"", "this model may not be removed"};
+    return post_change([remove](world::World& world) {
+      const world::ModelRow model = world.row(remove.model);
+      if (!model) return;
+      const Result<void> gone = world::despawn(world, world.id({world.models.root[model.index]}));
+      PLAYHOUSE_ASSERT(gone.ok());
+    });
+  }
+
+  Result<void> post_change(std::function<void(world::World&)> change) {
+    if (control_.post(std::move(change))) return {};
+    return Error{"", "the program is too busy to do that"};
+  }
+
+  /// Tells a viewer a line, if it is still there. Any thread, and also when the server is gone.
+  std::function<void(std::string)> teller(const WebViewer& viewer) {
+    return [&loop = loop_, weak = weak_from_this(), viewer = &viewer](std::string text) {
+      loop.post([weak, viewer, text = std::move(text)] {
+        const auto self = weak.lock();
+        if (!self) return;
+        for (const auto& other : self->viewers_)
+          if (other.get() == viewer) other->notice(text);
+      });
+    };
   }
 
   void refused(const WebViewer& from, const std::string& why) override {
@@ -323,10 +408,21 @@ class WebServer::Impl final : public net::HttpService,
     interest_changed();
   }
 
+  /// The scene with its present population.
+  std::shared_ptr<const std::string> scene_text() {
+    if (newest_ != scene_layout_) {
+      scene_layout_ = newest_;
+      scene_text_ = std::make_shared<const std::string>(replicate::scene_text(scene_, prototypes_, *newest_));
+    }
+    return scene_text_;
+  }
+
+  replicate::ChangesTexts& changes_texts() override { return changes_texts_; }
+
   /// What all viewers look at, for the next capture; and what they selected, for the sensors.
   void interest_changed() {
     replicate::Interest interest;
-    std::set<std::uint32_t> selected;
+    std::set<world::ModelId> selected;
     for (const auto& viewer : viewers_) {
       const replicate::Wish& wish = viewer->wish();
       if (wish.selected) selected.insert(*wish.selected);
@@ -346,44 +442,54 @@ class WebServer::Impl final : public net::HttpService,
   /// A selected robot's sensors measure while somebody looks at them. What the tick's queue has no room for
   /// is tried again.
   void reconcile_subscriptions() {
-    for (const std::uint32_t robot : selected_) {
-      if (!subscribed_.contains(robot) && post_for_sensors(robot, world::subscribe))
-        subscribed_.insert(robot);
-    }
-    std::erase_if(subscribed_, [this](std::uint32_t robot) {
-      return !selected_.contains(robot) && post_for_sensors(robot, world::unsubscribe);
+    bool done = true;
+    for (const world::ModelId robot : selected_)
+      if (!subscribed_.contains(robot) && !subscribe(robot)) done = false;
+    std::erase_if(subscribed_, [&](const auto& held) {
+      if (selected_.contains(held.first)) return false;
+      const bool posted = control_.post(
+          [models = held.second](world::World& world) { unsubscribe_measuring(world, *models); });
+      if (!posted) done = false;
+      return posted;
     });
-    if (subscribed_ == selected_) return;
+    if (done) return;
     subscription_timer_ = loop_.after(std::chrono::duration<double>(kFramePeriod).count(),
                                       [this] { reconcile_subscriptions(); });
   }
 
-  bool post_for_sensors(std::uint32_t robot, void (*change)(world::World&, world::ModelRow)) {
-    return control_.post([models = sensing_[robot], change](world::World& world) {
-      for (const world::ModelId id : models)
-        if (const world::ModelRow model = world.row(id)) change(world, model);
-    });
+  bool subscribe(world::ModelId robot) {
+    auto models = std::make_shared<Measuring>();  // the tick thread's once it is posted
+    if (!control_.post([robot, models](world::World& world) { subscribe_measuring(world, robot, *models); }))
+      return false;
+    subscribed_[robot] = std::move(models);
+    return true;
   }
 
   net::IoLoop& loop_;
   const WebOptions options_;
   const std::string host_name_;
   world::Control& control_;
-  const replicate::Layout layout_;
-  const std::shared_ptr<const std::string> scene_;
-  std::vector<std::vector<world::ModelId>> sensing_;  // per top-level row
+  const scene::SceneDesc& scene_;
+  const replicate::Prototypes prototypes_;
 
   // web thread
+  std::shared_ptr<const replicate::Layout> newest_;  // that viewers were told of
   std::unique_ptr<net::Listener> listener_;
   std::vector<std::unique_ptr<WebViewer>> viewers_;
-  std::set<std::uint32_t> selected_, subscribed_;  // top-level rows: wanted, and asked of the world
+  std::set<world::ModelId> selected_;                                // robots
+  std::map<world::ModelId, std::shared_ptr<Measuring>> subscribed_;  // robots that the world was asked for
   std::unique_ptr<net::Timer> offer_timer_, subscription_timer_;
   DrivenRobots driven_;
   replicate::Snapshot front_;
+  std::shared_ptr<const replicate::Layout> scene_layout_;  // of scene_text_
+  std::shared_ptr<const std::string> scene_text_;
+  replicate::ChangesTexts changes_texts_;
   WebStatus status_;
   std::uint64_t hosts_refused_ = 0, origins_refused_ = 0;
 
   // tick thread
+  const replicate::DeviceNames devices_;
+  std::shared_ptr<const replicate::Layout> layout_;  // of the newest capture
   std::chrono::steady_clock::time_point capture_time_;
   replicate::Interest tick_interest_;
   replicate::Snapshot back_;
@@ -398,8 +504,8 @@ class WebServer::Impl final : public net::HttpService,
 };
 
 WebServer::WebServer(net::IoLoop& loop, WebOptions options, world::Control& control,
-                     const world::World& world, const replicate::DeviceNames& devices)
-    : impl_(std::make_shared<Impl>(loop, std::move(options), control, world, devices)) {}
+                     const world::World& world, replicate::DeviceNames devices)
+    : impl_(std::make_shared<Impl>(loop, std::move(options), control, world, std::move(devices))) {}
 WebServer::~WebServer() {
   impl_->close();
 }

@@ -43,12 +43,12 @@ struct WebStatus {
 
 class WebServer {
  public:
-  /// Reads the world's fixed parts and `devices` at once, so the first tick comes after. The loop and the
-  /// control outlive the server; destroy it when the loop no longer runs and the tick thread no longer calls
-  /// show(). A control that is still given changes (Control::post) may carry them out later: they touch only
-  /// the world.
+  /// Reads the world at once, so the first tick comes after; `devices` is asked now, and later on the tick
+  /// thread for models that come. The scene, the loop and the control outlive the server; destroy it when the
+  /// loop no longer runs and the tick thread no longer calls show(). A control that is still given changes
+  /// (Control::post) may carry them out later: they touch only the world and the loop.
   WebServer(net::IoLoop& loop, WebOptions options, world::Control& control, const world::World& world,
-            const replicate::DeviceNames& devices);
+            replicate::DeviceNames devices);
   ~WebServer();
   WebServer(const WebServer&) = delete;
   WebServer& operator=(const WebServer&) = delete;

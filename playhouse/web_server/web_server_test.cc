@@ -16,6 +16,7 @@
 #include "playhouse/net/web_client.h"
 #include "playhouse/replicate/delta.h"
 #include "playhouse/replicate/small_world.h"
+#include "playhouse/world/population.h"
 
 namespace playhouse::web_server {
 namespace {
@@ -35,7 +36,9 @@ class Notes final : public world::Control {
   void step_once() override { note("step"); }
   void set_speed(double speed) override { note("speed " + std::to_string(speed).substr(0, 3)); }
   void drive(world::ModelId robot, const geom::Twist& velocity) override {
-    post([=](world::World& world) { world::command_velocity(world, world.position(robot), velocity); });
+    post([=](world::World& world) {
+      if (const world::PositionRow row = world.position(robot)) world::command_velocity(world, row, velocity);
+    });
   }
   bool post(std::function<void(world::World&)> change, world::ModelId = {}) override {
     const std::lock_guard lock(mutex_);
@@ -85,6 +88,7 @@ class Notes final : public world::Control {
 };
 
 using net::WebClient;
+using testing::AllOf;
 using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
@@ -102,7 +106,10 @@ class WebServerTest : public testing::Test {
                  .host_name = "robo.lab.example",
                  .viewer_quiet = viewer_quiet,
                  .further_names = std::move(further_names)},
-                notes_, small_.world, {{}, {"position2d:0"}}) {
+                notes_, small_.world, [](world::ModelId model) {
+                  return model == SmallWorld::id(0) ? std::vector<std::string>{"position2d:0"}
+                                                    : std::vector<std::string>();
+                }) {
     const Result<std::uint16_t> port = server_.listen();
     EXPECT_TRUE(port.ok());
     port_ = *port;
@@ -226,14 +233,12 @@ TEST_F(WebServerTest, a_viewer_gets_the_scene_and_then_packets_that_make_the_wor
   EXPECT_NE(scene.find("\"name\":\"small\""), std::string::npos);
   EXPECT_NE(scene.find("\"devices\":[\"position2d:0\"]"), std::string::npos);
   const SmallWorld start(3);
-  const replicate::Layout layout(start.world);
-  replicate::Replica replica(layout);
+  replicate::Replica replica(start.layout());
   for (std::uint32_t frame = 1; frame <= 3; ++frame) {
     const std::string packet = viewer.message(turning());
     ASSERT_FALSE(packet.empty());
     EXPECT_EQ(packet[0], 2);
-    const Result<std::uint32_t> applied =
-        apply_packet(std::as_bytes(std::span(packet).subspan(1)), layout, replica);
+    const Result<std::uint32_t> applied = apply_packet(std::as_bytes(std::span(packet).subspan(1)), replica);
     ASSERT_TRUE(applied.ok()) << applied.error().text;
     EXPECT_EQ(*applied, frame);
     viewer.send_text("{\"do\":\"ack\",\"frame\":" + std::to_string(frame) + "}");
@@ -283,6 +288,70 @@ TEST_F(WebServerTest, a_robot_is_dragged_and_a_wall_is_not) {
   }
   EXPECT_NE(text.find("may not be moved"), std::string::npos);
   EXPECT_EQ(small_.world.models.X_PM[0].x, 0);
+}
+
+/// The next text message, as a page reads it; "" at the end.
+std::string next_text(WebClient& viewer, const std::function<void()>& turning) {
+  std::string message;
+  do message = viewer.message(turning);
+  while (!message.empty() && message[0] != 1);
+  return message;
+}
+
+TEST_F(WebServerTest, robots_are_added_copied_and_removed_and_viewers_follow) {
+  WebClient viewer(port_), other(port_);
+  ASSERT_TRUE(viewer.upgrade());
+  ASSERT_TRUE(other.upgrade());
+  EXPECT_THAT(viewer.message(), HasSubstr(R"("addable":["r0","puck"])"));
+  EXPECT_THAT(other.message(), HasSubstr(R"("name":"small")"));
+  viewer.send_text(R"({"do":"add","robot":0,"x":3,"y":-4,"a":0})");
+  for (WebClient* each : {&viewer, &other})
+    EXPECT_THAT(next_text(*each, turning()),
+                AllOf(HasSubstr(R"({"gone":[],)"), HasSubstr(R"({"id":14,)"), HasSubstr(R"("name":"r0~2")"),
+                      HasSubstr(R"({"id":15,)"), HasSubstr(R"("parent":14,)")));
+  viewer.send_text(R"({"do":"copy","model":15,"x":5,"y":5,"a":1})");
+  EXPECT_THAT(next_text(viewer, turning()), AllOf(HasSubstr(R"({"id":18,)"), HasSubstr(R"("name":"r0~3")")));
+  EXPECT_TRUE(world::is_place(small_.world.models.X_PM[18]));
+  viewer.send_text(R"({"do":"remove","model":2})");
+  EXPECT_THAT(next_text(viewer, turning()), HasSubstr(R"({"gone":[1,2,3,4],)"));
+  EXPECT_EQ(small_.world.models.size(), 18u);
+  viewer.send_text(R"({"do":"drag","model":1,"x":5,"y":5,"a":1})");
+  viewer.send_text(R"({"do":"remove","model":1})");
+  viewer.send_text(R"({"do":"remove","model":0})");
+  EXPECT_THAT(next_text(viewer, turning()), HasSubstr("may not be removed"))
+      << "who has gone is nobody's fault";
+  viewer.send_text(R"({"do":"copy","model":999,"x":5,"y":5,"a":1})");
+  EXPECT_THAT(next_text(viewer, turning()), HasSubstr("no such model"));
+  viewer.send_text(R"({"do":"add","robot":7,"x":3,"y":-4,"a":0})");
+  EXPECT_THAT(next_text(viewer, turning()), HasSubstr("no such robot to add"));
+}
+
+TEST_F(WebServerTest, a_viewer_that_comes_later_gets_the_population_of_then) {
+  WebClient early(port_);
+  ASSERT_TRUE(early.upgrade());
+  early.message();
+  ASSERT_TRUE(world::despawn(small_.world, SmallWorld::id(1)).ok());
+  EXPECT_THAT(next_text(early, turning()), HasSubstr(R"({"gone":[5,6,7,8],)"));
+  WebClient late(port_);
+  ASSERT_TRUE(late.upgrade());
+  const std::string scene = late.message();
+  EXPECT_THAT(scene, Not(HasSubstr(R"("name":"r1")")));
+  EXPECT_THAT(scene, HasSubstr(R"("name":"r2")"));
+  EXPECT_EQ(late.message(turning())[0], 2);
+}
+
+TEST_F(WebServerTest, a_selected_robot_that_goes_is_forgotten_and_its_successor_is_not_taken_for_it) {
+  WebClient viewer(port_);
+  ASSERT_TRUE(viewer.upgrade());
+  viewer.message();
+  viewer.send_text(R"({"do":"select","model":1})");
+  ASSERT_TRUE(turn_until([&] { return small_.world.models.subscribers[2] == 1; }));
+  ASSERT_TRUE(world::despawn(small_.world, SmallWorld::id(0)).ok());
+  EXPECT_THAT(next_text(viewer, turning()), HasSubstr(R"({"gone":[1,2,3,4],)"));
+  viewer.send_text(R"({"do":"select","model":5})");
+  ASSERT_TRUE(turn_until([&] { return small_.world.models.subscribers[2] == 1; }));
+  viewer.send_text(R"({"do":"select","model":null})");
+  EXPECT_TRUE(turn_until([&] { return small_.world.models.subscribers[2] == 0; }));
 }
 
 TEST_F(WebServerTest, a_robot_is_driven_until_its_viewer_leaves) {

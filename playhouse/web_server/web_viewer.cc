@@ -57,9 +57,7 @@ Result<void> WebViewer::execute(const replicate::Command& command) {
     return {};
   }
   if (const auto* look = std::get_if<replicate::Look>(&command)) viewer_.look(*look);
-  if (const auto* select = std::get_if<replicate::Select>(&command)) {
-    if (const Result<void> selected = viewer_.select(*select); !selected) return selected;
-  }
+  if (const auto* select = std::get_if<replicate::Select>(&command)) viewer_.select(*select);
   return owner_.carry_out(command, *this);
 }
 
@@ -69,8 +67,10 @@ void WebViewer::send_frame() {
   // Rows that wait for room in the next frame must not make it come sooner.
   if (now - frame_time_ < kFramePeriod * 3 / 4) return owner_.waits();
   const auto emit = now - frame_time_ >= kSignOfLife ? replicate::Emit::kAlways : replicate::Emit::kIfChanged;
-  if (!viewer_.next_frame(*newest_, emit, *frame_)) return;
+  const replicate::NextFrame next = viewer_.next_frame(*newest_, emit, owner_.changes_texts(), *frame_);
+  if (!next.packet) return;
   frame_time_ = now;
+  if (next.changes) socket_->send_text(next.changes);
   owner_.sent_frame(frame_->size());
   socket_->send_binary(frame_);
   if (viewer_.waiting()) owner_.waits();

@@ -28,6 +28,7 @@ class WebViewerOwner {
   virtual Result<void> carry_out(const replicate::Command& command, WebViewer& from) = 0;
   virtual void refused(const WebViewer& from, const std::string& why) = 0;
   virtual void sent_frame(std::size_t bytes) = 0;
+  virtual replicate::ChangesTexts& changes_texts() = 0;
   /// Wants to be offered the newest snapshot again after kFramePeriod, also if it is the same one.
   virtual void waits() = 0;
   /// May destroy the viewer.
@@ -36,10 +37,11 @@ class WebViewerOwner {
 
 class WebViewer final : public net::WebSocketEvents {
  public:
-  WebViewer(std::unique_ptr<net::WebSocket> socket, const replicate::Layout& layout, WebViewerOwner& owner)
-      : socket_(std::move(socket)), viewer_(layout), owner_(owner) {}
+  WebViewer(std::unique_ptr<net::WebSocket> socket, std::shared_ptr<const replicate::Layout> layout,
+            WebViewerOwner& owner)
+      : socket_(std::move(socket)), viewer_(std::move(layout)), owner_(owner) {}
 
-  /// Sends the scene and begins to listen.
+  /// Sends the scene, which tells of the layout, and begins to listen.
   void start(std::shared_ptr<const std::string> scene);
 
   /// The newest snapshot, valid until the next call. A frame goes out now if the page keeps up, else as soon

@@ -55,19 +55,19 @@ export function startBrowser() {
   });
 }
 
-/** A page that shows the world, and the errors it met. */
-export async function watch(browser, url, options = {}) {
+/** A page that shows the world at this tick or later, and the errors it met. */
+export async function watch(browser, url, options = {}, leastTick = 1) {
   const page = await browser.newPage({ viewport: { width: 1280, height: 800 }, ...options });
   const errors = [];
   page.on('pageerror', (error) => errors.push(error.message));
   page.on('console', (message) => message.type() === 'error' && errors.push(message.text()));
   await page.goto(url);
-  await page.waitForFunction(() => window.playhouse?.tick > 0);
+  await page.waitForFunction((tick) => window.playhouse?.tick >= tick, leastTick);
   return { page, errors };
 }
 
 /** Selects a robot in the list of a page. */
 export async function chooseRobot(page, name) {
-  await page.locator(`#robots [data-robot=${name}]`).click();
+  await page.locator(`#robots [data-robot="${name}"]`).click();
   await page.waitForFunction((robot) => document.querySelector('#panel').dataset.robot === robot, name);
 }

@@ -1,11 +1,13 @@
 import type { Command } from './protocol/commands';
 import { Replica } from './protocol/replica';
-import { parseText, type Scene } from './protocol/scene';
+import { parseText, withChanges, type Changes, type Scene } from './protocol/scene';
 
 export type LinkState = 'connecting' | 'live' | 'silent' | 'lost';
 
 export interface LinkEvents {
   scene(scene: Scene, replica: Replica): void;
+  /** The same world with another population. */
+  population(scene: Scene, replica: Replica): void;
   packet(): void;
   notice(text: string): void;
   state(state: LinkState): void;
@@ -68,11 +70,19 @@ export class Link {
   private receiveText(text: string): void {
     const message = parseText(text);
     if ('notice' in message) return this.events.notice(message.notice);
+    if ('changes' in message) return this.follow(message.changes);
     this.tries = 0;
     this.unacknowledged = 0;
     this.replica = new Replica(message.scene);
     this.events.scene(message.scene, this.replica);
     this.change('live');
+  }
+
+  private follow(changes: Changes): void {
+    if (!this.replica) throw new Error('changes came before the scene');
+    const scene = withChanges(this.replica.scene, changes);
+    this.replica = this.replica.followedBy(scene, new Set(changes.models.map((model) => model.id)));
+    this.events.population(scene, this.replica);
   }
 
   private receivePacket(packet: ArrayBuffer): void {

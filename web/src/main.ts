@@ -43,11 +43,13 @@ class Page {
   private hurry = false;
   private wheels: number | null = null; // of the selected robot
   private live = false;
+  private awaited = 0; // models that were asked for and have not come yet
   private readonly pointer: Pointer;
 
   private readonly view = new StageView(byId<HTMLCanvasElement>('picture'), byId<HTMLCanvasElement>('overlay'), margins);
   private readonly link = new Link(new URL('live', location.href).href.replace(/^http/, 'ws'), {
     scene: (scene, replica) => this.showScene(scene, replica),
+    population: (scene, replica) => this.showPopulation(scene, replica),
     packet: () => this.showPacket(),
     notice: (text) => this.showNotice(text),
     state: (state) => this.showLink(state),
@@ -60,6 +62,7 @@ class Page {
     tilt: () => this.tilt(),
     fit: () => this.fit(),
     toggleList: () => byId('robots').classList.toggle('desk'),
+    add: (robot) => this.add(robot),
     help: () => this.help.showModal(),
   });
   private readonly clock = new Clock(byId('clock'));
@@ -70,6 +73,8 @@ class Page {
   private readonly panel = new DevicePanel(byId('panel'), {
     close: () => this.select(null),
     follow: (row) => this.follow(this.view.followed === row ? null : row),
+    copy: () => this.copy(),
+    remove: () => this.remove(),
   });
   private readonly help = byId<HTMLDialogElement>('help');
   private readonly driveBar = new DriveBar(byId('drive'));
@@ -80,7 +85,7 @@ class Page {
     byId('robots').classList.add('desk');
     this.pointer = new Pointer(byId('picture'), this.view, {
       select: (row) => this.select(row),
-      carry: (row, x, y, a) => this.link.send({ do: 'drag', model: row, x, y, a }),
+      carry: (row, x, y, a) => this.link.send({ do: 'drag', model: this.idOf(row), x, y, a }),
       looked: () => this.panel.showFollowed(this.view.followed),
       describe: (what) => this.showNotice(what),
       mayCarry: (row) => (this.live && this.scene?.models[row].movable) ?? false,
@@ -131,17 +136,46 @@ class Page {
   }
 
   private showScene(scene: Scene, replica: Replica): void {
+    const selected = this.view.selected === null ? undefined : this.scene?.models[this.view.selected].id;
+    this.view.selected = this.view.followed = this.view.hovered = null;
     this.scene = scene;
     this.replica = replica;
     this.looked = '';
+    this.awaited = 0;
     this.view.show(scene, replica);
     this.toolbar.showWorld(scene.name);
     this.toolbar.showTilted(this.view.rig.pitch > 0.02);
+    this.toolbar.showAddable(scene.addable);
     this.robots.show(scene, replica);
-    const kept = this.view.selected !== null && this.view.selected < scene.models.length ? this.view.selected : null;
-    this.view.followed = null;
-    this.view.hovered = null;
-    this.select(kept);
+    this.select((selected === undefined ? undefined : replica.rows.get(selected)) ?? null);
+  }
+
+  /** Robots came or went. */
+  private showPopulation(scene: Scene, replica: Replica): void {
+    const before = this.replica!;
+    const now = (row: number) => replica.rows.get(before.scene.models[row].id) ?? null;
+    const selected = this.view.selected;
+    const wheels = this.wheels;
+    this.scene = scene;
+    this.replica = replica;
+    this.view.follow(scene, replica);
+    this.pointer.follow(now);
+    this.robots.show(scene, replica);
+    this.wheels = wheels === null ? null : now(wheels);
+    const came = replica.rows.get(scene.models.filter(({ id, parent }) => parent < 0 && !before.rows.has(id)).at(-1)?.id ?? -1);
+    if (this.awaited > 0 && came !== undefined) {
+      --this.awaited;
+      this.select(came);
+    } else if (selected !== null && this.view.selected === null) {
+      this.select(null);
+    } else if (this.view.selected !== null) {
+      this.robots.showSelected(this.view.selected);
+      this.panel.show(scene, replica, this.view.roots, this.view.selected);
+    }
+  }
+
+  private idOf(row: number): number {
+    return this.scene!.models[row].id;
   }
 
   private showPacket(): void {
@@ -167,6 +201,7 @@ class Page {
   }
 
   private showNotice(text: string): void {
+    this.awaited = 0; // it may tell why nobody comes
     const notice = byId('notice');
     notice.textContent = text;
     notice.hidden = false;
@@ -182,7 +217,7 @@ class Page {
     this.stick.show(this.wheels !== null);
     if (row === null) this.follow(null);
     this.robots.showSelected(row);
-    this.link.send({ do: 'select', model: row });
+    this.link.send({ do: 'select', model: row === null ? null : this.idOf(row) });
     if (row === null || !this.scene || !this.replica) this.panel.hide();
     else this.panel.show(this.scene, this.replica, this.view.roots, row);
     this.panel.showFollowed(this.view.followed);
@@ -194,13 +229,40 @@ class Page {
   private drive(): void {
     const pads = document.hasFocus() ? navigator.getGamepads().filter((pad) => pad?.connected) : [];
     const velocity = velocityOf(sum([this.heldKeys.hands(this.hurry), this.stick.hands(), ...pads.map((pad) => handsOfAxes(pad!.axes))]));
-    for (const order of this.driver.next(this.live ? this.wheels : null, velocity, performance.now())) this.link.send({ do: 'drive', ...order });
+    const wheels = this.live && this.wheels !== null ? this.idOf(this.wheels) : null;
+    for (const order of this.driver.next(wheels, velocity, performance.now())) this.link.send({ do: 'drive', ...order });
     this.driveBar.showVelocity(velocity);
   }
 
   private letGo(): void {
     this.heldKeys.clear();
     this.stick.release();
+  }
+
+  /** Another one of the scene's robots, in the middle of the picture. */
+  private add(robot: number): void {
+    const { left, right, top, bottom } = margins();
+    const { rig } = this.view;
+    const at = rig.floorAt((left + rig.width - right) / 2, (top + rig.height - bottom) / 2);
+    if (!this.live || !at) return;
+    ++this.awaited;
+    this.link.send({ do: 'add', robot, x: at.x, y: at.y, a: 0 });
+  }
+
+  /** Another one like the selected robot, beside it. */
+  private copy(): void {
+    const { selected: row, motion } = this.view;
+    if (row === null || !motion || !this.live) return;
+    const { size } = this.scene!.models[row];
+    const beside = 1.5 * Math.max(size[0], size[1], 0.1);
+    const a = motion.a[row];
+    ++this.awaited;
+    this.link.send({ do: 'copy', model: this.idOf(row), x: motion.x[row] + Math.sin(a) * beside, y: motion.y[row] - Math.cos(a) * beside, a });
+  }
+
+  private remove(): void {
+    const { selected: row } = this.view;
+    if (row !== null && this.live) this.link.send({ do: 'remove', model: this.idOf(row) });
   }
 
   private follow(row: number | null): void {
@@ -250,6 +312,8 @@ class Page {
       g: () => this.toolbar.toggle('grid'),
       '/': () => this.robots.focus(),
       '?': () => this.help.showModal(),
+      c: () => this.copy(),
+      Delete: () => this.remove(),
       Escape: () => this.select(null),
     };
   }

@@ -4,14 +4,15 @@ import { Replica } from './protocol/replica';
 import type { Model, Scene } from './protocol/scene';
 import { drawnLoops, outlinesOf, smoothed } from './view/shapes';
 
-function model(name: string, parent: number, x_mm: number): Model {
-  return { name, type: 'model', kind: 'plain', parent, start: [x_mm, 0, 0, 0, 0, 0], size: [1, 1, 1] };
+function model(id: number, name: string, parent: number, x_mm: number): Model {
+  const parentId = parent < 0 ? null : parent;
+  return { id, name, type: 'model', kind: 'plain', parent, parentId, start: [x_mm, 0, 0, 0, 0, 0], size: [1, 1, 1] };
 }
 
 const scene: Scene = {
-  protocol: 1, name: 'two', interval: 0.1, shapes: [], sensors: [],
+  protocol: 2, name: 'two', interval: 0.1, shapes: [], prototypes: [], addable: [],
   window: { center: [0, 0], scale: 0, pitch: 0, yaw: 0, sensors: false, follow: '' },
-  models: [model('robot', -1, 0), model('hat', 0, 100)],
+  models: [model(0, 'robot', -1, 0), model(1, 'hat', 0, 100)],
 };
 
 describe('Motion', () => {
@@ -58,6 +59,29 @@ describe('Motion', () => {
     expect([motion.x[0], motion.y[0]]).toEqual([3, 4]);
     motion.update(1500);
     expect([motion.x[0], motion.y[0]]).toEqual([0, 0]);
+  });
+
+  it('goes on with who stays when others come and go', () => {
+    const before = new Replica(scene);
+    const moving = new Motion(scene, before);
+    before.tick = 1;
+    before.x[1] = 600;
+    moving.aim(performance.now());
+    const other: Scene = { ...scene, models: [{ ...model(1, 'hat', -1, 0), parentId: null }, model(7, 'new', -1, 3000)] };
+    const grown: Scene = { ...scene, models: [...scene.models, model(7, 'new', -1, 3000)] };
+    const gone = new Motion(other, before.followedBy(other, new Set([1, 7])), moving);
+    expect([gone.x[0], gone.x[1]]).toEqual([0, 3]);
+    const stays = new Motion(grown, before.followedBy(grown, new Set([7])), moving);
+    expect(stays.x[2]).toBe(3);
+    expect(stays.x[1]).toBeLessThan(0.6);
+    stays.update(performance.now() + 1000);
+    expect(stays.x[1]).toBeCloseTo(0.6);
+  });
+
+  it('takes along what came into the world before who carries it', () => {
+    const carried: Scene = { ...scene, models: [model(0, 'puck', 1, 100), model(1, 'robot', -1, 2000)] };
+    const motion = new Motion(carried, new Replica(carried));
+    expect(motion.x[0]).toBeCloseTo(2.1);
   });
 });
 

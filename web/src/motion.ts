@@ -1,5 +1,5 @@
 import { radiansOf, type Replica } from './protocol/replica';
-import type { Scene } from './protocol/scene';
+import { parentsFirst, type Scene } from './protocol/scene';
 
 const kJump = 1.0; // m: further than this between two packets is no motion to be drawn
 const kPeriodMs = { least: 16, most: 250 };
@@ -18,15 +18,18 @@ export class Motion {
   private readonly from: Float64Array;
   private readonly to: Float64Array;
   private readonly parent: Int32Array;
+  private readonly order: Int32Array; // rows, parents first
   private since = 0;
   private periodMs = 100;
   private lastTick = -1;
   private settled = false;
   private held: { row: number; x: number; y: number; a: number; until: number } | null = null;
 
+  /** `before` is the motion of another population of the same world: who stays goes on as it moved. */
   constructor(
     scene: Scene,
     private readonly replica: Replica,
+    before: Motion | null = null,
   ) {
     const count = scene.models.length;
     this.x = new Float64Array(count);
@@ -36,9 +39,24 @@ export class Motion {
     this.from = new Float64Array(count * 4);
     this.to = new Float64Array(count * 4);
     this.parent = Int32Array.from(scene.models, (model) => model.parent);
+    this.order = parentsFirst(scene);
     this.readTargets();
     this.from.set(this.to);
-    this.update(0);
+    if (before) this.goOnFrom(before);
+    this.update(before ? performance.now() : 0);
+  }
+
+  private goOnFrom(before: Motion): void {
+    const { since, periodMs, lastTick } = before;
+    Object.assign(this, { since, periodMs, lastTick });
+    for (const [id, row] of this.replica.rows) {
+      const was = before.replica.rows.get(id);
+      if (was === undefined || before.replica.scene.models[was].parentId !== this.replica.scene.models[row].parentId) continue;
+      for (let k = 0; k < 4; ++k) this.from[row * 4 + k] = before.from[was * 4 + k];
+    }
+    const held = before.held;
+    const row = held && this.replica.rows.get(before.replica.scene.models[held.row].id);
+    if (held && typeof row === 'number') this.held = { ...held, row };
   }
 
   /** A packet was applied to the replica. */
@@ -67,8 +85,9 @@ export class Motion {
     if (this.settled) return false;
     const t = this.fraction(now);
     if (this.held && now > this.held.until) this.held = null;
-    for (let row = 0, i = 0; row < this.x.length; ++row, i += 4) {
+    for (const row of this.order) {
       const { from, to } = this;
+      const i = row * 4;
       this.place(row, from[i] + t * (to[i] - from[i]), from[i + 1] + t * (to[i + 1] - from[i + 1]), to[i + 2],
         from[i + 3] + t * turn(from[i + 3], to[i + 3]));
     }

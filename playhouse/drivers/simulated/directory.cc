@@ -73,14 +73,11 @@ world::ModelId Directory::model_of(device::Address address) const {
   return found == models_.end() ? world::ModelId{} : found->second;
 }
 
-std::vector<std::vector<std::string>> device_names(const world::World& world, const Directory& directory,
-                                                   std::uint32_t port) {
-  std::vector<std::vector<std::string>> names(world.models.size());
-  for (std::uint32_t row = 0; row < names.size(); ++row) {
-    for (const device::Address& address : directory.devices_of(world.id({row}))) {
-      const std::string name = name_within_port(address);
-      names[row].push_back(address.robot == port ? name : fmt::format("{}:{}", address.robot, name));
-    }
+std::vector<std::string> device_names(const Directory& directory, world::ModelId model, std::uint32_t port) {
+  std::vector<std::string> names;
+  for (const device::Address& address : directory.devices_of(model)) {
+    const std::string name = name_within_port(address);
+    names.push_back(address.robot == port ? name : fmt::format("{}:{}", address.robot, name));
   }
   return names;
 }

@@ -29,10 +29,9 @@ class Directory {
   std::map<device::Address, world::ModelId> models_;
 };
 
-/// Per model row, its devices as people write them: "position2d:0", and with the port in front
-/// ("6666:position2d:0") where that is not `port`.
-std::vector<std::vector<std::string>> device_names(const world::World& world, const Directory& directory,
-                                                   std::uint32_t port);
+/// A model's devices as people write them: "position2d:0", and with the port in front ("6666:position2d:0")
+/// where that is not `port`.
+std::vector<std::string> device_names(const Directory& directory, world::ModelId model, std::uint32_t port);
 
 /// The answer to a client that asks for the names of models and their devices (docs/drivers.md).
 struct ModelList {

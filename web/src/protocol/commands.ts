@@ -1,4 +1,4 @@
-/** What a page may ask of the program (docs/viewer-protocol.md). */
+/** What a page may ask of the program (docs/viewer-protocol.md). Models by id. */
 export type Command =
   | { do: 'pause' }
   | { do: 'resume' }
@@ -6,6 +6,9 @@ export type Command =
   | { do: 'speed'; times_real_time: number }
   | { do: 'drag'; model: number; x: number; y: number; a: number }
   | { do: 'drive'; model: number; forward: number; sideways: number; turn: number }
+  | { do: 'copy'; model: number; x: number; y: number; a: number }
+  | { do: 'add'; robot: number; x: number; y: number; a: number } // place in scene.addable
+  | { do: 'remove'; model: number }
   | { do: 'select'; model: number | null }
   | { do: 'look'; x_min: number; y_min: number; x_max: number; y_max: number; sensors: boolean }
   | { do: 'ack'; frame: number };

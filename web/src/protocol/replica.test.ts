@@ -1,24 +1,26 @@
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { ByteReader } from './byte_reader';
-import { radiansOf, Replica, type Hit } from './replica';
-import { parseText, rootsOf, type Scene } from './scene';
+import { kViews } from './generated/views';
+import { radiansOf, Replica } from './replica';
+import { parseText, rootsOf, sceneOf, withChanges, type Changes, type Scene } from './scene';
 
 interface Held {
   tick: number;
   paused: boolean;
   speed: number;
-  models: number[][];
-  positions: number[][];
-  scans: Record<string, number[]>;
-  findings: Record<string, number[][]>;
+  models: Record<string, number[]>; // by id
+  scans: Record<string, number[]>; // by id/nth
+  views: Record<string, number[]>; // by id: the bare numbers
 }
 
 // Made by the program's own tests (playhouse/replicate/golden_test.cc).
 const golden = JSON.parse(readFileSync(new URL('golden.json', import.meta.url), 'utf8')) as {
-  scene: Scene;
-  frames: { packet: string; after: Held }[];
+  scene: Parameters<typeof sceneOf>[0];
+  frames: { changes?: Changes; packet: string; after: Held }[];
 };
+
+const kScene: Scene = sceneOf(golden.scene);
 
 function bytesOf(hex: string): ArrayBuffer {
   return Uint8Array.from(hex.match(/../g) ?? [], (pair) => parseInt(pair, 16)).buffer;
@@ -29,23 +31,33 @@ function turnOf(radians: number): number {
 }
 
 function held(replica: Replica): Held {
-  const rows = [...replica.x.keys()];
-  const hit = (h: Hit) => [h.target, h.id, Math.round(h.range * 1000), turnOf(h.bearing), turnOf(h.heading)];
+  const { models } = replica.scene;
+  const scans = [...replica.scans].map(([row, beams]) => {
+    const { model } = replica.sensors[row];
+    return [`${models[model].id}/${row - replica.firstSensor.get(model)!}`, [...beams]];
+  });
+  const views = kViews.flatMap(({ kind, fields }) =>
+    [...replica.views(kind)].map(([row, value]) => {
+      const records = (Array.isArray(value) ? value : [value]) as unknown as Record<string, number>[];
+      const numbers = records.flatMap((record) =>
+        fields.map(([name, code, worth]) => (code === 'turn' ? turnOf(record[name]) : Math.round(record[name] / worth))));
+      return [models[row].id, numbers];
+    }));
   return {
     tick: replica.tick,
     paused: replica.paused,
     speed: replica.speed,
-    models: rows.map((r) => [replica.x[r], replica.y[r], replica.z[r], replica.a[r], replica.state[r], replica.color[r]]),
-    positions: [...Array(replica.positions.length / 6).keys()].map((p) => [...replica.positions.slice(p * 6, p * 6 + 6)]),
-    scans: Object.fromEntries([...replica.scans].map(([row, beams]) => [row, [...beams]])),
-    findings: Object.fromEntries([...replica.findings].map(([row, hits]) => [row, hits.map(hit)])),
+    models: Object.fromEntries(models.map(({ id }, r) => [id, [replica.x[r], replica.y[r], replica.z[r], replica.a[r], replica.state[r], replica.color[r]]])),
+    scans: Object.fromEntries(scans),
+    views: Object.fromEntries(views),
   };
 }
 
 describe('Replica', () => {
-  it("follows the program's packets to the number", () => {
-    const replica = new Replica(golden.scene);
-    golden.frames.forEach(({ packet, after }, k) => {
+  it("follows the program's packets to the number, and who comes and goes", () => {
+    let replica = new Replica(kScene);
+    golden.frames.forEach(({ changes, packet, after }, k) => {
+      if (changes) replica = replica.followedBy(withChanges(replica.scene, changes), new Set(changes.models.map(({ id }) => id)));
       replica.apply(bytesOf(packet));
       expect(replica.frame).toBe(k + 1);
       expect(held(replica)).toEqual(after);
@@ -55,14 +67,15 @@ describe('Replica', () => {
   it('refuses a packet that is cut short anywhere', () => {
     const whole = golden.frames[0].packet;
     for (let length = 0; length < whole.length; length += 2) {
-      expect(() => new Replica(golden.scene).apply(bytesOf(whole.slice(0, length)))).toThrow();
+      expect(() => new Replica(kScene).apply(bytesOf(whole.slice(0, length)))).toThrow();
     }
   });
 
-  it('refuses rows that the scene has not, and bytes after the end', () => {
+  it('refuses models that the scene has not, and bytes after the end', () => {
     const head = golden.frames[0].packet.slice(0, 24);
-    expect(() => new Replica(golden.scene).apply(bytesOf(`${head}01feff0302`))).toThrow('names what the scene has not');
-    expect(() => new Replica(golden.scene).apply(bytesOf(`${head}0000000000`))).toThrow('bytes follow');
+    expect(() => new Replica(kScene).apply(bytesOf(`${head}01feff0302`))).toThrow('names what the scene has not');
+    expect(() => new Replica(kScene).apply(bytesOf(`${head}0001000100`))).toThrow('names what the scene has not');
+    expect(() => new Replica(kScene).apply(bytesOf(`${head}00000000`))).toThrow('bytes follow');
   });
 });
 
@@ -76,13 +89,23 @@ describe('ByteReader', () => {
 
 describe('scene', () => {
   it('knows the robot above every part', () => {
-    expect([...rootsOf(golden.scene)].slice(0, 6)).toEqual([0, 1, 1, 1, 1, 5]);
+    expect([...rootsOf(kScene)].slice(0, 6)).toEqual([0, 1, 1, 1, 1, 5]);
   });
 
-  it('takes scenes and notices and nothing else', () => {
+  it('keeps ids while rows move, and finds parents that come later', () => {
+    const grown = withChanges(kScene, { gone: [0, 5], models: [{ id: 5, prototype: 0, parent: 9, name: 'load', start: [0, 0, 0, 0, 0, 0] }] });
+    expect(grown.models.map(({ id }) => id)).toEqual([1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13]);
+    expect(grown.models[4].parent).toBe(8);
+    expect(grown.models[1].parent).toBe(0);
+    expect(kScene.models[2].parent).toBe(1);
+    expect([...rootsOf(grown)].slice(4, 7)).toEqual([8, 8, 8]);
+  });
+
+  it('takes scenes, changes and notices and nothing else', () => {
     expect(parseText('{"notice":"hello"}')).toEqual({ notice: 'hello' });
     expect(parseText(JSON.stringify(golden.scene))).toHaveProperty('scene');
-    expect(() => parseText('{"protocol":2}')).toThrow('reload');
+    expect(parseText('{"gone":[1],"models":[]}')).toEqual({ changes: { gone: [1], models: [] } });
+    expect(() => parseText('{"protocol":1}')).toThrow('reload');
   });
 
   it('turns wrap at half a turn', () => {

@@ -1,20 +1,13 @@
 import { ByteReader } from './byte_reader';
-import type { Scene, Sensor } from './scene';
+import { kBits, kViews, type Code, type ViewFormat, type Views } from './generated/views';
+import { rowsOf, type Scene, type Sensor } from './scene';
 
-export const kStalled = 1;
-export const kSubscribed = 2;
-export const kMotorOff = 4;
-
-export interface Hit {
-  target: number; // model row
-  id: number;
-  range: number; // m
-  bearing: number; // rad, in (-pi, pi]
-  heading: number; // rad, in (-pi, pi]
-}
+export const kSubscribed = kBits.subscribed;
+export const kStalled = kBits.position.stalled;
+export const kMotorOn = kBits.position.motor_on;
 
 export interface SensorPlace {
-  model: number;
+  model: number; // row
   sensor: Sensor;
 }
 
@@ -44,17 +37,19 @@ export class Replica {
   readonly state: Uint8Array;
   readonly color: Uint32Array;
 
-  /** Per position, 6 numbers: vx, vy [mm/s], va [mrad/s], odometry x, y [mm], heading [1/65536 turn]. */
-  readonly positions: Int32Array;
-
   /** By sensor row: ranges as fractions of the sensor's range_max, times 65535. */
   readonly scans = new Map<number, Uint16Array>();
-  /** By finder row. */
-  readonly findings = new Map<number, Hit[]>();
   /** Where each sensor row is. */
   readonly sensors: SensorPlace[] = [];
+  /** Per model with sensors, its first sensor row. */
+  readonly firstSensor = new Map<number, number>();
+  /** Model rows by id. */
+  readonly rows: Map<number, number>;
 
-  constructor(scene: Scene) {
+  /** Per kind, by model row. */
+  private readonly viewed = kViews.map(() => new Map<number, unknown>());
+
+  constructor(readonly scene: Scene) {
     const count = scene.models.length;
     this.x = new Int32Array(count);
     this.y = new Int32Array(count);
@@ -62,22 +57,44 @@ export class Replica {
     this.a = new Uint16Array(count);
     this.state = new Uint8Array(count);
     this.color = new Uint32Array(count);
-    let positions = 0;
+    this.rows = rowsOf(scene.models);
     scene.models.forEach((model, row) => {
       [this.x[row], this.y[row], this.z[row], this.a[row], this.state[row], this.color[row]] = model.start;
-      if (model.position !== undefined) positions = Math.max(positions, model.position + 1);
-      if (model.first_sensor === undefined || model.sensors === undefined) return;
-      scene.sensors[model.sensors].forEach((sensor, nth) => {
-        this.sensors[model.first_sensor! + nth] = { model: row, sensor };
-      });
+      if (!model.sensors) return;
+      this.firstSensor.set(row, this.sensors.length);
+      for (const sensor of model.sensors) this.sensors.push({ model: row, sensor });
     });
-    this.positions = new Int32Array(positions * 6);
+  }
+
+  /** What this replica holds, for another population of the same world: `came` are ids whose start counts. */
+  followedBy(scene: Scene, came: Set<number>): Replica {
+    const next = new Replica(scene);
+    const { tick, frame, paused, rowsWait, beamsFull, speed, realTimeFactor } = this;
+    Object.assign(next, { tick, frame, paused, rowsWait, beamsFull, speed, realTimeFactor });
+    this.scene.models.forEach(({ id }, before) => {
+      const row = next.rows.get(id);
+      if (row === undefined || came.has(id)) return;
+      for (const column of ['x', 'y', 'z', 'a', 'state', 'color'] as const) next[column][row] = this[column][before];
+      this.viewed.forEach((held, view) => held.has(before) && next.viewed[view].set(row, held.get(before)));
+      const first = this.firstSensor.get(before);
+      if (first === undefined) return;
+      for (let nth = 0; nth < this.scene.models[before].sensors!.length; ++nth) {
+        const beams = this.scans.get(first + nth);
+        if (beams) next.scans.set(next.firstSensor.get(row)! + nth, beams);
+      }
+    });
+    return next;
+  }
+
+  /** What came of models of a kind, by row. */
+  views<K extends keyof Views>(kind: K): ReadonlyMap<number, Views[K]> {
+    return this.viewed[kViews.findIndex((view) => view.kind === kind)] as Map<number, Views[K]>;
   }
 
   /** Applies one packet. Throws when the bytes are none; the replica is then of no use any more. */
   apply(packet: ArrayBuffer): void {
     const bytes = new ByteReader(packet);
-    if (bytes.u8() !== 1) throw new Error('not a packet of this program');
+    if (bytes.u8() !== 2) throw new Error('not a packet of this program');
     const flags = bytes.u8();
     this.paused = (flags & 1) !== 0;
     this.rowsWait = (flags & 2) !== 0;
@@ -86,76 +103,71 @@ export class Replica {
     this.tick = bytes.varint();
     this.speed = bytes.f32();
     this.realTimeFactor = bytes.f32();
-    this.readModels(bytes);
-    this.readPositions(bytes);
-    this.readScans(bytes);
-    this.readFindings(bytes);
+    this.section(bytes, (mask, row) => this.readModel(bytes, mask, row));
+    this.section(bytes, (tag, row) => this.readScan(bytes, tag, row));
+    this.section(bytes, (tag, row) => this.readView(bytes, tag, row));
     if (!bytes.atEnd) throw new Error('bytes follow a packet');
   }
 
-  private readModels(bytes: ByteReader): void {
-    let row = 0;
-    for (let mask = bytes.u8(); mask !== kEnd; mask = bytes.u8()) {
-      row = step(row, bytes, this.x.length);
-      if (mask & 1) this.x[row] += bytes.zigzag();
-      if (mask & 2) this.y[row] += bytes.zigzag();
-      if (mask & 4) this.z[row] += bytes.zigzag();
-      if (mask & 8) this.a[row] += bytes.zigzag();
-      if (mask & 16) this.state[row] = bytes.u8();
-      if (mask & 32) this.color[row] = bytes.u32();
-    }
-  }
-
-  private readPositions(bytes: ByteReader): void {
-    let row = 0;
-    for (let mask = bytes.u8(); mask !== kEnd; mask = bytes.u8()) {
-      row = step(row, bytes, this.positions.length / 6);
-      for (let field = 0; field < 6; ++field) {
-        if (mask & (1 << field)) this.positions[row * 6 + field] += bytes.zigzag();
-      }
-      this.positions[row * 6 + 5] &= 0xffff;
-    }
-  }
-
-  private readScans(bytes: ByteReader): void {
-    let row = 0;
+  private section(bytes: ByteReader, read: (tag: number, row: number) => void): void {
+    let id = 0;
     for (let tag = bytes.u8(); tag !== kEnd; tag = bytes.u8()) {
-      row = step(row, bytes, this.sensors.length);
-      if (tag !== kFresh) {
-        this.scans.delete(row);
-        continue;
-      }
-      const beams = new Uint16Array(this.sensors[row].sensor.samples);
-      for (let k = 0; k < beams.length; ++k) beams[k] = bytes.u16();
-      this.scans.set(row, beams);
+      id += bytes.zigzag();
+      read(tag, this.rows.get(id) ?? nobody());
     }
   }
 
-  private readFindings(bytes: ByteReader): void {
-    let row = 0;
-    for (let tag = bytes.u8(); tag !== kEnd; tag = bytes.u8()) {
-      row = step(row, bytes, Number.MAX_SAFE_INTEGER);
-      if (tag !== kFresh) {
-        this.findings.delete(row);
-        continue;
-      }
-      const hits: Hit[] = [];
-      for (let left = bytes.varint(); left > 0; --left) {
-        hits.push({
-          target: bytes.varint(),
-          id: bytes.zigzag(),
-          range: bytes.varint() / 1000,
-          bearing: radiansOf(bytes.u16()),
-          heading: radiansOf(bytes.u16()),
-        });
-      }
-      this.findings.set(row, hits);
+  private readModel(bytes: ByteReader, mask: number, row: number): void {
+    if (mask & 1) this.x[row] += bytes.zigzag();
+    if (mask & 2) this.y[row] += bytes.zigzag();
+    if (mask & 4) this.z[row] += bytes.zigzag();
+    if (mask & 8) this.a[row] += bytes.zigzag();
+    if (mask & 16) this.state[row] = bytes.u8();
+    if (mask & 32) this.color[row] = bytes.u32();
+  }
+
+  private readScan(bytes: ByteReader, tag: number, model: number): void {
+    const nth = bytes.varint();
+    const row = nth < (this.scene.models[model].sensors?.length ?? 0) ? this.firstSensor.get(model)! + nth : nobody();
+    if (tag !== kFresh) {
+      this.scans.delete(row);
+      return;
     }
+    const beams = new Uint16Array(this.sensors[row].sensor.samples);
+    for (let k = 0; k < beams.length; ++k) beams[k] = bytes.u16();
+    this.scans.set(row, beams);
+  }
+
+  private readView(bytes: ByteReader, tag: number, row: number): void {
+    const number = (tag - 1) >> 1;
+    const format = kViews[number] ?? nobody();
+    if (tag % 2 === 0) {
+      this.viewed[number].delete(row);
+      return;
+    }
+    if (!format.list) {
+      this.viewed[number].set(row, readRecord(bytes, format));
+      return;
+    }
+    const records: unknown[] = [];
+    for (let left = bytes.varint(); left > 0; --left) records.push(readRecord(bytes, format));
+    this.viewed[number].set(row, records);
   }
 }
 
-function step(row: number, bytes: ByteReader, rows: number): number {
-  const next = row + bytes.zigzag();
-  if (next < 0 || next >= rows) throw new Error('a packet names what the scene has not');
-  return next;
+function readRecord(bytes: ByteReader, format: ViewFormat): Record<string, number> {
+  const record: Record<string, number> = {};
+  for (const [name, code, worth] of format.fields) record[name] = kReaders[code](bytes) * worth;
+  return record;
+}
+
+const kReaders: Record<Code, (bytes: ByteReader) => number> = {
+  varint: (bytes) => bytes.varint(),
+  zigzag: (bytes) => bytes.zigzag(),
+  turn: (bytes) => radiansOf(bytes.u16()),
+  rgba: (bytes) => bytes.u32(),
+};
+
+function nobody(): never {
+  throw new Error('a packet names what the scene has not');
 }

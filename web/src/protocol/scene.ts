@@ -1,5 +1,8 @@
-/** The scene as the program describes it once (docs/viewer-protocol.md). Metres and radians. */
+/** The scene as the program describes it once, and who comes and goes later (docs/viewer-protocol.md). Metres and radians. */
 
+import type { Kind, KindStart } from './generated/views';
+
+export type { Sensor } from './generated/views';
 export type Pose = [x: number, y: number, z: number, a: number];
 export type Rgba = [r: number, g: number, b: number, a: number];
 
@@ -9,40 +12,39 @@ export interface Solid {
   loops: number[][];
 }
 
-export interface Sensor {
-  pose: Pose;
-  size: [number, number, number];
-  range: [min: number, max: number];
-  fov: number;
-  samples: number;
-  color: Rgba;
-}
-
-export interface Model {
-  name: string;
-  alias?: string;
+/** What models that look alike have in common. */
+export interface Prototype extends KindStart {
   type: string;
-  kind: 'plain' | 'position' | 'ranger' | 'fiducial';
-  parent: number; // row, or -1
+  kind: Kind;
   controllers?: string[];
-  devices?: string[]; // as Player clients address them
-  start: [x_mm: number, y_mm: number, z_mm: number, turn: number, state: number, color: number];
   origin?: Pose;
   size: [number, number, number];
   shape?: number; // row of shapes
   movable?: boolean;
+}
+
+/** What is a model's own. */
+interface Words {
+  id: number;
+  name: string;
+  alias?: string;
+  devices?: string[]; // as Player clients address them
+  start: [x_mm: number, y_mm: number, z_mm: number, turn: number, state: number, color: number];
   fiducial?: number;
-  position?: number; // row of positions
-  trail?: number;
-  first_sensor?: number;
-  sensors?: number; // row of sensor sets
-  finder?: number; // row of finders
-  range?: number;
-  fov?: number;
+}
+
+interface ModelText extends Words {
+  prototype: number;
+  parent?: number; // id
+}
+
+export interface Model extends Prototype, Words {
+  parentId: number | null;
+  parent: number; // row, or -1; what is carried may come before who carries it
 }
 
 export interface Scene {
-  protocol: 1;
+  protocol: 2;
   name: string;
   interval: number; // s, one tick
   window: {
@@ -54,17 +56,55 @@ export interface Scene {
     follow: string;
   };
   shapes: Solid[][];
-  sensors: Sensor[][];
-  models: Model[];
+  prototypes: Prototype[];
+  addable: string[]; // names of what a person may add
+  models: Model[]; // by id
 }
 
-/** A text message: the scene, or a line for the person who watches. */
-export function parseText(text: string): { scene: Scene } | { notice: string } {
+/** Who has gone, and who came or has another parent. */
+export interface Changes {
+  gone: number[]; // ids
+  models: ModelText[];
+}
+
+type SceneText = Omit<Scene, 'models'> & { models: ModelText[] };
+
+/** A text message: the scene, changes of its population, or a line for the person who watches. */
+export function parseText(text: string): { scene: Scene } | { changes: Changes } | { notice: string } {
   const message: unknown = JSON.parse(text);
   if (typeof message !== 'object' || message === null) throw new Error('not a message of this program');
   if ('notice' in message && typeof message.notice === 'string') return { notice: message.notice };
-  if ('protocol' in message && message.protocol === 1) return { scene: message as Scene };
+  if ('gone' in message) return { changes: message as Changes };
+  if ('protocol' in message && message.protocol === 2) return { scene: sceneOf(message as SceneText) };
   throw new Error('this page is older or newer than the program: reload it');
+}
+
+export function sceneOf(text: SceneText): Scene {
+  return { ...text, models: inRows(text.models.map((model) => modelOf(model, text.prototypes))) };
+}
+
+/** The scene with another population; rows move, ids do not. */
+export function withChanges(scene: Scene, changes: Changes): Scene {
+  const gone = new Set(changes.gone);
+  const came = changes.models.map((model) => modelOf(model, scene.prototypes));
+  // Models that stay are copied: their rows belong to the scene that was.
+  const stay = scene.models.filter((model) => !gone.has(model.id)).map((model) => ({ ...model }));
+  return { ...scene, models: inRows([...stay, ...came].sort((a, b) => a.id - b.id)) };
+}
+
+function modelOf({ prototype, parent, ...words }: ModelText, prototypes: Prototype[]): Model {
+  return { ...prototypes[prototype], ...words, parentId: parent ?? null, parent: -1 };
+}
+
+function inRows(models: Model[]): Model[] {
+  const rows = rowsOf(models);
+  for (const model of models) model.parent = model.parentId === null ? -1 : (rows.get(model.parentId) ?? -1);
+  return models;
+}
+
+/** Rows by id. */
+export function rowsOf(models: Model[]): Map<number, number> {
+  return new Map(models.map((model, row) => [model.id, row]));
 }
 
 /** The row of the wheels of a top-level model; null when it has none. */
@@ -85,9 +125,19 @@ export function nameWithMarker(model: Model): string {
 
 /** Row of the top-level model above each model. */
 export function rootsOf(scene: Scene): Int32Array {
-  const roots = new Int32Array(scene.models.length);
-  scene.models.forEach((model, row) => {
-    roots[row] = model.parent < 0 ? row : roots[model.parent];
+  return Int32Array.from(scene.models, (_, row) => {
+    let top = row;
+    while (scene.models[top].parent >= 0) top = scene.models[top].parent;
+    return top;
   });
-  return roots;
+}
+
+/** All rows, parents before what they carry. */
+export function parentsFirst(scene: Scene): Int32Array {
+  const depths = scene.models.map((_, row) => {
+    let depth = 0;
+    for (let at = scene.models[row].parent; at >= 0; at = scene.models[at].parent) ++depth;
+    return depth;
+  });
+  return Int32Array.from(scene.models.keys()).sort((a, b) => depths[a] - depths[b] || a - b);
 }

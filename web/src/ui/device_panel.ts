@@ -1,5 +1,5 @@
-import { kMotorOff, kStalled, kSubscribed, radiansOf, type Replica, type SensorPlace } from '../protocol/replica';
-import { devicesOf, type Model, type Scene } from '../protocol/scene';
+import { kMotorOn, kStalled, kSubscribed, radiansOf, type Replica } from '../protocol/replica';
+import { devicesOf, type Model, type Scene, type Sensor } from '../protocol/scene';
 import { bearingOf } from '../view/fans';
 import { css, el, icon, setText } from './dom';
 import { PolarPlot } from './polar_plot';
@@ -7,6 +7,8 @@ import { PolarPlot } from './polar_plot';
 export interface PanelEvents {
   close(): void;
   follow(row: number): void;
+  copy(): void;
+  remove(): void;
 }
 
 type Refresh = () => void;
@@ -18,6 +20,8 @@ export class DevicePanel {
   private refreshers: Refresh[] = [];
   private followButton: HTMLElement | null = null;
   private row: number | null = null;
+  private replica!: Replica; // set before anything is shown
+  private parts: number[] = []; // ids of the robot and all that is shown of it
 
   constructor(
     private readonly box: HTMLElement,
@@ -25,24 +29,38 @@ export class DevicePanel {
   ) {}
 
   show(scene: Scene, replica: Replica, roots: Int32Array, row: number): void {
+    this.replica = replica;
     this.row = row;
+    const rows = [...scene.models.keys()].filter((part) => roots[part] === row);
+    const parts = [scene.models[row].id, ...rows.map((part) => scene.models[part].id)];
+    // The same robot in another population: its nodes stay, one may be about to be clicked.
+    const same = !this.box.hidden && parts.length === this.parts.length && parts.every((id, k) => id === this.parts[k]);
+    this.parts = parts;
+    if (same) return this.update();
     this.refreshers = [];
-    this.box.replaceChildren(this.head(scene, replica, roots, row), ...this.place(replica, row));
-    scene.models.forEach((model, part) => {
-      if (roots[part] !== row) return;
-      if (model.kind === 'position' && model.position !== undefined) this.box.append(...this.wheels(replica, model, part, model.position));
-      if (model.kind === 'ranger') this.box.append(...this.ranger(scene, replica, part));
-      if (model.kind === 'fiducial' && model.finder !== undefined) this.box.append(...this.finder(scene, replica, part, model.finder));
-      if (model.kind === 'plain' && model.devices) this.box.append(el('h3', {}, shortName(model.name), ...codes(model)));
-    });
+    this.box.replaceChildren(this.head(scene, roots, row), ...this.place(scene.models[row].id));
+    for (const part of rows) this.box.append(...this.part(scene.models[part]));
     this.box.hidden = false;
     this.box.dataset.robot = scene.models[row].name;
     this.update();
   }
 
+  private part(model: Model): Node[] {
+    if (model.kind === 'position') return this.wheels(model);
+    if (model.kind === 'ranger') return this.ranger(model);
+    if (model.kind === 'fiducial') return this.finder(model);
+    return model.devices ? [el('h3', {}, shortName(model.name), ...codes(model))] : [];
+  }
+
+  /** Row of a model now. */
+  private at(id: number): number {
+    return this.replica.rows.get(id)!;
+  }
+
   hide(): void {
     this.row = null;
     this.refreshers = [];
+    this.parts = [];
     this.box.hidden = true;
     delete this.box.dataset.robot;
     this.box.replaceChildren();
@@ -56,60 +74,72 @@ export class DevicePanel {
     for (const refresh of this.refreshers) refresh();
   }
 
-  private head(scene: Scene, replica: Replica, roots: Int32Array, row: number): HTMLElement {
+  private head(scene: Scene, roots: Int32Array, row: number): HTMLElement {
     const model = scene.models[row];
+    const state = () => this.replica.state[this.at(model.id)];
     const swatch = el('span', { class: 'swatch' });
     const stalled = el('span', { class: 'tag bad', 'data-testid': 'stalled' }, 'stalled');
     const used = el('span', { class: 'tag', title: 'a client or a controller uses it' }, 'in use');
     const follow = el('button', { title: 'Keep it in the middle (L)', 'data-testid': 'follow' }, 'Follow');
+    const copy = el('button', { title: 'Another one like it, beside it (C)', 'data-testid': 'copy' }, 'Copy');
+    const remove = el('button', { title: 'Take it out of the world (Delete)', 'data-testid': 'remove' }, 'Remove');
     const close = el('button', { title: 'Close (Esc)', 'aria-label': 'Close' }, icon('close'));
-    follow.onclick = () => this.events.follow(row);
+    follow.onclick = () => this.events.follow(this.at(model.id));
+    copy.onclick = this.events.copy;
+    remove.onclick = this.events.remove;
     close.onclick = this.events.close;
     this.followButton = follow;
     this.refreshers.push(() => {
-      swatch.style.background = css(replica.color[row]);
-      stalled.hidden = (replica.state[row] & kStalled) === 0;
-      used.hidden = (replica.state[row] & kSubscribed) === 0;
+      swatch.style.background = css(this.replica.color[this.at(model.id)]);
+      stalled.hidden = model.kind !== 'position' || (state() & kStalled) === 0;
+      used.hidden = (state() & kSubscribed) === 0;
     });
     const name = el('h2', { 'data-testid': 'selected', title: `${model.name}, a ${model.type}` }, model.name);
     const devices = devicesOf(scene, roots, row);
     const what = [model.type, ...(model.fiducial ? [`marker ${model.fiducial}`] : []), ...(devices.length === 0 ? ['no devices'] : [])].join(', ');
     const tags = el('p', { class: 'tags' }, el('span', { 'data-testid': 'type' }, what), stalled, used);
-    return el('header', {}, swatch, name, follow, close, tags);
+    const edits = el('p', { class: 'edits' }, follow, ...(model.movable ? [copy, remove] : []));
+    return el('header', {}, swatch, name, close, tags, edits);
   }
 
-  private place(replica: Replica, row: number): Node[] {
+  private place(id: number): Node[] {
     const value = (name: string, text: () => string) => this.line(name, text, `place-${name}`);
     return [
       el('h3', {}, 'Place', el('span', { class: 'detail' }, 'in the world')),
       el('table', {},
-        value('x', () => metres(replica.x[row] / 1000)),
-        value('y', () => metres(replica.y[row] / 1000)),
-        value('heading', () => degrees(radiansOf(replica.a[row]))),
+        value('x', () => metres(this.replica.x[this.at(id)] / 1000)),
+        value('y', () => metres(this.replica.y[this.at(id)] / 1000)),
+        value('heading', () => degrees(radiansOf(this.replica.a[this.at(id)]))),
       ),
     ];
   }
 
-  private wheels(replica: Replica, wheels: Model, model: number, position: number): Node[] {
-    const field = (k: number) => replica.positions[position * 6 + k];
+  private wheels(wheels: Model): Node[] {
+    const view = () => this.replica.views('position').get(this.at(wheels.id));
+    const told = (text: (now: NonNullable<ReturnType<typeof view>>) => string) => () => {
+      const now = view();
+      return now ? text(now) : '–';
+    };
+    const state = () => this.replica.state[this.at(wheels.id)];
     return [
-      el('h3', {}, 'Wheels', ...codes(wheels), this.detail(() => (replica.state[model] & kMotorOff ? 'motor off' : ''))),
+      el('h3', {}, 'Wheels', ...codes(wheels), this.detail(() => (state() & kMotorOn ? '' : 'motor off'))),
       el('table', {},
-        this.line('speed', () => `${(field(0) / 1000).toFixed(3)} m/s`, 'speed-x'),
-        this.line('sideways', () => `${(field(1) / 1000).toFixed(3)} m/s`, 'speed-y'),
-        this.line('turn rate', () => `${((field(2) / 1000) * (180 / Math.PI)).toFixed(1)} °/s`, 'speed-a'),
-        this.line('odometry', () => `${(field(3) / 1000).toFixed(2)}, ${metres(field(4) / 1000)}, ${degrees(radiansOf(field(5)))}`, 'odometry'),
-        this.line('stall', () => (replica.state[model] & kStalled ? 'yes' : 'no'), 'stall'),
+        this.line('speed', told(({ vx }) => `${vx.toFixed(3)} m/s`), 'speed-x'),
+        this.line('sideways', told(({ vy }) => `${vy.toFixed(3)} m/s`), 'speed-y'),
+        this.line('turn rate', told(({ va }) => `${(va * (180 / Math.PI)).toFixed(1)} °/s`), 'speed-a'),
+        this.line('odometry', told(({ ox, oy, oa }) => `${ox.toFixed(2)}, ${metres(oy)}, ${degrees(oa)}`), 'odometry'),
+        this.line('stall', () => (state() & kStalled ? 'yes' : 'no'), 'stall'),
       ),
     ];
   }
 
-  private ranger(scene: Scene, replica: Replica, row: number): Node[] {
-    const model = scene.models[row];
-    const rows = scene.sensors[model.sensors!].map((_, nth) => model.first_sensor! + nth);
-    const sensors = rows.map((sensor) => replica.sensors[sensor]);
-    const scansNow = () => rows.map((sensor) => replica.scans.get(sensor));
-    const laser = sensors.some(({ sensor }) => sensor.samples > 1);
+  private ranger(model: Model): Node[] {
+    const sensors = model.sensors ?? [];
+    const scansNow = () => {
+      const first = this.replica.firstSensor.get(this.at(model.id)) ?? 0;
+      return sensors.map((_, nth) => this.replica.scans.get(first + nth));
+    };
+    const laser = sensors.some(({ samples }) => samples > 1);
     const canvas = el('canvas', { class: 'polar' });
     const plot = new PolarPlot(canvas);
     const nodes: Node[] = [
@@ -125,12 +155,11 @@ export class DevicePanel {
       scans.forEach((scan, k) => (drawn[k] = scan));
       plot.draw(sensors, scans);
     });
-    nodes.push(laser ? this.laserTable(sensors[0], () => replica.scans.get(rows[0])) : this.values(sensors, scansNow));
+    nodes.push(laser ? this.laserTable(sensors[0], () => scansNow()[0]) : this.values(sensors, scansNow));
     return nodes;
   }
 
-  private laserTable(place: SensorPlace, scan: () => Uint16Array | undefined): HTMLElement {
-    const { sensor } = place;
+  private laserTable(sensor: Sensor, scan: () => Uint16Array | undefined): HTMLElement {
     const metresOf = (beam: number | undefined) => (beam === undefined ? '–' : metres((beam / 65535) * sensor.range[1]));
     const nearest = () => {
       const beams = scan();
@@ -148,37 +177,37 @@ export class DevicePanel {
     );
   }
 
-  private values(sensors: SensorPlace[], scans: () => (Uint16Array | undefined)[]): HTMLElement {
+  private values(sensors: Sensor[], scans: () => (Uint16Array | undefined)[]): HTMLElement {
     const cells = sensors.slice(0, kSonarValuesMost).map(() => el('b', {}, '–'));
     this.refreshers.push(() => {
       const now = scans();
       cells.forEach((cell, k) => {
         const beam = now[k]?.[0];
-        setText(cell, beam === undefined ? '–' : ((beam / 65535) * sensors[k].sensor.range[1]).toFixed(2));
+        setText(cell, beam === undefined ? '–' : ((beam / 65535) * sensors[k].range[1]).toFixed(2));
       });
     });
     return el('div', { class: 'values' }, ...cells);
   }
 
-  private finder(scene: Scene, replica: Replica, row: number, finder: number): Node[] {
+  private finder(model: Model): Node[] {
     const table = el('table', { 'data-testid': 'fiducials' });
     this.refreshers.push(() => {
-      const hits = replica.findings.get(finder);
+      const hits = this.replica.views('fiducial').get(this.at(model.id));
       const lines = !hits
         ? [el('tr', {}, el('td', { class: 'empty' }, 'no data yet'))]
         : hits.length === 0
           ? [el('tr', {}, el('td', { class: 'empty' }, 'sees no marker'))]
           : hits.slice(0, 12).map((hit) =>
-              el('tr', {}, el('th', {}, hit.id ? `${scene.models[hit.target].name} (${hit.id})` : 'too far to read'), el('td', {}, metres(hit.range)), el('td', {}, degrees(hit.bearing))),
+              el('tr', {}, el('th', {}, hit.id ? `${this.replica.scene.models[this.replica.rows.get(hit.target) ?? -1]?.name ?? 'one that went'} (${hit.id})` : 'too far to read'), el('td', {}, metres(hit.range)), el('td', {}, degrees(hit.bearing))),
             );
       const text = lines.map((line) => line.textContent).join('|');
       if (table.dataset.shown === text) return;
       table.dataset.shown = text;
       table.replaceChildren(...lines);
     });
-    const { range, fov } = scene.models[row];
+    const { range, fov } = model;
     const reach = `to ${range ?? '?'} m, ${Math.round(((fov ?? 0) * 180) / Math.PI)}°`;
-    return [el('h3', {}, 'Fiducial finder', ...codes(scene.models[row]), el('span', { class: 'detail' }, reach)), table];
+    return [el('h3', {}, 'Fiducial finder', ...codes(model), el('span', { class: 'detail' }, reach)), table];
   }
 
   private line(name: string, text: () => string, id?: string): HTMLElement {
@@ -199,10 +228,10 @@ function codes(model: Model): HTMLElement[] {
   return (model.devices ?? []).map((device) => el('code', { 'data-device': device }, device));
 }
 
-function rangerText(sensors: SensorPlace[], scans: (Uint16Array | undefined)[]): string {
+function rangerText(sensors: Sensor[], scans: (Uint16Array | undefined)[]): string {
   let nearest = Infinity;
   scans.forEach((scan, k) => {
-    if (scan) for (const beam of scan) nearest = Math.min(nearest, (beam / 65535) * sensors[k].sensor.range[1]);
+    if (scan) for (const beam of scan) nearest = Math.min(nearest, (beam / 65535) * sensors[k].range[1]);
   });
   return nearest === Infinity ? 'no data yet' : `nearest ${metres(nearest)}`;
 }

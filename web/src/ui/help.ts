@@ -12,6 +12,8 @@ const kKeys: [string[], string][] = [
   [['L'], 'follow the selected robot'],
   [['V', 'M', 'R', 'N', 'G'], 'sensors, markers, trails, names, grid'],
   [['/'], 'find a robot'],
+  [['C'], 'another robot like the selected one, beside it'],
+  [['Delete'], 'remove the selected robot'],
   [['Esc'], 'select nothing'],
 ];
 

@@ -1,4 +1,4 @@
-import type { SensorPlace } from '../protocol/replica';
+import type { Sensor } from '../protocol/scene';
 import { bearingOf } from '../view/fans';
 
 const kConeSteps = 4;
@@ -11,7 +11,7 @@ export class PolarPlot {
     this.pen = canvas.getContext('2d')!;
   }
 
-  draw(sensors: SensorPlace[], scans: (Uint16Array | undefined)[]): void {
+  draw(sensors: Sensor[], scans: (Uint16Array | undefined)[]): void {
     const ratio = window.devicePixelRatio;
     const width = this.canvas.clientWidth;
     const height = this.canvas.clientHeight;
@@ -19,13 +19,13 @@ export class PolarPlot {
     this.canvas.width = Math.round(width * ratio);
     this.canvas.height = Math.round(height * ratio);
     this.pen.setTransform(ratio, 0, 0, ratio, 0, 0);
-    const range = Math.max(...sensors.map(({ sensor }) => sensor.range[1]), 0.1);
-    const ahead = sensors.every(({ sensor }) => Math.abs(sensor.pose[3]) + sensor.fov / 2 <= Math.PI / 2 + 0.2);
+    const range = Math.max(...sensors.map(({ range }) => range[1]), 0.1);
+    const ahead = sensors.every(({ pose, fov }) => Math.abs(pose[3]) + fov / 2 <= Math.PI / 2 + 0.2);
     const x = width / 2;
     const y = ahead ? height - 16 : height / 2;
     const scale = Math.min(ahead ? height - 26 : height / 2 - 8, width / 2 - 8) / range;
     this.rings(x, y, scale, range, ahead);
-    sensors.forEach((place, k) => this.scan(x, y, scale, place, scans[k]));
+    sensors.forEach((sensor, k) => this.scan(x, y, scale, sensor, scans[k]));
     this.pen.fillStyle = getComputedStyle(this.canvas).color;
     this.pen.beginPath();
     this.pen.arc(x, y, 2.5, 0, 2 * Math.PI);
@@ -47,7 +47,7 @@ export class PolarPlot {
     }
   }
 
-  private scan(x: number, y: number, scale: number, { sensor }: SensorPlace, beams?: Uint16Array): void {
+  private scan(x: number, y: number, scale: number, sensor: Sensor, beams?: Uint16Array): void {
     if (!beams) return;
     const { pen } = this;
     const unit = (sensor.range[1] / 65535) * scale;

@@ -5,12 +5,14 @@ import { css, el, setText } from './dom';
 const kRowsMost = 300; // shown at once; the search finds the rest
 
 interface Robot {
+  id: number;
   row: number;
   name: string;
   devices: string[]; // of all its parts, its wheels' first
 }
 
 interface Entry {
+  id: number;
   row: number;
   item: HTMLElement;
   button: HTMLElement;
@@ -23,7 +25,7 @@ function robotsOf(scene: Scene): Robot[] {
   const roots = rootsOf(scene);
   const devices: string[][] = scene.models.map(() => []);
   scene.models.forEach((model, part) => devices[roots[part]].push(...(model.devices ?? [])));
-  return scene.models.flatMap((model, row) => (model.parent < 0 && model.kind === 'position' ? [{ row, name: model.name, devices: devices[row] }] : []));
+  return scene.models.flatMap((model, row) => (model.parent < 0 && model.kind === 'position' ? [{ id: model.id, row, name: model.name, devices: devices[row] }] : []));
 }
 
 /** The robots by name, with a search. */
@@ -54,7 +56,9 @@ export class RobotList {
     this.search.select();
   }
 
+  /** Another scene, or another population. */
   show(scene: Scene, replica: Replica): void {
+    if (this.replica?.scene.name !== scene.name) this.entries = [];
     this.replica = replica;
     this.robots = robotsOf(scene);
     this.fill();
@@ -82,8 +86,11 @@ export class RobotList {
   private fill(): void {
     const wanted = this.search.value.trim().toLowerCase();
     const found = this.robots.filter(({ name, devices }) => [name, ...devices].some((text) => text.toLowerCase().includes(wanted)));
-    this.entries = found.slice(0, kRowsMost).map((robot) => this.entry(robot));
-    this.list.replaceChildren(...this.entries.map((entry) => entry.item));
+    // Entries of robots that stay are kept: one may be about to be clicked.
+    const known = new Map(this.entries.map((entry) => [entry.id, entry]));
+    this.entries = found.slice(0, kRowsMost).map((robot) => this.entry(robot, known.get(robot.id)));
+    const items = this.entries.map((entry) => entry.item);
+    if (items.length !== this.list.children.length || items.some((item, k) => item !== this.list.children[k])) this.list.replaceChildren(...items);
     const more = found.length > kRowsMost ? `, the first ${kRowsMost} shown` : '';
     const all = `${this.robots.length} robot${this.robots.length === 1 ? '' : 's'}`;
     setText(this.count, wanted ? `${found.length} of ${all}${more}` : all + more);
@@ -91,12 +98,17 @@ export class RobotList {
     this.update();
   }
 
-  private entry({ row, name, devices }: Robot): Entry {
+  private entry({ id, row, name, devices }: Robot, known: Entry | undefined): Entry {
+    if (known) {
+      known.row = row;
+      return known;
+    }
     const swatch = el('span', { class: 'swatch' });
     const tag = el('span', { class: 'tag bad', hidden: true }, 'stalled');
     const wheels = devices[0] ? el('code', {}, devices[0]) : null;
     const button = el('button', { 'data-robot': name, title: [name, ...devices].join('\n') }, swatch, el('span', { class: 'name' }, name), tag, wheels);
-    button.onclick = () => this.select(row);
-    return { row, item: el('li', {}, button), button, swatch, tag, shown: -1 };
+    const entry: Entry = { id, row, item: el('li', {}, button), button, swatch, tag, shown: -1 };
+    button.onclick = () => this.select(entry.row);
+    return entry;
   }
 }

@@ -10,6 +10,8 @@ export interface ToolbarEvents {
   tilt(): void;
   fit(): void;
   toggleList(): void;
+  /** Another one of the scene's robots, by its place in the list. */
+  add(robot: number): void;
   help(): void;
 }
 
@@ -46,6 +48,8 @@ export class Toolbar {
   private readonly pause = el('button', { class: 'main', 'data-testid': 'pause', title: 'Pause or go on (space)' });
   private readonly speeds = el('select', { 'data-testid': 'speed', 'aria-label': 'Speed', title: 'Speed' });
   private readonly sheet = el('div', { class: 'sheet', hidden: true });
+  private readonly addSheet = el('div', { class: 'sheet', hidden: true });
+  private readonly addButton = el('button', { 'aria-haspopup': 'true', 'aria-expanded': 'false', 'data-testid': 'add', title: 'Another robot, in the middle of the picture' }, 'Add');
   private readonly boxes = new Map<keyof Layers, HTMLInputElement>();
   private readonly stepButton = el('button', { 'data-testid': 'step', title: 'One tick (.)', 'aria-label': 'Step' }, icon('step'), el('span', { class: 'desk' }, ' Step'));
   private readonly tiltButton = el('button', { 'data-testid': 'tilt', title: 'From above or tilted (T)' });
@@ -72,7 +76,7 @@ export class Toolbar {
     bar.append(
       el('span', { class: 'brand' }, this.dot, el('span', { class: 'desk' }, 'Playhouse'), this.world),
       list, el('span', { class: 'rule' }), this.pause, this.stepButton, this.speeds, el('span', { class: 'gap' }),
-      this.tiltButton, fit, this.layerMenu(), help,
+      this.menu(this.addButton, this.addSheet), this.tiltButton, fit, this.layerMenu(), help,
     );
     this.showPaused(false);
     this.showTilted(false);
@@ -81,7 +85,7 @@ export class Toolbar {
   showLink(state: LinkState, text: string): void {
     this.dot.dataset.state = state;
     this.dot.title = text;
-    for (const control of [this.pause, this.stepButton, this.speeds]) control.disabled = state !== 'live';
+    for (const control of [this.pause, this.stepButton, this.speeds, this.addButton]) control.disabled = state !== 'live';
   }
 
   showWorld(name: string): void {
@@ -89,6 +93,18 @@ export class Toolbar {
     setText(this.world, short);
     this.world.title = name;
     document.title = `${short} · Playhouse`;
+  }
+
+  showAddable(names: string[]): void {
+    this.addButton.hidden = names.length === 0;
+    this.addSheet.replaceChildren(...names.map((name, robot) => {
+      const choice = el('button', { 'data-add': name }, name);
+      choice.onclick = () => {
+        this.addButton.click();
+        this.events.add(robot);
+      };
+      return choice;
+    }));
   }
 
   showPaused(paused: boolean): void {
@@ -130,15 +146,20 @@ export class Toolbar {
       this.sheet.append(el('label', {}, box, text, el('kbd', {}, key)));
     }
     this.showLayers();
+    return this.menu(button, this.sheet);
+  }
+
+  /** A button that unfolds a sheet. */
+  private menu(button: HTMLElement, sheet: HTMLElement): HTMLElement {
     const show = (open: boolean) => {
-      this.sheet.hidden = !open;
+      sheet.hidden = !open;
       button.setAttribute('aria-expanded', String(open));
     };
-    button.onclick = () => show(this.sheet.hidden);
+    button.onclick = () => show(sheet.hidden);
     document.addEventListener('pointerdown', (event) => {
       if (!menu.contains(event.target as Node)) show(false);
     });
-    const menu = el('span', { class: 'menu' }, button, this.sheet);
+    const menu = el('span', { class: 'menu' }, button, sheet);
     return menu;
   }
 }

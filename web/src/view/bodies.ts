@@ -4,7 +4,7 @@ import {
 } from 'three';
 import type { Motion } from '../motion';
 import type { Replica } from '../protocol/replica';
-import type { Pose, Scene } from '../protocol/scene';
+import type { Pose, Scene, Solid } from '../protocol/scene';
 import { edgesOf, geometryOf, heightOf } from './shapes';
 import type { Theme } from './theme';
 
@@ -38,7 +38,9 @@ export class Bodies {
     scene.models.forEach((model, row) => {
       if (model.shape === undefined) return;
       const key = `${model.shape}/${replica.color[row] & 0xff}`;
-      alike.set(key, [...(alike.get(key) ?? []), row]);
+      const rows = alike.get(key);
+      if (rows) rows.push(row);
+      else alike.set(key, [row]);
     });
     for (const rows of alike.values()) this.addBatch(rows, theme);
     this.noses = this.makeNoses();
@@ -85,22 +87,24 @@ export class Bodies {
 
   dispose(): void {
     for (const { mesh, edges } of [...this.batches, ...(this.noses ? [this.noses] : [])]) {
-      mesh.geometry.dispose();
+      mesh.geometry.dispose(); // of the graphics card's memory; a cached one is sent there again
       mesh.dispose();
+      (mesh.material as MeshLambertMaterial).dispose();
       edges?.geometry.dispose();
+      (edges?.material as LineBasicMaterial | undefined)?.dispose();
     }
   }
 
   private addBatch(rows: number[], theme: Theme): void {
     const solids = this.scene.shapes[this.scene.models[rows[0]].shape!];
-    const geometry = geometryOf(solids);
+    const { geometry, edges: outline } = drawnOf(solids);
     if (!geometry) return;
     const alpha = (this.replica.color[rows[0]] & 0xff) / 255;
     const material = new MeshLambertMaterial({ transparent: alpha < 1, opacity: alpha, depthWrite: alpha >= 1 });
     const mesh = new InstancedMesh(geometry, material, rows.length);
     mesh.instanceMatrix.setUsage(DynamicDrawUsage);
     mesh.frustumCulled = false;
-    const edges = followers(edgesOf(solids), mesh, alpha, theme);
+    const edges = followers(outline, mesh, alpha, theme);
     this.group.add(mesh, edges);
     const origins = rows.map((row): Pose => this.scene.models[row].origin ?? [0, 0, 0, 0]);
     this.batches.push({ mesh, edges, rows, origins });
@@ -148,6 +152,15 @@ export class Bodies {
     e[14] += middle;
     return matrix;
   }
+}
+
+/** Geometries by shape: walls of a bitmap take long to make, and stay while robots come and go. */
+const kDrawn = new WeakMap<Solid[], { geometry: BufferGeometry | null; edges: BufferGeometry }>();
+
+function drawnOf(solids: Solid[]): { geometry: BufferGeometry | null; edges: BufferGeometry } {
+  const known = kDrawn.get(solids) ?? { geometry: geometryOf(solids), edges: edgesOf(solids) };
+  kDrawn.set(solids, known);
+  return known;
 }
 
 /** Lines that follow the instances of a mesh: they share its matrices. */

@@ -9,6 +9,7 @@ const kBodyLeast = 9; // px: smaller robots than this would vanish behind their 
 const kLabelsMost = 250;
 
 interface Label {
+  id: number;
   row: number;
   height: number;
   size: number; // m, of the body
@@ -33,12 +34,15 @@ export class Labels {
     private readonly rig: CameraRig,
     private readonly canvas: HTMLCanvasElement,
     private readonly theme: Theme,
+    before: Labels | null = null,
   ) {
+    const written = new Set(before?.labels.filter(({ row }) => before.written.has(row)).map(({ id }) => id));
     this.pen = canvas.getContext('2d')!;
     scene.models.forEach((model, row) => {
       const robot = model.kind === 'position';
       if (model.parent >= 0 || !(robot || model.fiducial || model.movable)) return;
-      this.labels.push({ row, robot, height: model.size[2], size: Math.max(model.size[0], model.size[1]), name: model.name, long: nameWithMarker(model) });
+      this.labels.push({ id: model.id, row, robot, height: model.size[2], size: Math.max(model.size[0], model.size[1]), name: model.name, long: nameWithMarker(model) });
+      if (written.has(model.id)) this.written.add(row);
     });
   }
 

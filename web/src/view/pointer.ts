@@ -66,6 +66,13 @@ export class Pointer {
     this.view.redraw();
   }
 
+  /** Rows have moved: what is carried is elsewhere in the scene, or gone. */
+  follow(rowNow: (row: number) => number | null): void {
+    const row = this.carried && rowNow(this.carried.row);
+    if (this.carried && row !== null) this.carried.row = row;
+    else this.carried = null;
+  }
+
   private pick(event: MouseEvent): number | null {
     const touch = event instanceof PointerEvent && event.pointerType === 'touch';
     return this.view.pick(event.offsetX, event.offsetY, touch ? kFingerReach : kMouseReach);

@@ -11,29 +11,24 @@ const kInk = new Color(0xe08a00);
 export class Sightings {
   readonly group = new Group();
   private readonly lines = new Painted('lines', 4);
-  private readonly finders: number[] = []; // model row per finder row
 
   constructor(
     private readonly scene: Scene,
     private readonly replica: Replica,
     private readonly motion: Motion,
   ) {
-    scene.models.forEach((model, row) => {
-      if (model.finder !== undefined) this.finders[model.finder] = row;
-    });
     this.group.add(this.lines.object);
   }
 
   draw(): void {
     this.lines.begin();
     const color = [kInk.r, kInk.g, kInk.b];
-    for (const [finder, hits] of this.replica.findings) {
-      const row = this.finders[finder];
+    for (const [row, hits] of this.replica.views('fiducial')) {
       const [x, y, a] = [this.motion.x[row], this.motion.y[row], this.motion.a[row]];
       for (const hit of hits) {
         const tx = x + Math.cos(a + hit.bearing) * hit.range;
         const ty = y + Math.sin(a + hit.bearing) * hit.range;
-        const size = this.scene.models[hit.target]?.size ?? [0.2, 0.2, 0.2];
+        const size = this.scene.models[this.replica.rows.get(hit.target) ?? -1]?.size ?? [0.2, 0.2, 0.2];
         const radius = Math.max(Math.hypot(size[0], size[1]) * 0.6, 0.12);
         const z = Math.max(this.motion.z[row], 0.02);
         this.line(x, y, tx, ty, z, color, 0.55);

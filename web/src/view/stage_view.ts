@@ -41,12 +41,13 @@ class Drawn {
     rig: CameraRig,
     canvas: HTMLCanvasElement,
     theme: Theme,
+    before: Drawn | null = null,
   ) {
     this.bodies = new Bodies(scene, replica, motion, theme);
     this.fans = new Fans(scene, replica, motion, theme);
     this.sightings = new Sightings(scene, replica, motion);
-    this.trails = new Trails(scene, replica);
-    this.labels = new Labels(scene, motion, rig, canvas, theme);
+    this.trails = new Trails(scene, replica, before?.trails);
+    this.labels = new Labels(scene, motion, rig, canvas, theme, before?.labels);
     this.ground = new Ground(extentOf(scene, motion), theme);
     this.group.add(this.ground.group, this.trails.object, this.bodies.group, this.fans.group, this.sightings.group);
   }
@@ -94,13 +95,26 @@ export class StageView {
 
   /** Shows another scene; the camera stays when it is the same world again. */
   show(scene: Scene, replica: Replica): void {
-    const again = this.drawn?.scene.name === scene.name && this.drawn.scene.models.length === scene.models.length;
+    const again = this.drawn?.scene.name === scene.name;
     this.drop();
-    this.motion = new Motion(scene, replica);
-    this.roots = rootsOf(scene);
-    this.drawn = new Drawn(scene, replica, this.motion, this.rig, this.overlay, this.theme);
-    this.picture.add(this.drawn.group);
+    this.draws(scene, replica, new Motion(scene, replica), null);
     if (!again) this.frameAsTheFileWants();
+  }
+
+  /** Shows another population of the scene: what stays goes on as it was. */
+  follow(scene: Scene, replica: Replica): void {
+    const { drawn, motion } = this;
+    const now = (row: number | null) => (row === null || !drawn ? null : (replica.rows.get(drawn.scene.models[row].id) ?? null));
+    [this.selected, this.hovered, this.followed] = [now(this.selected), now(this.hovered), now(this.followed)];
+    this.drop();
+    this.draws(scene, replica, new Motion(scene, replica, motion), drawn);
+  }
+
+  private draws(scene: Scene, replica: Replica, motion: Motion, before: Drawn | null): void {
+    this.motion = motion;
+    this.roots = rootsOf(scene);
+    this.drawn = new Drawn(scene, replica, motion, this.rig, this.overlay, this.theme, before);
+    this.picture.add(this.drawn.group);
     this.applyLayers();
   }
 

@@ -25,10 +25,12 @@ export class Trails {
   constructor(
     scene: Scene,
     private readonly replica: Replica,
+    before: Trails | null = null,
   ) {
+    const known = new Map(before?.trails.map(({ row, points }) => [before.replica.scene.models[row].id, points]));
     scene.models.forEach((model, row) => {
       if (model.parent >= 0 || model.kind !== 'position' || this.trails.length >= kRobotsMost) return;
-      this.trails.push({ row, length: Math.min(Math.max(model.trail ?? 20, 20), kLengthMost), points: [] });
+      this.trails.push({ row, length: Math.min(Math.max(model.trail ?? 20, 20), kLengthMost), points: known.get(model.id) ?? [] });
     });
   }
 

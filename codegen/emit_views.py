@@ -1,0 +1,276 @@
+"""What viewers get of each kind, at both ends of the wire: playhouse/replicate/generated/ and web/src/protocol/generated/.
+
+A kind's `[[viewer]]` fields travel in three ways: as JSON with its prototype (`start`), as bits of the model's state
+(`bit`), and as one *view*, a list of whole numbers (`selected`, `shown`), of which a kind has at most one.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from codegen.checks import SchemaError
+from codegen.emit_kinds_cpp import BANNER, enumerator
+from codegen.kind_state import Shown
+from codegen.kinds import BASE, Kind, Kinds
+
+FOLDER = "playhouse/replicate/generated"
+WEB_FOLDER = "web/src/protocol/generated"
+
+SUBSCRIBED = 1      # the lowest bit of a state, of any kind; those of its kind follow
+BITS = 8
+
+# Quantum -> (C++ that gives the whole number, what one is worth in SI units).
+QUANTA = {"mm": ("quantize({}, 1000)", 1e-3), "mm/s": ("quantize({}, 1000)", 1e-3), "mrad/s": ("quantize({}, 1000)", 1e-3),
+          "mrad": ("quantize({}, 1000)", 1e-3), "mW": ("quantize({}, 1000)", 1e-3), "px": ("static_cast<std::int32_t>({})", 1),
+          "1/65536 turn": ("quantize_angle({})", None)}
+CODES = {"varint": "kVarint", "zigzag": "kZigzag", "turn": "kTurn", "rgba": "kRgba"}
+# Type of a word -> C++ that writes the member as JSON (functions of playhouse/replicate/json_text.h), and its type there.
+JSON = {"length": ("number({})", "number"), "angle": ("number({})", "number"), "number": ("number({})", "number"),
+        "integer": ("number({})", "number"), "count": ("number({})", "number"), "flag": ("({} ? 1 : 0)", "number"),
+        "pose": ("pose({})", "Pose"), "size": ("size({})", "[number, number, number]"), "color": ("color({})", "Rgba")}
+
+
+@dataclass
+class View:
+    """What travels of a kind while somebody looks."""
+
+    kind: Kind
+    when: str
+    column: str             # that holds a list of records; "" where a view is one record
+    fields: list[Shown]
+
+
+def emit(kinds: Kinds) -> dict[str, str]:
+    """Path from the root of the tree -> content."""
+    return {f"{FOLDER}/views.cc": _cpp(kinds), f"{WEB_FOLDER}/views.ts": _typescript(kinds)}
+
+
+def views(kinds: Kinds) -> list[View]:
+    return [v for k in kinds.simulated() if k.name != BASE and (v := _view(k))]
+
+
+def _view(kind: Kind) -> View | None:
+    fields = [s for s in kind.state.viewer if s.when in ("selected", "shown")]
+    if not fields:
+        return None
+    lists = {c.name for c in kind.state.columns if c.list}
+    sources = {s.source.partition(".")[0] if s.source.partition(".")[0] in lists else "" for s in fields}
+    if len({s.when for s in fields}) > 1 or len(sources) > 1:
+        raise SchemaError(f"{kind.source}: a viewer gets one record or one list of a kind, all of it at one time")
+    return View(kind, fields[0].when, sources.pop(), fields)
+
+
+def _bits(kind: Kind) -> list[tuple[Shown, int]]:
+    found = [s for s in kind.state.viewer if s.code == "bit" and kind.name != BASE]
+    if len(found) >= BITS:
+        raise SchemaError(f"{kind.source}: a state has {BITS} bits")
+    return [(s, SUBSCRIBED << (i + 1)) for i, s in enumerate(found)]
+
+
+def _start(kind: Kind) -> list[Shown]:
+    return [s for s in kind.state.viewer if s.when == "start"]
+
+
+def _measures(kind: Kind) -> bool:
+    return any(c.name == "measured_tick" for c in kind.state.columns)
+
+
+# --- the program ---------------------------------------------------------------------------------------------------
+
+
+def _cpp(kinds: Kinds) -> str:
+    shown = views(kinds)
+    lines = [BANNER.rstrip(), '#include "playhouse/replicate/views.h"', "", "#include <fmt/format.h>", "", "#include <iterator>", "#include <string>",
+             "", '#include "playhouse/replicate/json_text.h"', '#include "playhouse/replicate/quantize.h"', "",
+             "namespace playhouse::replicate {", "namespace {", ""]
+    for view in shown:
+        lines += _capture(view)
+    for view in shown:
+        codes = ", ".join(f"Code::{CODES[s.code]}" for s in view.fields)
+        lines.append(f"constexpr Code kCodesOf{enumerator(view.kind.name)[1:]}[] = {{{codes}}};")
+    lines += ["", f"constexpr View kViews[{len(shown)}] = {{"]
+    for view in shown:
+        name = enumerator(view.kind.name)[1:]
+        lines.append(f"    {{scene::ModelKind::{enumerator(view.kind.kind)}, When::k{view.when.title()}, "
+                     f"{'true' if view.column else 'false'}, kCodesOf{name}, capture_{view.kind.name}}},")
+    lines += ["};", "", "}  // namespace", "", "std::span<const View> views() { return kViews; }", ""]
+    lines += _state(kinds) + _sensing(kinds) + _json(kinds)
+    return "\n".join([*lines, "}  // namespace playhouse::replicate", ""])
+
+
+def _value(view: View, shown: Shown) -> str:
+    column, _, part = shown.source.partition(".")
+    place = "item" if view.column else f"world.{view.kind.table}.{column}[row]"
+    source = f"{place}.{part}" if part else place
+    record = next((r for r in view.kind.state.records for c in view.kind.state.columns if c.name == column and c.type == r.name), None)
+    types = {f.name: f.type for f in record.fields} if record else {}
+    types |= {c.name: c.type for c in view.kind.state.columns if not part}
+    if types.get(part or column) == "ModelId":
+        return f"static_cast<std::int32_t>({source}.value)"
+    if types.get(part or column) == "color":
+        return f"static_cast<std::int32_t>(quantize_color({source}))"
+    return QUANTA[shown.quantum][0].format(source) if shown.quantum else f"static_cast<std::int32_t>({source})"
+
+
+def _capture(view: View) -> list[str]:
+    lines = [f"bool capture_{view.kind.name}(const world::World& world, std::uint32_t row, std::vector<std::int32_t>& out) {{"]
+    if _measures(view.kind):
+        lines.append(f"  if (world.{view.kind.table}.measured_tick[row] == 0) return false;")
+    pushes = [f"out.push_back({_value(view, s)});" for s in view.fields]
+    if view.column:
+        lines += [f"  for (const auto& item : world.{view.kind.table}.{view.column}[row]) {{", *(f"    {p}" for p in pushes), "  }"]
+    else:
+        lines += [f"  {p}" for p in pushes]
+    return [*lines, "  return true;", "}", ""]
+
+
+def _state(kinds: Kinds) -> list[str]:
+    lines = ["std::uint8_t state_bits(const world::World& world, std::uint32_t model) {",
+             "  [[maybe_unused]] const std::uint32_t row = world.models.part[model];",
+             f"  unsigned bits = world.models.subscribers[model] > 0 ? {SUBSCRIBED} : 0;", "  switch (world.models.kind[model]) {"]
+    for kind in kinds.simulated():
+        bits = _bits(kind)
+        if bits:
+            lines.append(f"    case scene::ModelKind::{enumerator(kind.kind)}:")
+            lines += [f"      if (world.{kind.table}.{s.source}[row]) bits |= {bit};" for s, bit in bits]
+            lines.append("      break;")
+    return [*lines, "    default:", "      break;", "  }", "  return static_cast<std::uint8_t>(bits);", "}", ""]
+
+
+def _sensing(kinds: Kinds) -> list[str]:
+    lines = ["bool measures(scene::ModelKind kind) {", "  switch (kind) {"]
+    lines += [f"    case scene::ModelKind::{enumerator(k.kind)}:" for k in kinds.simulated() if _measures(k)]
+    return [*lines, "      return true;", "    default:", "      return false;", "  }", "}", ""]
+
+
+def _members(kind: Kind, others: Kind) -> dict[str, tuple[str, str, str]]:
+    """Word -> (member, type, "" or "base"): a kind's own, or of all models."""
+    found = {w.name: (w.member, w.type, "base") for w in others.words}
+    return found | {w.name: (w.member, w.type, "") for w in kind.words}
+
+
+def _json_fields(kind: Kind, base: Kind, own: str) -> list[str]:
+    """Statements that append the start fields; `own` holds the kind's members."""
+    lines = []
+    for shown in _start(kind):
+        member, type_name, where = _members(kind, base)[shown.source]
+        if type_name == "tuple":
+            word = next(w for w in kind.words if w.name == shown.source)
+            value = " + ',' + ".join(f"number({own}{p.member})" for p in word.parts)
+            lines.append(f'  text += ",\\"{shown.field}\\":[" + {value} + "]";')
+            continue
+        if type_name not in JSON:
+            raise SchemaError(f"{kind.source}: viewer {shown.field}: a {type_name} does not travel as json yet")
+        value = JSON[type_name][0].format(f"model.{member}" if where else f"{own}{member}")
+        lines.append(f'  fmt::format_to(std::back_inserter(text), ",\\"{shown.field}\\":{{}}", {value});')
+    return lines
+
+
+def _json(kinds: Kinds) -> list[str]:
+    base = kinds.find(BASE)
+    lines, cases = ["namespace {", ""], []
+    for kind in kinds.simulated():
+        parts = [p for p in kinds.parts_of(kind) if _start(p)] if kind.name != BASE else []
+        if kind.name == BASE or not (_start(kind) or parts):
+            continue
+        lines.append(f"void tell_{kind.name}(const scene::ModelDesc& model, std::string& text) {{")
+        if _start(kind):
+            if kind.members:
+                lines.append(f"  if (!model.{kind.name}) return;")
+            lines += _json_fields(kind, base, f"model.{kind.name}->")
+        for part in parts:
+            lines += ["  std::string all;", f"  for (const scene::{part.desc}& each : model.{part.table}) {{", "    std::string fields;",
+                      *(f"  {line.replace('(text)', '(fields)').replace('text +=', 'fields +=')}" for line in _json_fields(part, base, "each.")),
+                      "    all += (all.empty() ? \"{\" : \",{\") + fields.substr(1) + '}';", "  }",
+                      f'  text += ",\\"{part.table}\\":[" + all + \']\';']
+        lines += ["}", ""]
+        cases += [f"    case scene::ModelKind::{enumerator(kind.kind)}:", f"      tell_{kind.name}(model, text);", "      break;"]
+    lines += ["}  // namespace", "", "void tell_kind(const scene::ModelDesc& model, std::string& text) {", "  switch (model.kind) {"]
+    lines += cases + ["    default:", "      break;", "  }", "}", "", "std::string_view kind_name(scene::ModelKind kind) {",
+                      "  switch (kind) {"]
+    for kind in kinds.simulated():
+        lines += [f"    case scene::ModelKind::{enumerator(kind.kind)}:", f'      return "{kind.kind}";']
+    return [*lines, "  }", '  return "";', "}", ""]
+
+
+# --- the page ------------------------------------------------------------------------------------------------------
+
+
+def _typescript(kinds: Kinds) -> str:
+    shown = views(kinds)
+    lines = [BANNER.rstrip(), "import type { Pose, Rgba } from '../scene';", "", "/** What a model is. */",
+             "export type Kind = " + " | ".join(f"'{k.kind}'" for k in kinds.simulated()) + ";", "",
+             "/** Bits of a model's state; those of a kind count for models of that kind. */",
+             "export const kBits = {", f"  subscribed: {SUBSCRIBED},"]
+    for kind in kinds.simulated():
+        if _bits(kind):
+            lines.append(f"  {kind.name}: {{ " + ", ".join(f"{s.field}: {bit}" for s, bit in _bits(kind)) + " },")
+    lines += ["} as const;", ""]
+    for view in shown:
+        lines += [f"/** {view.kind.doc} SI units and radians. */", f"export interface {_pascal(view.kind)}View {{"]
+        lines += [f"  {s.field}: number;{_unit(s)}" for s in view.fields] + ["}", ""]
+    lines += ["/** Per kind, what comes of a model while somebody looks. */", "export interface Views {"]
+    lines += [f"  {v.kind.name}: {_pascal(v.kind)}View{'[]' if v.column else ''};" for v in shown] + ["}", ""]
+    lines += ["export type Code = " + " | ".join(f"'{c}'" for c in CODES) + ";", "",
+              "/** How a view travels: the code of each number, and what one of its units is worth. */",
+              "export interface ViewFormat {", "  kind: keyof Views;", "  list: boolean;",
+              "  fields: readonly (readonly [name: string, code: Code, worth: number])[];", "}", "",
+              "export const kViews: readonly ViewFormat[] = ["]
+    for view in shown:
+        fields = ", ".join(f"['{s.field}', '{s.code}', {_worth(s)}]" for s in view.fields)
+        lines += [f"  {{ kind: '{view.kind.name}', list: {'true' if view.column else 'false'}, fields: [{fields}] }},"]
+    lines += ["];", ""]
+    lines += _starts(kinds)
+    return "\n".join(lines)
+
+
+def _pascal(kind: Kind) -> str:
+    return enumerator(kind.name)[1:]
+
+
+def _unit(shown: Shown) -> str:
+    units = {"mm": "m", "mm/s": "m/s", "mrad/s": "rad/s", "mrad": "rad", "mW": "W", "px": "px", "1/65536 turn": "rad, in (-pi, pi]"}
+    return f" // {units[shown.quantum]}" if shown.quantum else ""
+
+
+def _worth(shown: Shown) -> str:
+    return repr(QUANTA[shown.quantum][1] or 1) if shown.quantum else "1"
+
+
+def _starts(kinds: Kinds) -> list[str]:
+    base = kinds.find(BASE)
+    lines = []
+    for kind in kinds.simulated():
+        if kind.name == BASE:
+            continue
+        for part in (p for p in kinds.parts_of(kind) if _start(p)):
+            lines += [f"/** {part.doc} */", f"export interface {_pascal(part)} {{", *_fields(part, base), "}", ""]
+    lines += ["/** What the prototype of a model of its kind says: the fields of other kinds are not there. */",
+              "export interface KindStart {"]
+    for kind in kinds.simulated():
+        if kind.name == BASE:
+            continue
+        lines += [line.replace(": ", "?: ", 1) for line in _fields(kind, base)]
+        lines += [f"  {part.table}?: {_pascal(part)}[]; // {kind.name}" for part in kinds.parts_of(kind) if _start(part)]
+    return [*_unique(lines), "}", ""]
+
+
+def _unique(lines: list[str]) -> list[str]:
+    """Two kinds may have a field of the same name and type."""
+    out: list[str] = []
+    for line in lines:
+        name = line.partition("?:")[0]
+        if "?:" in line and any(o.startswith(name + "?:") for o in out):
+            continue
+        out.append(line)
+    return out
+
+
+def _fields(kind: Kind, base: Kind) -> list[str]:
+    lines = []
+    for shown in _start(kind):
+        _, type_name, _ = _members(kind, base)[shown.source]
+        parts = len(next(w for w in kind.words if w.name == shown.source).parts) if type_name == "tuple" else 0
+        to = "[" + ", ".join(["number"] * parts) + "]" if parts else JSON[type_name][1]
+        lines.append(f"  {shown.field}: {to};" + (f" // {shown.unit}" if shown.unit else ""))
+    return lines

@@ -1,0 +1,133 @@
+// Generated from kinds/ by codegen (python3 -m codegen). Do not edit.
+#include "playhouse/replicate/views.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <string>
+
+#include "playhouse/replicate/json_text.h"
+#include "playhouse/replicate/quantize.h"
+
+namespace playhouse::replicate {
+namespace {
+
+bool capture_position(const world::World& world, std::uint32_t row, std::vector<std::int32_t>& out) {
+  out.push_back(quantize(world.positions.velocity[row].x, 1000));
+  out.push_back(quantize(world.positions.velocity[row].y, 1000));
+  out.push_back(quantize(world.positions.velocity[row].a, 1000));
+  out.push_back(quantize(world.positions.X_OM[row].x, 1000));
+  out.push_back(quantize(world.positions.X_OM[row].y, 1000));
+  out.push_back(quantize_angle(world.positions.X_OM[row].a));
+  return true;
+}
+
+bool capture_fiducial(const world::World& world, std::uint32_t row, std::vector<std::int32_t>& out) {
+  if (world.fiducials.measured_tick[row] == 0) return false;
+  for (const auto& item : world.fiducials.hits[row]) {
+    out.push_back(static_cast<std::int32_t>(item.target.value));
+    out.push_back(static_cast<std::int32_t>(item.id));
+    out.push_back(quantize(item.range, 1000));
+    out.push_back(quantize_angle(item.bearing));
+    out.push_back(quantize_angle(item.heading));
+  }
+  return true;
+}
+
+constexpr Code kCodesOfPosition[] = {Code::kZigzag, Code::kZigzag, Code::kZigzag, Code::kZigzag, Code::kZigzag, Code::kTurn};
+constexpr Code kCodesOfFiducial[] = {Code::kVarint, Code::kZigzag, Code::kVarint, Code::kTurn, Code::kTurn};
+
+constexpr View kViews[2] = {
+    {scene::ModelKind::kPosition, When::kSelected, false, kCodesOfPosition, capture_position},
+    {scene::ModelKind::kFiducial, When::kShown, true, kCodesOfFiducial, capture_fiducial},
+};
+
+}  // namespace
+
+std::span<const View> views() { return kViews; }
+
+std::uint8_t state_bits(const world::World& world, std::uint32_t model) {
+  [[maybe_unused]] const std::uint32_t row = world.models.part[model];
+  unsigned bits = world.models.subscribers[model] > 0 ? 1 : 0;
+  switch (world.models.kind[model]) {
+    case scene::ModelKind::kPosition:
+      if (world.positions.stall[row]) bits |= 2;
+      if (world.positions.motor_on[row]) bits |= 4;
+      break;
+    default:
+      break;
+  }
+  return static_cast<std::uint8_t>(bits);
+}
+
+bool measures(scene::ModelKind kind) {
+  switch (kind) {
+    case scene::ModelKind::kRanger:
+    case scene::ModelKind::kFiducial:
+      return true;
+    default:
+      return false;
+  }
+}
+
+namespace {
+
+void tell_position(const scene::ModelDesc& model, std::string& text) {
+  if (!model.position) return;
+  fmt::format_to(std::back_inserter(text), ",\"trail\":{}", number(model.trail_length));
+}
+
+void tell_ranger(const scene::ModelDesc& model, std::string& text) {
+  std::string all;
+  for (const scene::RangerSensorDesc& each : model.sensors) {
+    std::string fields;
+    fmt::format_to(std::back_inserter(fields), ",\"pose\":{}", pose(each.X_BS));
+    fmt::format_to(std::back_inserter(fields), ",\"size\":{}", size(each.size));
+    fields += ",\"range\":[" + number(each.range_min) + ',' + number(each.range_max) + "]";
+    fmt::format_to(std::back_inserter(fields), ",\"fov\":{}", number(each.fov));
+    fmt::format_to(std::back_inserter(fields), ",\"samples\":{}", number(each.samples));
+    fmt::format_to(std::back_inserter(fields), ",\"color\":{}", color(each.color));
+    all += (all.empty() ? "{" : ",{") + fields.substr(1) + '}';
+  }
+  text += ",\"sensors\":[" + all + ']';
+}
+
+void tell_fiducial(const scene::ModelDesc& model, std::string& text) {
+  if (!model.fiducial) return;
+  fmt::format_to(std::back_inserter(text), ",\"range\":{}", number(model.fiducial->range_max));
+  fmt::format_to(std::back_inserter(text), ",\"fov\":{}", number(model.fiducial->fov));
+}
+
+}  // namespace
+
+void tell_kind(const scene::ModelDesc& model, std::string& text) {
+  switch (model.kind) {
+    case scene::ModelKind::kPosition:
+      tell_position(model, text);
+      break;
+    case scene::ModelKind::kRanger:
+      tell_ranger(model, text);
+      break;
+    case scene::ModelKind::kFiducial:
+      tell_fiducial(model, text);
+      break;
+    default:
+      break;
+  }
+}
+
+std::string_view kind_name(scene::ModelKind kind) {
+  switch (kind) {
+    case scene::ModelKind::kPlain:
+      return "plain";
+    case scene::ModelKind::kPosition:
+      return "position";
+    case scene::ModelKind::kRanger:
+      return "ranger";
+    case scene::ModelKind::kFiducial:
+      return "fiducial";
+  }
+  return "";
+}
+
+}  // namespace playhouse::replicate

@@ -1,0 +1,50 @@
+#pragma once
+
+/// Values as JSON text, for what viewers are told once.
+
+#include <fmt/format.h>
+
+#include <boost/json/serialize.hpp>
+#include <boost/json/string.hpp>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+#include "playhouse/geom/pose.h"
+#include "playhouse/scene/values.h"
+
+namespace playhouse::replicate {
+
+inline std::string quoted(std::string_view text) {
+  return boost::json::serialize(boost::json::string(text));
+}
+
+/// Metres and radians to a tenth of a millimetre: what a screen can show.
+inline std::string number(double value) {
+  return std::isfinite(value) ? fmt::format("{:g}", std::round(value * 1e4) / 1e4) : "0";
+}
+
+inline std::string pose(const geom::Pose& X) {
+  return fmt::format("[{},{},{},{}]", number(X.x), number(X.y), number(X.z), number(X.a));
+}
+
+inline std::string size(const geom::Size& s) {
+  return fmt::format("[{},{},{}]", number(s.x), number(s.y), number(s.z));
+}
+
+inline std::string color(const scene::Color& c) {
+  return fmt::format("[{},{},{},{}]", number(c.r), number(c.g), number(c.b), number(c.a));
+}
+
+/// "[a,b]" of write(a), write(b).
+template <typename Range, typename Write>
+std::string list(const Range& items, Write write) {
+  std::string text = "[";
+  for (const auto& item : items) {
+    if (text.size() > 1) text += ',';
+    text += write(item);
+  }
+  return text += ']';
+}
+
+}  // namespace playhouse::replicate

@@ -1,0 +1,98 @@
+#include "playhouse/replicate/prototypes.h"
+
+#include <iterator>
+#include <map>
+#include <set>
+#include <span>
+
+#include "playhouse/replicate/json_text.h"
+#include "playhouse/replicate/views.h"
+#include "playhouse/world/population.h"
+
+namespace playhouse::replicate {
+namespace {
+
+/// Texts in order of first use; equal texts are one.
+class Texts {
+ public:
+  std::uint32_t row(std::string text) {
+    const auto [it, fresh] = rows_.try_emplace(std::move(text), static_cast<std::uint32_t>(rows_.size()));
+    if (fresh) {
+      if (!all_.empty()) all_ += ",\n";
+      all_ += it->first;
+    }
+    return it->second;
+  }
+  std::string take() { return std::move(all_); }
+
+ private:
+  std::map<std::string, std::uint32_t> rows_;
+  std::string all_;
+};
+
+/// "wander" of "wander 3 fast".
+std::string_view first_word(std::string_view line) {
+  return line.substr(0, line.find(' '));
+}
+
+std::string polygon(const std::vector<geom::Vec2>& points) {
+  return list(points, [](geom::Vec2 p) { return number(p.x) + ',' + number(p.y); });
+}
+
+/// {"z": [min, max], "loops": [[x, y, ...], ...]} of each solid: a block has one loop.
+std::string shape(const scene::ModelDesc& model) {
+  const auto solid = [](double z_min, double z_max, const std::string& loops) {
+    return fmt::format(R"({{"z":[{},{}],"loops":{}}})", number(z_min), number(z_max), loops);
+  };
+  std::string text = list(model.blocks, [&](const scene::Block& block) {
+    return solid(block.z_min, block.z_max, fmt::format("[{}]", polygon(block.points)));
+  });
+  const std::string traced = list(model.bitmaps, [&](const scene::Contours& bitmap) {
+    return solid(bitmap.z_min, bitmap.z_max, list(bitmap.loops, polygon));
+  });
+  if (text == "[]") return traced;
+  if (traced == "[]") return text;
+  text.back() = ',';
+  return text + traced.substr(1);
+}
+
+std::string prototype(const scene::ModelDesc& model, Texts& shapes) {
+  std::string text = fmt::format(R"({{"type":{},"kind":"{}")", quoted(model.type), kind_name(model.kind));
+  auto out = std::back_inserter(text);
+  if (!model.ctrl.empty())
+    fmt::format_to(out, R"(,"controllers":{})",
+                   list(model.ctrl, [](const std::string& line) { return quoted(first_word(line)); }));
+  if (model.X_MB != geom::Pose{}) fmt::format_to(out, R"(,"origin":{})", pose(model.X_MB));
+  fmt::format_to(out, R"(,"size":{})", size(model.size));
+  if (!model.blocks.empty() || !model.bitmaps.empty())
+    fmt::format_to(out, R"(,"shape":{})", shapes.row(shape(model)));
+  if (model.gui_move) text += R"(,"movable":true)";
+  tell_kind(model, text);
+  return text += '}';
+}
+
+/// Trees of equal prototypes are one sort.
+std::vector<Addable> addable_of(const scene::SceneDesc& scene, std::span<const std::uint32_t> of_desc) {
+  std::vector<Addable> addable;
+  std::set<std::vector<std::uint32_t>> known;
+  for (std::uint32_t row = 0; row < scene.models.size(); ++row) {
+    const scene::ModelDesc& model = scene.models[row];
+    if (model.parent >= 0 || !model.gui_move) continue;
+    const auto tree = of_desc.subspan(row, world::prototype_of(scene, row).count);
+    if (known.emplace(tree.begin(), tree.end()).second) addable.push_back({model.name, row});
+  }
+  return addable;
+}
+
+}  // namespace
+
+Prototypes::Prototypes(const scene::SceneDesc& scene) {
+  Texts shapes, texts;
+  of_desc_.reserve(scene.models.size());
+  for (const scene::ModelDesc& model : scene.models) of_desc_.push_back(texts.row(prototype(model, shapes)));
+  addable_ = addable_of(scene, of_desc_);
+  shapes_ = shapes.take();
+  texts_ = texts.take();
+}
+
+}  // namespace playhouse::replicate

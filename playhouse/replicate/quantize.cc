@@ -1,0 +1,41 @@
+#include "playhouse/replicate/quantize.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "playhouse/geom/pose.h"
+
+namespace playhouse::replicate {
+namespace {
+
+std::uint32_t channel(float value) {
+  return static_cast<std::uint32_t>(std::clamp(std::isfinite(value) ? value : 0.0f, 0.0f, 1.0f) * 255.0f +
+                                    0.5f);
+}
+
+}  // namespace
+
+std::int32_t quantize(double value, double per_unit) {
+  const double scaled = value * per_unit;
+  if (!std::isfinite(scaled)) return 0;
+  constexpr double kMost = std::numeric_limits<std::int32_t>::max();
+  return static_cast<std::int32_t>(std::lround(std::clamp(scaled, -kMost, kMost)));
+}
+
+std::uint16_t quantize_angle(double radians) {
+  if (!std::isfinite(radians)) return 0;
+  const double turns = radians / geom::kTwoPi;
+  return static_cast<std::uint16_t>(std::lround((turns - std::floor(turns)) * 65536.0) & 0xFFFF);
+}
+
+std::uint16_t quantize_range(double range, double range_max) {
+  if (!(range_max > 0) || std::isnan(range)) return 0xFFFF;
+  return static_cast<std::uint16_t>(std::lround(std::clamp(range / range_max, 0.0, 1.0) * 65535.0));
+}
+
+std::uint32_t quantize_color(const scene::Color& color) {
+  return channel(color.r) << 24 | channel(color.g) << 16 | channel(color.b) << 8 | channel(color.a);
+}
+
+}  // namespace playhouse::replicate

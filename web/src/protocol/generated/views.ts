@@ -1,0 +1,68 @@
+// Generated from kinds/ by codegen (python3 -m codegen). Do not edit.
+import type { Pose, Rgba } from '../scene';
+
+/** What a model is. */
+export type Kind = 'plain' | 'position' | 'ranger' | 'fiducial';
+
+/** Bits of a model's state; those of a kind count for models of that kind. */
+export const kBits = {
+  subscribed: 1,
+  position: { stalled: 2, motor_on: 4 },
+} as const;
+
+/** A robot that drives in the plane. SI units and radians. */
+export interface PositionView {
+  vx: number; // m/s
+  vy: number; // m/s
+  va: number; // rad/s
+  ox: number; // m
+  oy: number; // m
+  oa: number; // rad, in (-pi, pi]
+}
+
+/** A finder of marks: sees models with a fiducial_return and tells which they are and where. SI units and radians. */
+export interface FiducialView {
+  target: number;
+  id: number;
+  range: number; // m
+  bearing: number; // rad, in (-pi, pi]
+  heading: number; // rad, in (-pi, pi]
+}
+
+/** Per kind, what comes of a model while somebody looks. */
+export interface Views {
+  position: PositionView;
+  fiducial: FiducialView[];
+}
+
+export type Code = 'varint' | 'zigzag' | 'turn' | 'rgba';
+
+/** How a view travels: the code of each number, and what one of its units is worth. */
+export interface ViewFormat {
+  kind: keyof Views;
+  list: boolean;
+  fields: readonly (readonly [name: string, code: Code, worth: number])[];
+}
+
+export const kViews: readonly ViewFormat[] = [
+  { kind: 'position', list: false, fields: [['vx', 'zigzag', 0.001], ['vy', 'zigzag', 0.001], ['va', 'zigzag', 0.001], ['ox', 'zigzag', 0.001], ['oy', 'zigzag', 0.001], ['oa', 'turn', 1]] },
+  { kind: 'fiducial', list: true, fields: [['target', 'varint', 1], ['id', 'zigzag', 1], ['range', 'varint', 0.001], ['bearing', 'turn', 1], ['heading', 'turn', 1]] },
+];
+
+/** One transducer or scanner of a ranger. */
+export interface Sensor {
+  pose: Pose; // m, m, m, rad
+  size: [number, number, number]; // m
+  range: [number, number]; // m
+  fov: number; // rad
+  samples: number;
+  color: Rgba;
+}
+
+/** What the prototype of a model of its kind says: the fields of other kinds are not there. */
+export interface KindStart {
+  trail?: number;
+  sensors?: Sensor[]; // ranger
+  range?: number; // m
+  fov?: number; // rad
+}
