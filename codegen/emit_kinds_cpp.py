@@ -160,7 +160,8 @@ def _readers_header(kinds: Kinds) -> str:
     lines += [f"{_signature(k)};" for k in described(kinds) if not _through_kind(k)]
     lines += ["", *_comment("Reads what models of a kind say beyond PlainDesc.")]
     lines += ["void read_kind(const Properties& properties, ModelKind kind, KindDescs& to);", "",
-              "}  // namespace playhouse::scene", ""]
+              "/// False for a model without the description that its kind needs: no file makes one, code may.",
+              "bool is_described(ModelKind kind, const KindDescs& by);", "", "}  // namespace playhouse::scene", ""]
     return "\n".join(lines)
 
 
@@ -195,7 +196,10 @@ def _readers(kinds: Kinds) -> str:
     for kind in kinds.simulated():
         if kind not in inner:
             lines.append(f"    case ModelKind::{enumerator(kind.kind)}:")
-    lines += ["      break;", "  }", "}", "", "}  // namespace playhouse::scene", ""]
+    lines += ["      break;", "  }", "}", "", "bool is_described(ModelKind kind, const KindDescs& by) {", "  switch (kind) {"]
+    for kind in inner:
+        lines += [f"    case ModelKind::{enumerator(kind.kind)}:", f"      return by.{kind.name}.has_value();"]
+    lines += ["    default:", "      return true;", "  }", "}", "", "}  // namespace playhouse::scene", ""]
     return "\n".join(lines)
 
 

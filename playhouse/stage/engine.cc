@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "playhouse/base/log.h"
-#include "playhouse/stage/sense_fiducial.h"
-#include "playhouse/stage/sense_ranger.h"
+#include "playhouse/scene/generated/read_kinds.h"
+#include "playhouse/stage/generated/senses.h"
 #include "playhouse/stage/stage_engine.h"
 
 namespace playhouse::stage {
@@ -37,8 +37,7 @@ Result<void> check_model(const scene::SceneDesc& scene, const scene::ModelDesc& 
     return Error{scene.at(model.where), "model " + model.name + text};
   };
   if (!finite(model)) return fault(" has a pose or a point that is not a finite number");
-  if (model.kind == scene::ModelKind::kPosition && !model.position) return fault(" lacks its drive");
-  if (model.kind == scene::ModelKind::kFiducial && !model.fiducial) return fault(" lacks its finder");
+  if (!scene::is_described(model.kind, model)) return fault(" lacks the description of its kind");
   for (const scene::RangerSensorDesc& sensor : model.sensors) {
     if (sensor.samples == 0) return fault(" has a sensor without samples");
     if (!finite(sensor.X_BS) || !std::isfinite(sensor.range_max) || sensor.range_max < 0 ||
@@ -104,8 +103,7 @@ double robot_radius(const Trees& trees, const Solids& solids) {
 
 StageEngine::StageEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers)
     : world_(scene, seed), workers_(workers), shapes_(scene), motion_(workers_.count()) {
-  senses_.add(std::make_unique<RangerSense>(workers_.count()));
-  senses_.add(std::make_unique<FiducialSense>());
+  add_senses(senses_, workers_.count());
   populate(true);
 }
 

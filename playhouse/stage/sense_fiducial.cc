@@ -86,4 +86,8 @@ void FiducialSense::find(world::World& world, const Space& space, std::uint32_t 
   std::sort(hits.begin(), hits.end(), [](const auto& a, const auto& b) { return a.target < b.target; });
 }
 
+std::unique_ptr<SensePhase> make_fiducial_sense(unsigned) {
+  return std::make_unique<FiducialSense>();
+}
+
 }  // namespace playhouse::stage

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "playhouse/stage/sense_phase.h"
+#include "playhouse/stage/generated/senses.h"
 
 namespace playhouse::stage {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 /// SensePhase: what a kind of sensor has to say for itself; and Senses, all kinds of an engine. A new kind is
-/// a class here and an entry where the engine is made.
+/// a class of its own; generated/senses.h lists them all.
 
 #include <memory>
 #include <span>

@@ -14,8 +14,7 @@ namespace {
 
 Senses all_senses() {
   Senses senses;
-  senses.add(std::make_unique<RangerSense>(1));
-  senses.add(std::make_unique<FiducialSense>());
+  add_senses(senses, 1);
   return senses;
 }
 

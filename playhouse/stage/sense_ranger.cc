@@ -178,4 +178,8 @@ void RangerSense::run_jitter(const Space& space, const View& view, const Jitter&
       hit.solid == world::ModelRow::kNone ? kNoSolid : number_of(hit.solid);
 }
 
+std::unique_ptr<SensePhase> make_ranger_sense(unsigned workers) {
+  return std::make_unique<RangerSense>(workers);
+}
+
 }  // namespace playhouse::stage

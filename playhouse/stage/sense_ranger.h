@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "playhouse/stage/generated/senses.h"
 #include "playhouse/stage/rays.h"
-#include "playhouse/stage/sense_phase.h"
 
 namespace playhouse::stage {
 

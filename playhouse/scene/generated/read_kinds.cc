@@ -114,4 +114,15 @@ void read_kind(const Properties& properties, ModelKind kind, KindDescs& to) {
   }
 }
 
+bool is_described(ModelKind kind, const KindDescs& by) {
+  switch (kind) {
+    case ModelKind::kPosition:
+      return by.position.has_value();
+    case ModelKind::kFiducial:
+      return by.fiducial.has_value();
+    default:
+      return true;
+  }
+}
+
 }  // namespace playhouse::scene

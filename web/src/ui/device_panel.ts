@@ -1,8 +1,8 @@
-import { kMotorOn, kStalled, kSubscribed, radiansOf, type Replica } from '../protocol/replica';
-import { devicesOf, type Model, type Scene, type Sensor } from '../protocol/scene';
-import { bearingOf } from '../view/fans';
+import { kKindPages, type PanelTools } from '../kinds/kind_page';
+import { kStalled, kSubscribed, radiansOf, type Replica } from '../protocol/replica';
+import { devicesOf, type Model, type Scene } from '../protocol/scene';
 import { css, el, icon, setText } from './dom';
-import { PolarPlot } from './polar_plot';
+import { degrees, metres, shortName } from './texts';
 
 export interface PanelEvents {
   close(): void;
@@ -13,8 +13,6 @@ export interface PanelEvents {
 
 type Refresh = () => void;
 
-const kSonarValuesMost = 64;
-
 /** The devices of the selected robot, live. */
 export class DevicePanel {
   private refreshers: Refresh[] = [];
@@ -22,6 +20,14 @@ export class DevicePanel {
   private row: number | null = null;
   private replica!: Replica; // set before anything is shown
   private parts: number[] = []; // ids of the robot and all that is shown of it
+  private readonly tools: PanelTools = {
+    replica: () => this.replica,
+    row: (id) => this.at(id),
+    refresh: (what) => this.refreshers.push(what),
+    line: (...line) => this.line(...line),
+    detail: (...detail) => this.detail(...detail),
+    codes,
+  };
 
   constructor(
     private readonly box: HTMLElement,
@@ -46,9 +52,8 @@ export class DevicePanel {
   }
 
   private part(model: Model): Node[] {
-    if (model.kind === 'position') return this.wheels(model);
-    if (model.kind === 'ranger') return this.ranger(model);
-    if (model.kind === 'fiducial') return this.finder(model);
+    const page = kKindPages.find(({ kind }) => kind === model.kind);
+    if (page?.panel) return page.panel(model, this.tools);
     return model.devices ? [el('h3', {}, shortName(model.name), ...codes(model))] : [];
   }
 
@@ -114,102 +119,6 @@ export class DevicePanel {
     ];
   }
 
-  private wheels(wheels: Model): Node[] {
-    const view = () => this.replica.views('position').get(this.at(wheels.id));
-    const told = (text: (now: NonNullable<ReturnType<typeof view>>) => string) => () => {
-      const now = view();
-      return now ? text(now) : '–';
-    };
-    const state = () => this.replica.state[this.at(wheels.id)];
-    return [
-      el('h3', {}, 'Wheels', ...codes(wheels), this.detail(() => (state() & kMotorOn ? '' : 'motor off'))),
-      el('table', {},
-        this.line('speed', told(({ vx }) => `${vx.toFixed(3)} m/s`), 'speed-x'),
-        this.line('sideways', told(({ vy }) => `${vy.toFixed(3)} m/s`), 'speed-y'),
-        this.line('turn rate', told(({ va }) => `${(va * (180 / Math.PI)).toFixed(1)} °/s`), 'speed-a'),
-        this.line('odometry', told(({ ox, oy, oa }) => `${ox.toFixed(2)}, ${metres(oy)}, ${degrees(oa)}`), 'odometry'),
-        this.line('stall', () => (state() & kStalled ? 'yes' : 'no'), 'stall'),
-      ),
-    ];
-  }
-
-  private ranger(model: Model): Node[] {
-    const sensors = model.sensors ?? [];
-    const scansNow = () => {
-      const first = this.replica.firstSensor.get(this.at(model.id)) ?? 0;
-      return sensors.map((_, nth) => this.replica.scans.get(first + nth));
-    };
-    const laser = sensors.some(({ samples }) => samples > 1);
-    const canvas = el('canvas', { class: 'polar' });
-    const plot = new PolarPlot(canvas);
-    const nodes: Node[] = [
-      el('h3', {}, laser ? 'Laser' : 'Sonar', ...codes(model), this.detail(() => rangerText(sensors, scansNow()), `ranger-${shortName(model.name)}`)),
-      canvas,
-    ];
-    const drawn: (Uint16Array | undefined)[] = [];
-    let drawnOnce = false;
-    this.refreshers.push(() => {
-      const scans = scansNow();
-      if (drawnOnce && scans.every((scan, k) => scan === drawn[k])) return;
-      drawnOnce = canvas.clientWidth > 0;
-      scans.forEach((scan, k) => (drawn[k] = scan));
-      plot.draw(sensors, scans);
-    });
-    nodes.push(laser ? this.laserTable(sensors[0], () => scansNow()[0]) : this.values(sensors, scansNow));
-    return nodes;
-  }
-
-  private laserTable(sensor: Sensor, scan: () => Uint16Array | undefined): HTMLElement {
-    const metresOf = (beam: number | undefined) => (beam === undefined ? '–' : metres((beam / 65535) * sensor.range[1]));
-    const nearest = () => {
-      const beams = scan();
-      if (!beams) return '–';
-      const k = beams.reduce((best, beam, i) => (beam < beams[best] ? i : best), 0);
-      return `${metresOf(beams[k])} at ${degrees(bearingOf(sensor, k))}`;
-    };
-    return el('table', {},
-      this.line('nearest', nearest, 'laser-nearest'),
-      this.line('right, ahead, left', () => {
-        const beams = scan();
-        return [0, Math.floor((sensor.samples - 1) / 2), sensor.samples - 1].map((k) => metresOf(beams?.[k])).join('  ').replaceAll(' m', '');
-      }),
-      this.line('beams', () => `${sensor.samples}, ${Math.round((sensor.fov * 180) / Math.PI)}°, to ${Number(sensor.range[1].toFixed(1))} m`),
-    );
-  }
-
-  private values(sensors: Sensor[], scans: () => (Uint16Array | undefined)[]): HTMLElement {
-    const cells = sensors.slice(0, kSonarValuesMost).map(() => el('b', {}, '–'));
-    this.refreshers.push(() => {
-      const now = scans();
-      cells.forEach((cell, k) => {
-        const beam = now[k]?.[0];
-        setText(cell, beam === undefined ? '–' : ((beam / 65535) * sensors[k].range[1]).toFixed(2));
-      });
-    });
-    return el('div', { class: 'values' }, ...cells);
-  }
-
-  private finder(model: Model): Node[] {
-    const table = el('table', { 'data-testid': 'fiducials' });
-    this.refreshers.push(() => {
-      const hits = this.replica.views('fiducial').get(this.at(model.id));
-      const lines = !hits
-        ? [el('tr', {}, el('td', { class: 'empty' }, 'no data yet'))]
-        : hits.length === 0
-          ? [el('tr', {}, el('td', { class: 'empty' }, 'sees no marker'))]
-          : hits.slice(0, 12).map((hit) =>
-              el('tr', {}, el('th', {}, hit.id ? `${this.replica.scene.models[this.replica.rows.get(hit.target) ?? -1]?.name ?? 'one that went'} (${hit.id})` : 'too far to read'), el('td', {}, metres(hit.range)), el('td', {}, degrees(hit.bearing))),
-            );
-      const text = lines.map((line) => line.textContent).join('|');
-      if (table.dataset.shown === text) return;
-      table.dataset.shown = text;
-      table.replaceChildren(...lines);
-    });
-    const { range, fov } = model;
-    const reach = `to ${range ?? '?'} m, ${Math.round(((fov ?? 0) * 180) / Math.PI)}°`;
-    return [el('h3', {}, 'Fiducial finder', ...codes(model), el('span', { class: 'detail' }, reach)), table];
-  }
-
   private line(name: string, text: () => string, id?: string): HTMLElement {
     const cell = el('td', id ? { 'data-testid': id } : {});
     this.refreshers.push(() => setText(cell, text()));
@@ -226,25 +135,4 @@ export class DevicePanel {
 /** The devices of a part, as a client opens them. */
 function codes(model: Model): HTMLElement[] {
   return (model.devices ?? []).map((device) => el('code', { 'data-device': device }, device));
-}
-
-function rangerText(sensors: Sensor[], scans: (Uint16Array | undefined)[]): string {
-  let nearest = Infinity;
-  scans.forEach((scan, k) => {
-    if (scan) for (const beam of scan) nearest = Math.min(nearest, (beam / 65535) * sensors[k].range[1]);
-  });
-  return nearest === Infinity ? 'no data yet' : `nearest ${metres(nearest)}`;
-}
-
-/** "r0.ranger:1" to "ranger:1". */
-function shortName(name: string): string {
-  return name.slice(name.lastIndexOf('.') + 1);
-}
-
-function metres(value: number): string {
-  return `${value.toFixed(2)} m`;
-}
-
-function degrees(radians: number): string {
-  return `${((radians * 180) / Math.PI).toFixed(1)}°`;
 }

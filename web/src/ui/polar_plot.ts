@@ -1,5 +1,5 @@
 import type { Sensor } from '../protocol/scene';
-import { bearingOf } from '../view/fans';
+import { bearingOf } from '../view/beams';
 
 const kConeSteps = 4;
 

@@ -3,14 +3,13 @@ import {
   Vector3, WebGLRenderer,
 } from 'three';
 import { Motion } from '../motion';
+import { kKindPages, type Drawing } from '../kinds/kind_page';
 import type { Replica } from '../protocol/replica';
 import { rootsOf, type Scene } from '../protocol/scene';
 import { Bodies } from './bodies';
 import { CameraRig, kTilted, type Box, type Margins } from './camera_rig';
-import { Fans } from './fans';
 import { Ground } from './ground';
 import { Labels } from './labels';
-import { Sightings } from './sightings';
 import { heightOf } from './shapes';
 import { thingAt } from './things';
 import { themeNow, type Theme } from './theme';
@@ -28,8 +27,7 @@ export interface Layers {
 class Drawn {
   readonly group = new Group();
   readonly bodies: Bodies;
-  readonly fans: Fans;
-  readonly sightings: Sightings;
+  readonly drawings: Drawing[]; // of kinds
   readonly trails: Trails;
   readonly labels: Labels;
   readonly ground: Ground;
@@ -44,16 +42,15 @@ class Drawn {
     before: Drawn | null = null,
   ) {
     this.bodies = new Bodies(scene, replica, motion, theme);
-    this.fans = new Fans(scene, replica, motion, theme);
-    this.sightings = new Sightings(scene, replica, motion);
+    this.drawings = kKindPages.flatMap(({ drawing }) => (drawing ? [drawing({ scene, replica, motion, theme })] : []));
     this.trails = new Trails(scene, replica, before?.trails);
     this.labels = new Labels(scene, motion, rig, canvas, theme, before?.labels);
     this.ground = new Ground(extentOf(scene, motion), theme);
-    this.group.add(this.ground.group, this.trails.object, this.bodies.group, this.fans.group, this.sightings.group);
+    this.group.add(this.ground.group, this.trails.object, this.bodies.group, ...this.drawings.map(({ object }) => object));
   }
 
   dispose(): void {
-    for (const part of [this.bodies, this.fans, this.sightings, this.trails, this.ground]) part.dispose();
+    for (const part of [this.bodies, ...this.drawings, this.trails, this.ground]) part.dispose();
   }
 }
 
@@ -135,8 +132,7 @@ export class StageView {
   applyLayers(): void {
     const { drawn, layers } = this;
     if (drawn) {
-      drawn.fans.group.visible = layers.sensors;
-      drawn.sightings.group.visible = layers.fiducials;
+      for (const { object, layer } of drawn.drawings) object.visible = layers[layer];
       drawn.trails.object.visible = layers.trails;
       drawn.ground.group.visible = layers.grid;
       drawn.labels.names = layers.names;
@@ -241,8 +237,7 @@ export class StageView {
   private draw(): void {
     const { drawn, layers } = this;
     if (drawn) {
-      if (layers.sensors) drawn.fans.draw();
-      if (layers.fiducials) drawn.sightings.draw();
+      for (const drawing of drawn.drawings) if (layers[drawing.layer]) drawing.draw();
       if (layers.trails) drawn.trails.draw();
       drawn.ground.adapt(this.rig.scale);
       drawn.bodies.adapt(this.rig.scale);

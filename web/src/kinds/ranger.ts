@@ -1,25 +1,32 @@
 import { Color, Group } from 'three';
 import type { Motion } from '../motion';
-import type { Replica } from '../protocol/replica';
-import type { Pose, Rgba, Scene, Sensor } from '../protocol/scene';
-import { Painted } from './painted';
-import type { Theme } from './theme';
+import type { Model, Pose, Rgba, Sensor } from '../protocol/scene';
+import { el, setText } from '../ui/dom';
+import { PolarPlot } from '../ui/polar_plot';
+import { degrees, metres, shortName } from '../ui/texts';
+import { bearingOf } from '../view/beams';
+import { Painted } from '../view/painted';
+import type { Theme } from '../view/theme';
+import type { Drawing, KindPage, PanelTools, Stage } from './kind_page';
+
+export default { kind: 'ranger', panel, drawing: (stage) => new Fans(stage) } satisfies KindPage;
 
 const kConeSteps = 6;
 const kSensorsManyMost = 1500; // beyond, cones are plain triangles
 const kLayersMost = 1; // scans on top of each other; beyond, they get fainter, so that robots stay visible
 const kRoom = 8; // m, of floor around them
+const kSonarValuesMost = 64; // numbers in the panel
 const kGap = 0.4; // m: a longer step between two beams is no surface
 
 /** A sensor's place in the world at this moment. */
-export interface SensorPose {
+interface SensorPose {
   x: number;
   y: number;
   z: number;
   a: number;
 }
 
-export function sensorPose(motion: Motion, model: number, origin: Pose | undefined, sensor: Sensor): SensorPose {
+function sensorPose(motion: Motion, model: number, origin: Pose | undefined, sensor: Sensor): SensorPose {
   let { x, y, z, a } = { x: motion.x[model], y: motion.y[model], z: motion.z[model], a: motion.a[model] };
   for (const pose of [origin, sensor.pose]) {
     if (!pose) continue;
@@ -30,11 +37,6 @@ export function sensorPose(motion: Motion, model: number, origin: Pose | undefin
     a += pose[3];
   }
   return { x, y, z: z + sensor.size[2] / 2, a };
-}
-
-/** Bearing of beam k of a sensor: the first is rightmost, a single one looks ahead. */
-export function bearingOf(sensor: Sensor, k: number): number {
-  return sensor.samples < 2 ? 0 : -sensor.fov / 2 + (k * sensor.fov) / (sensor.samples - 1);
 }
 
 /** How much floor scans cover, and how often. */
@@ -64,31 +66,28 @@ class Cover {
 }
 
 /** Laser scans as filled fans, outlined where they met something; sonar pings as cones. */
-export class Fans {
-  readonly group = new Group();
+class Fans implements Drawing {
+  readonly layer = 'sensors';
+  readonly object = new Group();
   private readonly fill = new Painted('triangles', 2);
   private readonly outline = new Painted('lines', 3);
   private readonly colors: Float32Array[] = [];
   private fade = 1; // of this frame's paint; from how much floor the last frame's scans covered
 
-  constructor(
-    private readonly scene: Scene,
-    private readonly replica: Replica,
-    private readonly motion: Motion,
-    theme: Theme,
-  ) {
-    this.group.add(this.fill.object, this.outline.object);
-    for (const place of replica.sensors) this.colors.push(paintOf(place.sensor.color, theme));
+  constructor(private readonly stage: Stage) {
+    this.object.add(this.fill.object, this.outline.object);
+    for (const place of stage.replica.sensors) this.colors.push(paintOf(place.sensor.color, stage.theme));
   }
 
   draw(): void {
     this.fill.begin();
     this.outline.begin();
+    const { scene, replica, motion } = this.stage;
     const cover = new Cover();
-    const steps = this.replica.scans.size > kSensorsManyMost ? 1 : kConeSteps;
-    for (const [row, beams] of this.replica.scans) {
-      const { model, sensor } = this.replica.sensors[row];
-      const at = sensorPose(this.motion, model, this.scene.models[model].origin, sensor);
+    const steps = replica.scans.size > kSensorsManyMost ? 1 : kConeSteps;
+    for (const [row, beams] of replica.scans) {
+      const { model, sensor } = replica.sensors[row];
+      const at = sensorPose(motion, model, scene.models[model].origin, sensor);
       if (sensor.samples < 2) this.cone(at, sensor, beams[0], this.colors[row], steps);
       else this.fan(at, sensor, beams, this.colors[row]);
       cover.add(at, sensor, beams);
@@ -157,4 +156,69 @@ function paintOf(rgba: Rgba, theme: Theme): Float32Array {
   const color = new Color().setRGB(rgba[0], rgba[1], rgba[2], 'srgb');
   if (theme.dark) color.lerp(new Color(0xffffff), 0.35);
   return Float32Array.of(color.r, color.g, color.b, Math.min(Math.max(rgba[3], 0.06), 0.3));
+}
+
+function panel(model: Model, tools: PanelTools): Node[] {
+  const { replica, row, refresh, detail, codes } = tools;
+  const sensors = model.sensors ?? [];
+  const scansNow = () => {
+    const first = replica().firstSensor.get(row(model.id)) ?? 0;
+    return sensors.map((_, nth) => replica().scans.get(first + nth));
+  };
+  const laser = sensors.some(({ samples }) => samples > 1);
+  const canvas = el('canvas', { class: 'polar' });
+  const plot = new PolarPlot(canvas);
+  const nodes: Node[] = [
+    el('h3', {}, laser ? 'Laser' : 'Sonar', ...codes(model), detail(() => rangerText(sensors, scansNow()), `ranger-${shortName(model.name)}`)),
+    canvas,
+  ];
+  const drawn: (Uint16Array | undefined)[] = [];
+  let drawnOnce = false;
+  refresh(() => {
+    const scans = scansNow();
+    if (drawnOnce && scans.every((scan, k) => scan === drawn[k])) return;
+    drawnOnce = canvas.clientWidth > 0;
+    scans.forEach((scan, k) => (drawn[k] = scan));
+    plot.draw(sensors, scans);
+  });
+  nodes.push(laser ? laserTable(tools, sensors[0], () => scansNow()[0]) : values(tools, sensors, scansNow));
+  return nodes;
+}
+
+function laserTable({ line }: PanelTools, sensor: Sensor, scan: () => Uint16Array | undefined): HTMLElement {
+  const metresOf = (beam: number | undefined) => (beam === undefined ? '–' : metres((beam / 65535) * sensor.range[1]));
+  const nearest = () => {
+    const beams = scan();
+    if (!beams) return '–';
+    const k = beams.reduce((best, beam, i) => (beam < beams[best] ? i : best), 0);
+    return `${metresOf(beams[k])} at ${degrees(bearingOf(sensor, k))}`;
+  };
+  return el('table', {},
+    line('nearest', nearest, 'laser-nearest'),
+    line('right, ahead, left', () => {
+      const beams = scan();
+      return [0, Math.floor((sensor.samples - 1) / 2), sensor.samples - 1].map((k) => metresOf(beams?.[k])).join('  ').replaceAll(' m', '');
+    }),
+    line('beams', () => `${sensor.samples}, ${Math.round((sensor.fov * 180) / Math.PI)}°, to ${Number(sensor.range[1].toFixed(1))} m`),
+  );
+}
+
+function values({ refresh }: PanelTools, sensors: Sensor[], scans: () => (Uint16Array | undefined)[]): HTMLElement {
+  const cells = sensors.slice(0, kSonarValuesMost).map(() => el('b', {}, '–'));
+  refresh(() => {
+    const now = scans();
+    cells.forEach((cell, k) => {
+      const beam = now[k]?.[0];
+      setText(cell, beam === undefined ? '–' : ((beam / 65535) * sensors[k].range[1]).toFixed(2));
+    });
+  });
+  return el('div', { class: 'values' }, ...cells);
+}
+
+function rangerText(sensors: Sensor[], scans: (Uint16Array | undefined)[]): string {
+  let nearest = Infinity;
+  scans.forEach((scan, k) => {
+    if (scan) for (const beam of scan) nearest = Math.min(nearest, (beam / 65535) * sensors[k].range[1]);
+  });
+  return nearest === Infinity ? 'no data yet' : `nearest ${metres(nearest)}`;
 }

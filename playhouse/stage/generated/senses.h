@@ -1,0 +1,21 @@
+// Generated from kinds/ by codegen (python3 -m codegen). Do not edit.
+#pragma once
+
+/// The sense phase of each kind that measures; playhouse/stage/sense_NAME.cc defines it.
+
+#include <memory>
+
+#include "playhouse/stage/sense_phase.h"
+
+namespace playhouse::stage {
+
+/// `workers` is how many threads may measure at once.
+std::unique_ptr<SensePhase> make_ranger_sense(unsigned workers);
+std::unique_ptr<SensePhase> make_fiducial_sense(unsigned workers);
+
+inline void add_senses(Senses& senses, unsigned workers) {
+  senses.add(make_ranger_sense(workers));
+  senses.add(make_fiducial_sense(workers));
+}
+
+}  // namespace playhouse::stage
