@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "playhouse/drivers/simulated/auto_map.h"
-#include "playhouse/drivers/simulated/device_factory.h"
+#include "playhouse/drivers/simulated/model_interfaces.h"
 #include "playhouse/scene/kinds.h"
 #include "playhouse/scene/world_loader.h"
 
@@ -70,7 +70,8 @@ TEST(KindInterfaces, are_those_that_models_get_by_themselves) {
       if (has(scene.models[row], interf.listed)) expected.emplace(interf.code, row);
     }
   }
-  for (const MappedDevice& device : drivers::auto_map(world).devices) {
+  drivers::AutoMap map;
+  for (const MappedDevice& device : map.of_world(world)) {
     if (device.model) found.emplace(device.interf, device.model.index);
   }
   EXPECT_EQ(found, expected);
@@ -100,7 +101,8 @@ TEST(KindInterfaces, have_the_indices_that_are_told) {
       robots.emplace(row, robots.size());
   }
   ASSERT_EQ(robots.size(), kRobots);
-  for (const MappedDevice& device : drivers::auto_map(world).devices) {
+  drivers::AutoMap map;
+  for (const MappedDevice& device : map.of_world(world)) {
     const Index rule = told(scene, device).index;
     if (rule == Index::kOne) EXPECT_EQ(device.index, 0);
     if (rule == Index::kCount) EXPECT_EQ(device.index, counted[device.interf]++);

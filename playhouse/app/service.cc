@@ -170,20 +170,21 @@ Result<void> Service::make_drivers() {
 Result<void> Service::add_robots() {
   if (const Result<void> opened = site_->open_world(scene_.path); !opened) return opened.error();
   drivers::Simulation& world = simulation();
-  const drivers::AutoMap map = drivers::auto_map(world.world());
+  drivers::AutoMap map;
+  const std::vector<drivers::MappedDevice> mapped = map.of_world(world.world());
   auto driver = std::make_unique<drivers::SimulatedDriver>(world, "stage");
   drivers::SimulatedDriver& stage = *driver;
   drivers_.push_back(std::move(driver));
-  for (const drivers::MappedDevice& mapped : map.devices) {
+  for (const drivers::MappedDevice& each : mapped) {
     const Result<void> added = drivers::add_simulated_device(
-        *site_, stage, {serving_.port, mapped.interf, mapped.index}, mapped.model);
+        *site_, stage, {serving_.port, each.interf, each.index}, each.model);
     if (!added) return added.error();
   }
-  if (map.left_out > 0)
-    warn_(fmt::format("{} devices are left out: an interface has 65536 indices", map.left_out));
-  if (map.devices.size() > limits::kDevices) {
+  if (map.left_out() > 0)
+    warn_(fmt::format("{} devices are left out: an interface has 65536 indices", map.left_out()));
+  if (mapped.size() > limits::kDevices) {
     warn_(fmt::format("{} devices: a client's list shows the first {}, and all can be opened",
-                      map.devices.size(), limits::kDevices));
+                      mapped.size(), limits::kDevices));
   }
   return {};
 }

@@ -1,8 +1,14 @@
 #pragma once
 
-/// AutoMap: which devices a world has when nobody wrote a .cfg file: every robot, on one port.
+/// AutoMap: which devices a world has when nobody wrote a .cfg file: those of every robot, on one port.
 
+#include <cstddef>
 #include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "playhouse/world/world.h"
@@ -17,22 +23,42 @@ struct MappedDevice {
   friend bool operator==(const MappedDevice&, const MappedDevice&) = default;
 };
 
-/// In the order in which clients list them:
-///   simulation:0
-///   per robot k (a position model at the top of the scene, in the scene's order)
-///     position2d:k
-///     ranger:n    every ranger it carries, n counting over all robots
-///     laser:k     its first ranger with a scanner     sonar:k   its first ranger with several sensors
-///     fiducial:n  every finder it carries, n counting over all robots
-///   the same of models that no robot carries
-///   further lasers and sonars of a robot, from the first index behind the robots on
-/// A robot without a laser leaves laser:k free. Indices beyond 65535 are left out; the caller can tell by
-/// `left_out`.
-struct AutoMap {
-  std::vector<MappedDevice> devices;
-  std::size_t robots = 0;
-  std::size_t left_out = 0;
+/// Gives addresses. What comes later in a run gets what nobody had before: no index is given twice.
+/// Interfaces and the ways in which their indices count are those of kinds/:
+///   one    0, of the whole world
+///   robot  the number of the robot, a top-level position model, for the first of its models with this
+///          interface; all others get the indices behind the last robot
+///   count  the next index, over all models
+class AutoMap {
+ public:
+  /// Devices of the world as it is, in the order in which clients list them: those of the whole world, of
+  /// each robot model by model, of the same of models that no robot carries, and lasers and sonars that have
+  /// no robot's number. A robot without a laser leaves the laser of its number free.
+  std::vector<MappedDevice> of_world(const world::World& world);
+
+  /// In the same order, those of some trees, whose tops are given in ascending order. A robot gets the next
+  /// number that neither a robot nor a further laser, sonar or position model has had.
+  std::vector<MappedDevice> of_trees(const world::World& world, std::span<const world::ModelRow> tops);
+
+  /// Devices so far that got no index, as an interface has 65536 of them.
+  std::size_t left_out() const { return left_out_; }
+
+ private:
+  using Found = std::pair<std::uint16_t, world::ModelRow>;
+
+  std::size_t next_robot();
+  void map_tree(const world::World& world, world::ModelRow top, std::optional<std::size_t> robot);
+  void visit(const world::World& world, world::ModelRow model);
+  void add(std::uint16_t interf, std::size_t index, world::ModelRow model);
+
+  std::map<std::uint16_t, std::size_t> next_;  // the first index of an interface that nobody has had
+  std::size_t left_out_ = 0;
+
+  // While devices are mapped.
+  std::vector<MappedDevice> out_;
+  std::vector<Found> further_;        // wait for an index behind those of the robots
+  std::optional<std::size_t> robot_;  // number of the one that is visited
+  std::set<std::uint16_t> numbered_;  // interfaces in which it has its number
 };
-AutoMap auto_map(const world::World& world);
 
 }  // namespace playhouse::drivers

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
+#include "playhouse/drivers/simulated/device_factory.h"
+#include "playhouse/drivers/simulated/model_interfaces.h"
 #include "playhouse/drivers/testing/still_engine.h"
 #include "playhouse/wire/messages.h"
 
@@ -13,7 +17,8 @@ std::vector<std::string> mapped(const std::string& text) {
   const scene::SceneDesc scene = testing::scene_of(text);
   const world::World world(scene, 1);
   std::vector<std::string> lines;
-  for (const MappedDevice& device : auto_map(world).devices) {
+  AutoMap map;
+  for (const MappedDevice& device : map.of_world(world)) {
     std::string line(wire::find_interface(device.interf)->name);
     line += ":" + std::to_string(device.index);
     if (device.model) line += "=" + world.desc(device.model).name;
@@ -63,6 +68,36 @@ laser( name "gate" )
 position( name "a" laser( name "l" ) ))"),
             (Lines{"simulation:0", "position2d:0=a", "ranger:0=a.l", "laser:0=a.l", "ranger:1=gate",
                    "laser:1=gate"}));
+}
+
+TEST(AutoMap, lists_carried_wheels_where_they_are_and_further_lasers_and_sonars_last) {
+  EXPECT_EQ(mapped(std::string(kMacros) + R"(
+position( name "solo" )
+model( name "cart" position( name "p" laser( name "l" ) ) fiducial( name "f" ) )
+position( name "a" laser( name "l" ) laser( name "m" ) position( name "p" sonars( name "s" ) sonars( name "t" ) ) )
+sonars( name "gate" )
+position( name "b" fiducial( name "f" ) laser( name "l" ) laser( name "m" ) sonars( name "s" ) ))"),
+            (Lines{"simulation:0",     "position2d:0=solo",   "position2d:1=a",    "ranger:0=a.l",
+                   "laser:1=a.l",      "ranger:1=a.m",        "position2d:3=a.p",  "ranger:2=a.p.s",
+                   "sonar:1=a.p.s",    "ranger:3=a.p.t",      "position2d:2=b",    "fiducial:0=b.f",
+                   "ranger:4=b.l",     "laser:2=b.l",         "ranger:5=b.m",      "ranger:6=b.s",
+                   "sonar:2=b.s",      "position2d:4=cart.p", "ranger:7=cart.p.l", "fiducial:1=cart.f",
+                   "ranger:8=gate",    "laser:3=a.m",         "sonar:3=a.p.t",     "laser:4=b.m",
+                   "laser:5=cart.p.l", "sonar:4=gate"}));
+}
+
+TEST(AutoMap, every_interface_of_what_is_simulated_has_a_device) {
+  testing::StillSimulation still(std::string(kMacros) +
+                                 "position( laser( ) sonars( ) fiducial( ) ) model( )");
+  AutoMap map;
+  std::set<std::uint16_t> made, simulated;
+  for (const MappedDevice& device : map.of_world(still.world())) {
+    EXPECT_NE(make_device(still.simulation, device.interf, device.model), nullptr);
+    made.insert(device.interf);
+  }
+  for (const wire::InterfaceDef& interf : wire::interfaces())
+    if (is_simulated(interf.code)) simulated.insert(interf.code);
+  EXPECT_EQ(made, simulated);
 }
 
 }  // namespace

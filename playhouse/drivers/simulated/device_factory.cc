@@ -1,8 +1,12 @@
 #include "playhouse/drivers/simulated/device_factory.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "playhouse/base/assert.h"
 #include "playhouse/drivers/simulated/fiducial.h"
 #include "playhouse/drivers/simulated/laser.h"
+#include "playhouse/drivers/simulated/model_interfaces.h"
 #include "playhouse/drivers/simulated/position2d.h"
 #include "playhouse/drivers/simulated/ranger.h"
 #include "playhouse/drivers/simulated/simulation_device.h"
@@ -16,55 +20,44 @@
 
 namespace playhouse::drivers {
 
-using scene::ModelKind;
+namespace {
 
-bool is_simulated(std::uint16_t interf) {
-  switch (interf) {
-    case wire::simulation::kCode:
-    case wire::position2d::kCode:
-    case wire::ranger::kCode:
-    case wire::laser::kCode:
-    case wire::sonar::kCode:
-    case wire::fiducial::kCode:
-      return true;
-    default:
-      return false;
-  }
+using Made = std::unique_ptr<SimulatedDevice>;
+
+struct DeviceClass {
+  std::uint16_t interf;
+  Made (*make)(Simulation& simulation, world::ModelRow model);
+};
+
+template <typename Device>
+Made of_model(Simulation& simulation, world::ModelRow model) {
+  PLAYHOUSE_ASSERT(model.valid());
+  return std::make_unique<Device>(simulation, model);
 }
 
-bool fits(const world::World& world, world::ModelRow model, std::uint16_t interf) {
-  const ModelKind kind = world.models.kind[model.index];
-  switch (interf) {
-    case wire::position2d::kCode:
-      return kind == ModelKind::kPosition;
-    case wire::ranger::kCode:
-    case wire::sonar::kCode:
-      return kind == ModelKind::kRanger;
-    case wire::laser::kCode:
-      return kind == ModelKind::kRanger && scanner_of(world, model).valid();
-    case wire::fiducial::kCode:
-      return kind == ModelKind::kFiducial;
-    default:
-      return false;
-  }
+template <typename Device>
+Made of_world(Simulation& simulation, world::ModelRow model) {
+  PLAYHOUSE_ASSERT(!model);
+  return std::make_unique<Device>(simulation);
 }
+
+constexpr DeviceClass kClasses[] = {
+    {wire::simulation::kCode, of_world<SimulationDevice>},
+    {wire::position2d::kCode, of_model<Position2d>},
+    {wire::ranger::kCode, of_model<Ranger>},
+    {wire::laser::kCode, of_model<Laser>},
+    {wire::sonar::kCode, of_model<Sonar>},
+    {wire::fiducial::kCode, of_model<Fiducial>},
+};
+
+}  // namespace
 
 std::unique_ptr<SimulatedDevice> make_device(Simulation& simulation, std::uint16_t interf,
                                              world::ModelRow model) {
-  if (interf == wire::simulation::kCode) return std::make_unique<SimulationDevice>(simulation);
-  PLAYHOUSE_ASSERT(fits(simulation.world(), model, interf));
-  switch (interf) {
-    case wire::position2d::kCode:
-      return std::make_unique<Position2d>(simulation, model);
-    case wire::ranger::kCode:
-      return std::make_unique<Ranger>(simulation, model);
-    case wire::laser::kCode:
-      return std::make_unique<Laser>(simulation, model);
-    case wire::sonar::kCode:
-      return std::make_unique<Sonar>(simulation, model);
-    default:
-      return std::make_unique<Fiducial>(simulation, model);
-  }
+  PLAYHOUSE_ASSERT(!model || fits(simulation.world(), model, interf));
+  const auto found = std::ranges::find(kClasses, interf, &DeviceClass::interf);
+  PLAYHOUSE_ASSERT(found != std::end(kClasses));
+  return found->make(simulation, model);
 }
 
 Result<void> add_simulated_device(Site& site, SimulatedDriver& driver, device::Address address,

@@ -41,11 +41,6 @@ world::SensorRow scanner_of(const world::World& world, world::ModelRow model) {
   return {};
 }
 
-const scene::RangerSensorDesc& sensor_desc(const world::World& world, world::ModelRow model,
-                                           world::SensorRow sensor) {
-  return world.desc(model).sensors[sensor.index - ranger_rows(world, model).first_sensor];
-}
-
 double angular_resolution(const scene::RangerSensorDesc& sensor) {
   return sensor.samples > 1 ? sensor.fov / (sensor.samples - 1) : sensor.fov;
 }

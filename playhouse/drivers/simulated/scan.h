@@ -25,9 +25,6 @@ std::optional<RangerRows> fresh_rows(const world::World& world, world::ModelId m
 /// The first of its sensors with more than one sample; none if there is no such sensor.
 world::SensorRow scanner_of(const world::World& world, world::ModelRow model);
 
-const scene::RangerSensorDesc& sensor_desc(const world::World& world, world::ModelRow model,
-                                           world::SensorRow sensor);
-
 /// Angle between neighbouring beams [rad]; the whole field of view for a single beam.
 double angular_resolution(const scene::RangerSensorDesc& sensor);
 

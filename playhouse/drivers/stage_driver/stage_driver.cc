@@ -8,6 +8,7 @@
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/drivers/simulated/device_factory.h"
+#include "playhouse/drivers/simulated/model_interfaces.h"
 #include "playhouse/drivers/simulated/simulated_driver.h"
 #include "playhouse/wire/generated/simulation.h"
 

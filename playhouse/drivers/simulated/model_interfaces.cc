@@ -1,0 +1,45 @@
+#include "playhouse/drivers/simulated/model_interfaces.h"
+
+#include <algorithm>
+
+#include "playhouse/base/assert.h"
+
+namespace playhouse::drivers {
+
+using scene::KindInterface;
+using scene::Need;
+
+std::span<const KindInterface> interfaces_of(const world::World& world, world::ModelRow model) {
+  const scene::ModelKind kind = world.models.kind[model.index];
+  const scene::Kind& row = scene::kinds()[static_cast<std::size_t>(kind)];  // they are in the numbers' order
+  PLAYHOUSE_ASSERT(row.simulated && row.kind == kind);
+  return row.interfaces;
+}
+
+bool has(const world::World& world, world::ModelRow model, Need need) {
+  const std::vector<scene::RangerSensorDesc>& sensors = world.desc(model).sensors;
+  switch (need) {
+    case Need::kNothing:
+      return true;
+    case Need::kScanner:
+      return std::ranges::any_of(sensors, [](const auto& sensor) { return sensor.samples > 1; });
+    case Need::kSeveralSensors:
+      return sensors.size() > 1;
+  }
+  return false;
+}
+
+bool fits(const world::World& world, world::ModelRow model, std::uint16_t interf) {
+  return std::ranges::any_of(interfaces_of(world, model), [&](const KindInterface& each) {
+    return each.code == interf && has(world, model, each.when);
+  });
+}
+
+bool is_simulated(std::uint16_t interf) {
+  return std::ranges::any_of(scene::kinds(), [=](const scene::Kind& kind) {
+    return kind.simulated &&
+           std::ranges::find(kind.interfaces, interf, &KindInterface::code) != kind.interfaces.end();
+  });
+}
+
+}  // namespace playhouse::drivers
