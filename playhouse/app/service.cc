@@ -18,9 +18,6 @@
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/log_output.h"
-#include "playhouse/drivers/simulated/auto_map.h"
-#include "playhouse/drivers/simulated/device_factory.h"
-#include "playhouse/drivers/simulated/simulated_driver.h"
 #include "playhouse/scene/world_loader.h"
 #include "playhouse/web_server/page_files.h"
 #include "playhouse/world/state.h"
@@ -169,22 +166,13 @@ Result<void> Service::make_drivers() {
 
 Result<void> Service::add_robots() {
   if (const Result<void> opened = site_->open_world(scene_.path); !opened) return opened.error();
-  drivers::Simulation& world = simulation();
-  drivers::AutoMap map;
-  const std::vector<drivers::MappedDevice> mapped = map.of_world(world.world());
-  auto driver = std::make_unique<drivers::SimulatedDriver>(world, "stage");
-  drivers::SimulatedDriver& stage = *driver;
-  drivers_.push_back(std::move(driver));
-  for (const drivers::MappedDevice& each : mapped) {
-    const Result<void> added = drivers::add_simulated_device(
-        *site_, stage, {serving_.port, each.interf, each.index}, each.model);
-    if (!added) return added.error();
-  }
-  if (map.left_out() > 0)
-    warn_(fmt::format("{} devices are left out: an interface has 65536 indices", map.left_out()));
-  if (mapped.size() > limits::kDevices) {
+  robots_ = std::make_unique<drivers::AutoDevices>(*site_, serving_.port);
+  if (const Result<void> added = robots_->add_all(); !added) return added;
+  if (robots_->left_out() > 0)
+    warn_(fmt::format("{} devices are left out: an interface has 65536 indices", robots_->left_out()));
+  if (site_->device_count() > limits::kDevices) {
     warn_(fmt::format("{} devices: a client's list shows the first {}, and all can be opened",
-                      mapped.size(), limits::kDevices));
+                      site_->device_count(), limits::kDevices));
   }
   return {};
 }
@@ -201,10 +189,6 @@ Result<std::unique_ptr<drivers::Simulation>> Service::open_world(const std::stri
   }
   return std::make_unique<drivers::Simulation>(std::move(*engine),
                                                pace_of(scene_, serving_, running_, quit_time_));
-}
-
-Result<device::DeviceId> Service::add_device(device::Address address, device::Driver& driver) {
-  return server_->add_device(address, driver);
 }
 
 Result<void> Service::open_page() {

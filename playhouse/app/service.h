@@ -16,6 +16,7 @@
 #include "playhouse/app/options.h"
 #include "playhouse/app/world_opener.h"
 #include "playhouse/drivers/registry.h"
+#include "playhouse/drivers/simulated/auto_devices.h"
 #include "playhouse/drivers/site.h"
 #include "playhouse/net/io_loop.h"
 #include "playhouse/scene/cfg.h"
@@ -92,9 +93,17 @@ class Service final : private drivers::Surroundings {
   const server::Server& server() const { return *server_; }
 
  private:
-  Result<device::DeviceId> add_device(device::Address address, device::Driver& driver) override;
-  Result<void> hold(device::DeviceId device) override { return server_->hold(device); }
-  void release(device::DeviceId device) override { server_->release(device); }
+  Result<device::DeviceId> add_device(device::Address address, device::Driver& driver) override {
+    return server_->add_device(address, driver);
+  }
+  void retire_device(device::DeviceId device) override { server_->retire_device(device); }
+  Result<void> hold(device::DeviceId device, device::Driver* holder) override {
+    return server_->hold(device, holder);
+  }
+  void release(device::DeviceId device, device::Driver* holder) override {
+    server_->release(device, holder);
+  }
+  void post(std::function<void()> task) override { loop_.post(std::move(task)); }
   Result<std::unique_ptr<drivers::Simulation>> open_world(const std::string& path) override;
 
   Result<void> add_robots();
@@ -124,7 +133,8 @@ class Service final : private drivers::Surroundings {
       web_loop_;  // of its own, so that drawing a large world for many viewers delays no Player client
   net::IoLoop signal_loop_;              // of its own: a signal waits for no client
   std::unique_ptr<drivers::Site> site_;  // with the simulation
-  std::vector<std::unique_ptr<device::Driver>> drivers_;
+  std::vector<std::unique_ptr<device::Driver>> drivers_;  // of the configuration file
+  std::unique_ptr<drivers::AutoDevices> robots_;          // without one
   std::unique_ptr<server::Server> server_;
   std::unique_ptr<web_server::WebServer> web_;
   std::unique_ptr<net::Timer> progress_;

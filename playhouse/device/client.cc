@@ -13,7 +13,8 @@ constexpr std::uint8_t kReq = static_cast<std::uint8_t>(wire::MessageType::kReq)
 
 }  // namespace
 
-Client::Client(Opener& opener, std::size_t devices) : opener_(opener), used_(devices) {}
+Client::Client(Opener& opener, Driver& owner, std::size_t devices)
+    : opener_(opener), owner_(owner), used_(devices) {}
 
 Subscription& Client::latest(std::size_t device, std::uint8_t subtype) {
   return *used_[device].subscriptions.emplace_back(std::make_unique<Subscription>(subtype, 1));
@@ -39,9 +40,9 @@ Result<void> Client::open() {
   for (const Used& used : used_)
     for (const auto& subscription : used.subscriptions) subscription->clear();
   for (std::size_t device = 0; device < used_.size(); ++device) {
-    const Result<void> held = opener_.hold(used_[device].id);
+    const Result<void> held = opener_.hold(used_[device].id, &owner_);
     if (held) continue;
-    while (device > 0) opener_.release(used_[--device].id);
+    while (device > 0) opener_.release(used_[--device].id, &owner_);
     return held;
   }
   open_ = true;
@@ -49,8 +50,8 @@ Result<void> Client::open() {
 }
 
 void Client::close() {
-  open_ = false;
-  for (const Used& used : used_) opener_.release(used.id);
+  if (!open_.exchange(false)) return;
+  for (const Used& used : used_) opener_.release(used.id, &owner_);
 }
 
 Taken Client::command(std::size_t device, std::uint8_t subtype, std::span<const std::byte> body) {

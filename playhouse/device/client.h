@@ -27,9 +27,11 @@ namespace playhouse::device {
 class Opener {
  public:
   virtual ~Opener() = default;
-  virtual Result<void> hold(DeviceId device) = 0;
-  /// Undoes one hold().
-  virtual void release(DeviceId device) = 0;
+  /// `holder`, if any, hears when the device retires (Driver::retired()), which ends the hold. Fails if the
+  /// device cannot start, or has retired.
+  virtual Result<void> hold(DeviceId device, Driver* holder) = 0;
+  /// Undoes one hold() of the same holder; nothing once the device has retired.
+  virtual void release(DeviceId device, Driver* holder) = 0;
 };
 
 class Client final : private Outlet, private DataFlow::Reader {
@@ -40,8 +42,9 @@ class Client final : private Outlet, private DataFlow::Reader {
   /// Called once with the answer to a request, on any thread, perhaps before ask() returns; nothing for NACK.
   using Heard = std::function<void(std::optional<std::vector<std::byte>> body)>;
 
-  /// For `devices` devices. `opener` outlives the client, which outlives the requests that it asks.
-  Client(Opener& opener, std::size_t devices);
+  /// For `devices` devices that `owner` uses. It is told when one of them retires while they are open, and
+  /// closes them then. `opener` outlives the client, which outlives the requests that it asks.
+  Client(Opener& opener, Driver& owner, std::size_t devices);
   Client(const Client&) = delete;
   Client& operator=(const Client&) = delete;
 
@@ -61,6 +64,7 @@ class Client final : private Outlet, private DataFlow::Reader {
 
   /// Opens all devices, or none: the error is that of the first that cannot start. Subscriptions begin empty.
   Result<void> open();
+  /// Nothing if they are closed.
   void close();
 
   // Any thread.
@@ -86,6 +90,7 @@ class Client final : private Outlet, private DataFlow::Reader {
   void read(std::span<const Publication* const> fresh, std::vector<Publication>& more) override;
 
   Opener& opener_;
+  Driver& owner_;
   std::vector<Used> used_;
   News news_;
   std::atomic<bool> open_ = false;

@@ -33,17 +33,25 @@ class ClientTest : public ::testing::Test {
   }
 
   FakeDevices devices;
+  FakeDevice owner;
   FakePublisher out;
   FakeOutlet outlet;
   DataFlow flow;
-  Client client{devices, 2};
+  Client client{devices, owner, 2};
 };
 
 TEST_F(ClientTest, holds_its_devices_while_it_is_open) {
   ASSERT_TRUE(client.open());
   EXPECT_EQ(devices.held[kWheels.row] + devices.held[kLaser.row], 2);
   client.close();
+  client.close();  // when its owner heard that a device retired, and then has to stop
   EXPECT_EQ(devices.held[kWheels.row] + devices.held[kLaser.row], 0);
+}
+
+TEST_F(ClientTest, holds_its_devices_for_its_owner_who_hears_when_they_retire) {
+  ASSERT_TRUE(client.open());
+  EXPECT_EQ(devices.holders[kWheels.row], &owner);
+  EXPECT_EQ(devices.holders[kLaser.row], &owner);
 }
 
 TEST_F(ClientTest, opens_none_when_one_cannot_start) {

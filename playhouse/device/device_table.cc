@@ -48,7 +48,7 @@ Result<DeviceId> DeviceTable::add(Address address, Driver& driver) {
   return id;
 }
 
-// Stopped last: the driver may ask the table, which no longer has the device.
+// The driver is told last: it may ask the table, which no longer has the device.
 void DeviceTable::retire(DeviceId id) {
   const auto found = entries_.find(id);
   PLAYHOUSE_ASSERT(found != entries_.end());
@@ -60,6 +60,7 @@ void DeviceTable::retire(DeviceId id) {
   ids.erase(std::lower_bound(ids.begin(), ids.end(), id));
   if (ids.empty()) by_robot_.erase(of_robot);
   if (entry.users > 0) entry.driver->stop(id);
+  entry.driver->forget(id);
 }
 
 DeviceId DeviceTable::find(Address address) const {

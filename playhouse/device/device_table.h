@@ -37,8 +37,8 @@ class DeviceTable {
   /// Fails if the address is taken or is the meta device player:0. A port may have more devices than
   /// limits::kDevices: only the list that clients get ends there.
   Result<DeviceId> add(Address address, Driver& driver);
-  /// Takes a device out, and stops it if it is open: its address is free, its id means nothing any more, and
-  /// its driver may go.
+  /// Takes a device out, stops it if it is open, and has its driver forget it: its address is free, its id
+  /// means nothing any more, and its driver may go.
   void retire(DeviceId id);
 
   /// The device at an address; an invalid id if there is none.

@@ -101,6 +101,10 @@ class Driver {
   /// True when `request` understands this (type, subtype); answers CAPABILITIES.
   virtual bool capable(DeviceId device, std::uint8_t type, std::uint8_t subtype) const = 0;
 
+  /// A device of this driver has retired, and was stopped if it was open: nothing is asked of it any more, but
+  /// by drivers that are not told yet. Io thread. To be overridden by drivers that keep something for each.
+  virtual void forget(DeviceId) {}
+
   /// Answers once what came before (starts, stops, queued commands) is carried out. The server asks behind
   /// each of them and lets no client get more than limits::kSessionAnswers ahead, so that none fills a queue
   /// which the others need too. To be overridden by drivers that let things wait.

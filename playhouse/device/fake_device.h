@@ -48,12 +48,14 @@ class FakeDevice final : public Driver {
 struct FakeDevices final : Opener {
   std::map<std::uint32_t, FakeDevice> drivers;
   std::map<std::uint32_t, int> held;
-  Result<void> hold(DeviceId device) override {
+  std::map<std::uint32_t, Driver*> holders;  // the last one of each
+  Result<void> hold(DeviceId device, Driver* holder) override {
     if (const Result<void> started = drivers[device.row].start(device); !started) return started;
     ++held[device.row];
+    holders[device.row] = holder;
     return {};
   }
-  void release(DeviceId device) override { --held[device.row]; }
+  void release(DeviceId device, Driver*) override { --held[device.row]; }
 };
 
 /// "row.subtype body" of everything that is published.

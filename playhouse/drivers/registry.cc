@@ -18,7 +18,7 @@ Result<void> keep_open(const scene::CfgSection& section, Site& site) {
     if (!address) return Error{section.at("provides"), address.error().text};
     const auto device = site.find(*address);
     if (!device) continue;
-    if (const Result<void> held = site.surroundings().hold(*device); !held) {
+    if (const Result<void> held = site.surroundings().hold(*device, nullptr); !held) {
       return Error{section.at("alwayson"), held.error().text};
     }
   }

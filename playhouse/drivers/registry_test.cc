@@ -8,6 +8,7 @@
 #include "playhouse/drivers/testing/memory_site.h"
 #include "playhouse/wire/generated/laser.h"
 #include "playhouse/wire/generated/ranger.h"
+#include "playhouse/world/population.h"
 
 namespace playhouse::drivers {
 namespace {
@@ -137,20 +138,20 @@ TEST(Registry, alwayson_devices_run_without_a_client) {
   ASSERT_EQ(site.build(std::string(kStage) +
                        "driver( name \"stage\" provides [\"position2d:0\"] model \"r0\" alwayson 1 )"),
             "");
-  EXPECT_EQ(site.held[site.id({6665, 4, 0}).row], 1);
+  EXPECT_EQ(site.held[site.id({6665, 4, 0}).row].size(), 1u);
   site.run(1);
   EXPECT_EQ(site.recorder.published.size(), 1u);
 }
 
+constexpr const char* kRangerToLaser = R"(
+driver( name "stage" provides ["simulation:0"] worldfile "some.world" )
+driver( name "rangertolaser" provides ["laser:0"] requires ["ranger:1"] )
+driver( name "stage" provides ["ranger:0" "ranger:1"] model "r0" ))";
+
 /// A laser made of the scanner of r0.
 class RangerToLaserTest : public ::testing::Test {
  protected:
-  RangerToLaserTest() : site(kWorld) {
-    EXPECT_EQ(site.build(std::string(kStage) + R"(
-driver( name "rangertolaser" provides ["laser:0"] requires ["ranger:1"] )
-driver( name "stage" provides ["ranger:0" "ranger:1"] model "r0" ))"),
-              "");
-  }
+  RangerToLaserTest() : site(kWorld) { EXPECT_EQ(site.build(kRangerToLaser), ""); }
   device::DeviceId laser() const { return site.id({6665, 6, 0}); }
   device::DeviceId ranger() const { return site.id({6665, 62, 1}); }
   device::Driver& driver() const { return site.driver({6665, 6, 0}); }
@@ -165,7 +166,7 @@ TEST_F(RangerToLaserTest, finds_its_ranger_wherever_it_is_in_the_file) {
 
 TEST_F(RangerToLaserTest, holds_the_ranger_while_the_laser_is_open_and_makes_one_scan_of_each_of_its) {
   ASSERT_TRUE(driver().start(laser()));
-  EXPECT_EQ(site.held[ranger().row], 1);
+  EXPECT_EQ(site.held[ranger().row].size(), 1u);
   site.run(2);
   std::vector<const device::Publication*> scans;
   for (const device::Publication& publication : site.recorder.published) {
@@ -179,7 +180,7 @@ TEST_F(RangerToLaserTest, holds_the_ranger_while_the_laser_is_open_and_makes_one
   EXPECT_EQ(scan->max_range, 8.0f);
   EXPECT_DOUBLE_EQ(scans[1]->timestamp, 0.2);
   driver().stop(laser());
-  EXPECT_EQ(site.held[ranger().row], 0);
+  EXPECT_EQ(site.held[ranger().row].size(), 0u);
   site.recorder.published.clear();
   site.run(1);
   EXPECT_TRUE(site.recorder.published.empty());
@@ -211,6 +212,42 @@ TEST_F(RangerToLaserTest, refuses_what_a_ranger_cannot_do) {
   const std::vector<std::byte> off = wire::encode(wire::laser::PowerConfig{0});
   driver().request({laser(), 3, wire::laser::kReqPower, off}, device::Replier(site.recorder, 2));
   EXPECT_FALSE(site.recorder.answers[2].ack);
+}
+
+TEST(RangerToLaser, goes_with_its_ranger_open_or_not) {
+  for (const bool open : {true, false}) {
+    MemorySite site(kWorld);
+    ASSERT_EQ(site.build(kRangerToLaser), "");
+    const device::DeviceId sonars = site.id({6665, 62, 0}), scanner = site.id({6665, 62, 1});
+    const device::DeviceId its_laser = site.id({6665, 6, 0});
+    if (open) ASSERT_TRUE(site.hold(its_laser));
+    ASSERT_TRUE(site.site().simulation()->post(
+        [](world::World& world) { EXPECT_TRUE(world::despawn(world, world.id(world.find("r0")))); }));
+    site.run(1);
+    EXPECT_THAT(site.retired, ElementsAre(sonars.row, scanner.row, its_laser.row));
+    EXPECT_FALSE(site.hold(its_laser));
+    EXPECT_EQ(site.site().simulation()->directory().size(), 0u);
+    EXPECT_EQ(site.site().device_count(), 1u) << "the simulation";
+  }
+}
+
+TEST(StageDriver, devices_of_a_robot_that_goes_retire_and_one_that_comes_has_none) {
+  MemorySite site(kWorld);
+  ASSERT_EQ(site.build(std::string(kStage) + R"(
+driver( name "stage" provides ["position2d:0"] model "r0" alwayson 1 )
+driver( name "stage" provides ["6666:position2d:0"] model "r1" ))"),
+            "");
+  const device::DeviceId gone = site.id({6665, 4, 0});
+  ASSERT_TRUE(site.site().simulation()->post([](world::World& world) {
+    EXPECT_TRUE(world::despawn(world, world.id(world.find("r0"))));
+    EXPECT_TRUE(world::spawn(world, 3, {}));
+  }));
+  site.run(1);
+  EXPECT_THAT(site.retired, ElementsAre(gone.row));
+  EXPECT_EQ(site.site().device_count(), 2u);
+  EXPECT_EQ(site.site().simulation()->source_count(), 1u);
+  site.run(1);
+  EXPECT_EQ(site.site().simulation()->source_count(), 0u);
 }
 
 TEST(RangerToLaser, says_what_is_wrong_and_where) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/device/device_table.h"
@@ -53,7 +55,43 @@ Result<void> Site::open_world(const std::string& path) {
   if (!simulation) return simulation.error();
   simulation_ = std::move(*simulation);
   simulation_->publish_to(data_flow_);
+  simulation_->add_follower([this](const world::World&, const world::Change& change) { follow(change); });
   return {};
+}
+
+void Site::follow(const world::Change& change) {
+  const Directory& directory = simulation_->directory();
+  if (change.kind == world::Change::Kind::kReload) return retire(directory.devices());
+  if (change.kind != world::Change::Kind::kDespawn) return;
+  std::vector<device::Address> gone;
+  for (std::uint32_t part = 0; part < change.count; ++part) {
+    const auto devices = directory.devices_of({change.model.value + part});
+    gone.insert(gone.end(), devices.begin(), devices.end());
+  }
+  if (!gone.empty()) retire(std::move(gone));
+}
+
+void Site::retire(std::vector<device::Address> devices) {
+  // Those of drivers are added behind those that they require.
+  for (std::size_t i = 0; i < devices.size(); ++i) {
+    for (const User& user : users_) {
+      if (std::ranges::find(user.devices, devices[i]) == user.devices.end()) continue;
+      devices.insert(devices.end(), user.provided.begin(), user.provided.end());
+    }
+  }
+  for (const device::Address& address : devices) simulation_->directory().remove(address);
+  surroundings_.post([this, devices = std::move(devices)] {
+    for (const device::Address& address : devices) take_out(address);
+  });
+}
+
+/// Nothing if it is out: a device may require two that go, or show a model that goes.
+void Site::take_out(device::Address address) {
+  const auto found = devices_.find(address);
+  if (found == devices_.end()) return;
+  const device::DeviceId id = found->second.id;
+  devices_.erase(found);
+  surroundings_.retire_device(id);
 }
 
 std::string Site::shown(device::Address address) const {

@@ -82,7 +82,7 @@ lsr::Data laser_scan(const rng::Config& config, const rng::DataRange& ranges,
 }
 
 RangerToLaser::RangerToLaser(device::Opener& opener)
-    : client_(opener, 1),
+    : client_(opener, *this, 1),
       ranges_(client_.latest(kRanger, rng::kDataRange)),
       intensities_(client_.latest(kRanger, rng::kDataIntns)) {
   client_.when_news([this](std::vector<device::Publication>& more) { convert(more); });
@@ -165,7 +165,7 @@ Result<std::unique_ptr<device::Driver>> make_ranger_to_laser(const scene::CfgSec
     directory.add(directory.model_of(ranger), laser);
     return {};
   };
-  site.add_user({driver.get(), &driver->client(), *required, section.at("requires"), connected});
+  site.add_user({driver.get(), &driver->client(), *provided, *required, section.at("requires"), connected});
   return std::unique_ptr<device::Driver>(std::move(driver));
 }
 

@@ -37,6 +37,7 @@ class RangerToLaser final : public device::Driver {
   std::string_view name() const override { return "rangertolaser"; }
   Result<void> start(device::DeviceId device) override;
   void stop(device::DeviceId device) override;
+  void retired(device::DeviceId) override { stop(laser_); }
   device::Taken command(const device::Message&) override { return device::Taken::kNo; }
   void request(const device::Message& message, device::Replier replier) override;
   bool capable(device::DeviceId device, std::uint8_t type, std::uint8_t subtype) const override;

@@ -27,12 +27,16 @@ void each_numbered(const Visit& visit) {
 
 }  // namespace
 
-std::vector<MappedDevice> AutoMap::of_world(const world::World& world) {
-  for (const KindInterface& each : scene::world_kind().interfaces) add(each.code, 0, {});
+std::vector<world::ModelRow> top_models(const world::World& world) {
   std::vector<world::ModelRow> tops;
   for (std::uint32_t row = 0; row < world.models.size(); ++row)
     if (world.models.root[row] == row) tops.push_back({row});
-  return of_trees(world, tops);
+  return tops;
+}
+
+std::vector<MappedDevice> AutoMap::of_world(const world::World& world) {
+  for (const KindInterface& each : scene::world_kind().interfaces) add(each.code, 0, {});
+  return of_trees(world, top_models(world));
 }
 
 std::vector<MappedDevice> AutoMap::of_trees(const world::World& world,

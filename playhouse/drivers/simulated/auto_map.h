@@ -23,6 +23,9 @@ struct MappedDevice {
   friend bool operator==(const MappedDevice&, const MappedDevice&) = default;
 };
 
+/// Models that are no part of another, ascending.
+std::vector<world::ModelRow> top_models(const world::World& world);
+
 /// Gives addresses. What comes later in a run gets what nobody had before: no index is given twice.
 /// Interfaces and the ways in which their indices count are those of kinds/:
 ///   one    0, of the whole world
@@ -36,8 +39,8 @@ class AutoMap {
   /// no robot's number. A robot without a laser leaves the laser of its number free.
   std::vector<MappedDevice> of_world(const world::World& world);
 
-  /// In the same order, those of some trees, whose tops are given in ascending order. A robot gets the next
-  /// number that neither a robot nor a further laser, sonar or position model has had.
+  /// In the same order, those of some trees, whose tops are given in ascending order (top_models() has all).
+  /// A robot gets the next number that neither a robot nor a further laser, sonar or position model has had.
   std::vector<MappedDevice> of_trees(const world::World& world, std::span<const world::ModelRow> tops);
 
   /// Devices so far that got no index, as an interface has 65536 of them.

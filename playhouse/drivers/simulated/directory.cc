@@ -63,6 +63,21 @@ void Directory::add(world::ModelId model, device::Address address) {
   models_[address] = model;
 }
 
+void Directory::remove(device::Address address) {
+  const auto found = models_.find(address);
+  if (found == models_.end()) return;
+  const auto of_model = devices_.find(found->second);
+  std::erase(of_model->second, address);
+  if (of_model->second.empty()) devices_.erase(of_model);
+  models_.erase(found);
+}
+
+std::vector<device::Address> Directory::devices() const {
+  std::vector<device::Address> all;
+  for (const auto& [address, model] : models_) all.push_back(address);
+  return all;
+}
+
 std::span<const device::Address> Directory::devices_of(world::ModelId model) const {
   const auto found = devices_.find(model);
   return found == devices_.end() ? std::span<const device::Address>() : found->second;

@@ -2,7 +2,7 @@
 
 /// Directory: which devices show each model of the world, whoever made them: automatic devices, sections of a
 /// configuration file, a driver that converts another one's data. Lists of names for clients and for the page
-/// are made of it. Filled in while devices are made; from Simulation::run() on any thread may read it.
+/// are made of it. During a run devices come and go with their models, and it is the tick thread's.
 
 #include <map>
 #include <span>
@@ -18,11 +18,16 @@ class Directory {
  public:
   /// The device at `address` shows `model`. Does nothing for no model: that device is of the whole world.
   void add(world::ModelId model, device::Address address);
+  /// Does nothing for a device that shows no model.
+  void remove(device::Address address);
 
   /// The devices of a model, in the order in which they were added.
   std::span<const device::Address> devices_of(world::ModelId model) const;
   /// The model that a device shows; none if it shows none.
   world::ModelId model_of(device::Address address) const;
+  /// All that show a model, by address.
+  std::vector<device::Address> devices() const;
+  std::size_t size() const { return models_.size(); }
 
  private:
   std::map<world::ModelId, std::vector<device::Address>> devices_;

@@ -11,6 +11,7 @@
 namespace playhouse::drivers {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 /// `count` models; each name ends in `ending`.
@@ -62,6 +63,19 @@ TEST(Directory, knows_no_model_of_a_device_of_the_whole_world) {
   directory.add({2}, {6665, 4, 0});
   EXPECT_EQ(directory.model_of({6665, 4, 0}), world::ModelId{2});
   EXPECT_TRUE(directory.devices_of({0}).empty());
+}
+
+TEST(Directory, forgets_a_device_that_goes_and_keeps_nothing_of_its_model) {
+  Directory directory;
+  directory.add({2}, {6665, 4, 0});
+  directory.add({2}, {6665, 6, 0});
+  EXPECT_THAT(device_names(directory, {2}, 6666), ElementsAre("6665:position2d:0", "6665:laser:0"));
+  directory.remove({6665, 4, 0});
+  directory.remove({6665, 4, 0});
+  EXPECT_THAT(device_names(directory, {2}, 6665), ElementsAre("laser:0"));
+  directory.remove({6665, 6, 0});
+  EXPECT_EQ(directory.size(), 0u);
+  EXPECT_TRUE(directory.devices_of({2}).empty());
 }
 
 }  // namespace

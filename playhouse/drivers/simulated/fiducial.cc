@@ -9,8 +9,7 @@ namespace fid = wire::fiducial;
 using wire::MessageType;
 
 Fiducial::Fiducial(Simulation& simulation, world::ModelRow model)
-    : SimulatedDevice(simulation, simulation.world().id(model)),
-      robot_model_{simulation.world().models.id[simulation.world().models.root[model.index]]} {
+    : SimulatedDevice(simulation, simulation.world().id(model)) {
   const world::World& world = simulation.world();
   const scene::ModelDesc& desc = world.desc(model);
   geometry_ = wire::encode(fid::Geom{pose3d(pose_on_robot(world, model)), bbox3d(desc.size), {}});
@@ -55,11 +54,12 @@ void Fiducial::exchange_id(const device::Message& message, device::Replier repli
     if (!value) return;
     wanted = static_cast<std::int32_t>(value->id);
   }
-  ask_world(std::move(replier), [id = robot_model_, wanted](world::World& world) -> std::optional<Bytes> {
-    const world::ModelRow model = world.row(id);
-    if (!model) return std::nullopt;
-    if (wanted) world::set_fiducial_return(world, model, *wanted);
-    return wire::encode(fid::Id{static_cast<std::uint32_t>(world.models.fiducial_return[model.index])});
+  ask_world(std::move(replier), [id = model(), wanted](world::World& world) -> std::optional<Bytes> {
+    const world::ModelRow finder = world.row(id);
+    if (!finder) return std::nullopt;
+    const std::uint32_t robot = world.models.root[finder.index];
+    if (wanted) world::set_fiducial_return(world, {robot}, *wanted);
+    return wire::encode(fid::Id{static_cast<std::uint32_t>(world.models.fiducial_return[robot])});
   });
 }
 

@@ -18,7 +18,6 @@ class Fiducial final : public SimulatedDevice {
  private:
   void exchange_id(const device::Message& message, device::Replier replier);
 
-  world::ModelId robot_model_;  // who shows the id that GET_ID and SET_ID mean
   Bytes geometry_, field_of_view_;
 };
 

@@ -4,6 +4,7 @@
 /// knows and how columns become bytes. What never changes (geometry, configuration) is encoded once, when the
 /// device is made, and answered at once; what needs the world is posted to the tick thread.
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -42,6 +43,11 @@ class SimulatedDevice : public Source {
 
   // Any thread. Only messages of served() arrive.
   virtual std::span<const Served> served() const = 0;
+  bool serves(std::uint8_t type, std::uint8_t subtype) const {
+    return std::ranges::any_of(served(), [=](const Served& each) {
+      return static_cast<std::uint8_t>(each.type) == type && each.subtype == subtype;
+    });
+  }
   virtual device::Taken command(const device::Message& message) {
     return static_cast<void>(message), device::Taken::kNo;
   }

@@ -1,62 +1,76 @@
 #include "playhouse/drivers/simulated/simulated_driver.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "playhouse/base/assert.h"
 
 namespace playhouse::drivers {
 
-void SimulatedDriver::add(device::DeviceId id, std::unique_ptr<SimulatedDevice> device) {
+void SimulatedDriver::add(device::DeviceId id, Device device) {
   device->set_id(id);
+  const std::lock_guard lock(mutex_);
   devices_[id] = std::move(device);
 }
 
-SimulatedDevice& SimulatedDriver::at(device::DeviceId id) const {
+void SimulatedDriver::forget(device::DeviceId id) {
+  const std::lock_guard lock(mutex_);
+  devices_.erase(id);
+}
+
+std::size_t SimulatedDriver::device_count() const {
+  const std::lock_guard lock(mutex_);
+  return devices_.size();
+}
+
+/// None once it has retired: a driver that uses it may not have heard yet.
+SimulatedDriver::Device SimulatedDriver::find(device::DeviceId id) const {
+  const std::lock_guard lock(mutex_);
   const auto found = devices_.find(id);
-  PLAYHOUSE_ASSERT(found != devices_.end());
-  return *found->second;
+  return found == devices_.end() ? nullptr : found->second;
 }
 
 Result<void> SimulatedDriver::start(device::DeviceId id) {
-  SimulatedDevice& device = at(id);
-  const auto open = [&device, &simulation = simulation_](world::World& world) {
+  const Device device = find(id);
+  PLAYHOUSE_ASSERT(device != nullptr);
+  const auto open = [device, &simulation = simulation_](world::World& world) {
     simulation.add_source(device);
-    if (const world::ModelRow model = world.row(device.model())) world::subscribe(world, model);
+    if (const world::ModelRow model = world.row(device->model())) world::subscribe(world, model);
   };
   // A device opened as the run ends is no failure: its client is told of the end next.
-  if (!simulation_.post(open, device.robot()) && !simulation_.discarded())
+  if (!simulation_.post(open, device->robot()) && !simulation_.discarded())
     return Error{"", "too many requests are waiting for the tick"};
   return {};
 }
 
 void SimulatedDriver::stop(device::DeviceId id) {
-  SimulatedDevice& device = at(id);
+  const Device device = find(id);
+  PLAYHOUSE_ASSERT(device != nullptr);
   simulation_.post_always(
-      [&device, &simulation = simulation_](world::World& world) {
-        simulation.remove_source(device);
-        const world::ModelRow model = world.row(device.model());
+      [device, &simulation = simulation_](world::World& world) {
+        simulation.remove_source(*device);
+        const world::ModelRow model = world.row(device->model());
         if (!model) return;
         world::unsubscribe(world, model);
-        device.closed(world, model);
+        device->closed(world, model);
       },
-      device.robot());
+      device->robot());
 }
 
 device::Taken SimulatedDriver::command(const device::Message& message) {
-  if (!capable(message.device, message.type, message.subtype)) return device::Taken::kNo;
-  return at(message.device).command(message);
+  const Device device = find(message.device);
+  if (device == nullptr || !device->serves(message.type, message.subtype)) return device::Taken::kNo;
+  return device->command(message);
 }
 
 void SimulatedDriver::request(const device::Message& message, device::Replier replier) {
-  if (!capable(message.device, message.type, message.subtype)) return;
-  at(message.device).request(message, std::move(replier));
+  const Device device = find(message.device);
+  if (device == nullptr || !device->serves(message.type, message.subtype)) return;
+  device->request(message, std::move(replier));
 }
 
 bool SimulatedDriver::capable(device::DeviceId id, std::uint8_t type, std::uint8_t subtype) const {
-  return std::ranges::any_of(at(id).served(), [=](const Served& served) {
-    return static_cast<std::uint8_t>(served.type) == type && served.subtype == subtype;
-  });
+  const Device device = find(id);
+  return device != nullptr && device->serves(type, subtype);
 }
 
 void SimulatedDriver::barrier(device::Replier replier) {

@@ -3,10 +3,11 @@
 /// SimulatedDriver: the code behind the devices of a simulated world, as the server sees it. Routes each
 /// message to its device, and lets a model be simulated while its device is open.
 
+#include <cstddef>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
-#include <vector>
 
 #include "playhouse/device/driver.h"
 #include "playhouse/drivers/simulated/simulated_device.h"
@@ -19,23 +20,27 @@ class SimulatedDriver final : public device::Driver {
   SimulatedDriver(Simulation& simulation, std::string name)
       : simulation_(simulation), name_(std::move(name)) {}
 
-  /// The device answers at `id` from now on.
-  void add(device::DeviceId id, std::unique_ptr<SimulatedDevice> device);
+  /// The device answers at `id` from now on, until it is to be forgotten. Io thread too.
+  void add(device::DeviceId id, std::shared_ptr<SimulatedDevice> device);
+  std::size_t device_count() const;  // any thread
 
   std::string_view name() const override { return name_; }
   Result<void> start(device::DeviceId id) override;
   void stop(device::DeviceId id) override;
+  void forget(device::DeviceId id) override;
   device::Taken command(const device::Message& message) override;
   void request(const device::Message& message, device::Replier replier) override;
   bool capable(device::DeviceId id, std::uint8_t type, std::uint8_t subtype) const override;
   void barrier(device::Replier replier) override;
 
  private:
-  SimulatedDevice& at(device::DeviceId id) const;
+  using Device = std::shared_ptr<SimulatedDevice>;  // shared with what waits for the tick thread
+  Device find(device::DeviceId id) const;
 
   Simulation& simulation_;
   std::string name_;
-  std::map<device::DeviceId, std::unique_ptr<SimulatedDevice>> devices_;
+  mutable std::mutex mutex_;  // guards what follows
+  std::map<device::DeviceId, Device> devices_;
 };
 
 }  // namespace playhouse::drivers

@@ -61,7 +61,8 @@ Simulation::Simulation(std::unique_ptr<world::Engine> engine, Options options)
       end_tick_(ticks_in(options.duration, engine_->world().scene().interval)),
       time_(engine_->world().time()),
       clock_(options.clock ? std::move(options.clock) : wall_now),
-      pacer_(engine_->world().scene().interval) {
+      pacer_(engine_->world().scene().interval),
+      followed_(engine_->world().changes.end()) {
   wanted_.speed = std::max(0.0, options.speed);
   wanted_.paused = options.paused;
 }
@@ -104,12 +105,20 @@ void Simulation::tick() {
 
   const world::World& world = engine_->world();
   time_.store(world.time(), std::memory_order_relaxed);
+  follow_changes();
   if (!sources_.empty()) {
     batch_.clear();
-    for (Source* source : sources_) source->emit(world, batch_);
+    for (const std::shared_ptr<Source>& source : sources_) source->emit(world, batch_);
     if (!batch_.empty() && publisher_) publisher_->publish(std::exchange(batch_, {}));
   }
   tell_listeners();
+}
+
+void Simulation::follow_changes() {
+  const world::World& world = engine_->world();
+  for (const world::Change& change : world.changes.since(followed_))
+    for (const Follower& follower : followers_) follower(world, change);
+  followed_ = world.changes.end();
 }
 
 void Simulation::tell_listeners() {
@@ -141,6 +150,7 @@ void Simulation::take_inbox() {
       apply(world, *command);
     } else {
       std::get<Change>(entry)(world);
+      follow_changes();
     }
   }
   taken_.clear();
@@ -227,12 +237,12 @@ world::Pace Simulation::pace() const {
   return {wanted_.paused, wanted_.speed, wanted_.paused ? 0 : factor_.load(std::memory_order_relaxed)};
 }
 
-void Simulation::add_source(Source& source) {
-  sources_.push_back(&source);
+void Simulation::add_source(std::shared_ptr<Source> source) {
+  sources_.push_back(std::move(source));
 }
 
-void Simulation::remove_source(Source& source) {
-  std::erase(sources_, &source);
+void Simulation::remove_source(const Source& source) {
+  std::erase_if(sources_, [&](const std::shared_ptr<Source>& each) { return each.get() == &source; });
 }
 
 }  // namespace playhouse::drivers

@@ -42,13 +42,17 @@ class Simulation final : public world::Control {
   /// tick thread.
   using Listener = std::function<void(const world::World&, const world::Pace&)>;
 
+  /// Called for every entry of world.changes, in their order, on the tick thread: between any two changes
+  /// that were posted, and before the data of a tick and the listeners. So what it decides is the same in
+  /// every run.
+  using Follower = std::function<void(const world::World&, const world::Change&)>;
+
   Simulation(std::unique_ptr<world::Engine> engine, Options options);
 
   // Before run().
   void publish_to(device::Publisher& publisher) { publisher_ = &publisher; }
   void add_listener(Listener listener) { listeners_.push_back(std::move(listener)); }
-  /// Which devices show which model.
-  Directory& directory() { return directory_; }
+  void add_follower(Follower follower) { followers_.push_back(std::move(follower)); }
 
   /// Ticks until the duration is over or stop() is called. The calling thread is the tick thread; with no
   /// wall clock to keep (speed 0) and nothing posted, no lock is taken and no other thread is involved.
@@ -79,8 +83,11 @@ class Simulation final : public world::Control {
   world::Pace pace() const;
 
   // Tick thread only (inside a Change), or while run() is not running.
-  void add_source(Source& source);
-  void remove_source(Source& source);
+  void add_source(std::shared_ptr<Source> source);
+  void remove_source(const Source& source);
+  std::size_t source_count() const { return sources_.size(); }
+  /// Which devices show which model.
+  Directory& directory() { return directory_; }
   world::Engine& engine() { return *engine_; }
   const world::World& world() const { return engine_->world(); }
 
@@ -101,10 +108,12 @@ class Simulation final : public world::Control {
   void take_inbox();
   bool wait_for_tick();
   void tick();
+  void follow_changes();
   void tell_listeners();
 
   std::unique_ptr<world::Engine> engine_;
   device::Publisher* publisher_ = nullptr;
+  std::vector<Follower> followers_;
   std::vector<Listener> listeners_;
   Directory directory_;
   std::uint64_t end_tick_;
@@ -123,7 +132,8 @@ class Simulation final : public world::Control {
   std::function<double()> clock_;
   Pacer pacer_;
   std::vector<Inbox::Entry> taken_;
-  std::vector<Source*> sources_;
+  std::uint64_t followed_;  // changes that the followers know
+  std::vector<std::shared_ptr<Source>> sources_;
   std::vector<device::Publication> batch_;
 };
 

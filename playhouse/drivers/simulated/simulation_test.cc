@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "playhouse/drivers/testing/still_engine.h"
+#include "playhouse/world/population.h"
 
 namespace playhouse::drivers {
 namespace {
@@ -56,6 +57,21 @@ TEST(Simulation, shows_every_tick_to_its_listeners_with_the_time) {
   still.run(2);
   EXPECT_EQ(seen, (std::vector<std::uint64_t>{0, 1, 2}));
   EXPECT_DOUBLE_EQ(still.simulation.time(), 0.2);
+}
+
+TEST(Simulation, tells_its_followers_of_each_change_before_the_next_and_before_its_listeners) {
+  StillSimulation still(kRobot);
+  std::string told;
+  still.simulation.add_follower([&](const world::World& world, const world::Change& change) {
+    told += change.kind == world::Change::Kind::kSpawn ? "came " : "went ";
+    told += std::to_string(world.models.size()) + ", ";
+  });
+  still.simulation.add_listener([&](const world::World&, const world::Pace&) { told += "shown, "; });
+  world::ModelId robot;
+  still.simulation.post([&](world::World& world) { robot = *world::spawn(world, 0, {}); });
+  still.simulation.post([&](world::World& world) { EXPECT_TRUE(world::despawn(world, robot)); });
+  still.run(0);
+  EXPECT_EQ(told, "shown, came 2, went 1, shown, ") << "the pace is shown first";
 }
 
 TEST(Simulation, a_paused_world_does_what_is_posted_and_single_steps_only) {

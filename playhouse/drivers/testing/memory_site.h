@@ -5,9 +5,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "playhouse/drivers/registry.h"
@@ -49,22 +52,39 @@ class MemorySite final : public Surroundings {
   device::DeviceId id(device::Address address) const { return *site_.find(address); }
   device::Driver& driver(device::Address address) const { return *added_[id(address).row].second; }
   Site& site() { return site_; }
+  /// Does what was posted to the tick, so many ticks, and what was posted to the io thread meanwhile.
   void run(int ticks) {
     site_.simulation()->extend(static_cast<std::uint64_t>(ticks));
     site_.simulation()->run();
+    for (const std::function<void()>& task : std::exchange(posted_, {})) task();
   }
 
   Result<device::DeviceId> add_device(device::Address address, device::Driver& driver) override {
     added_.emplace_back(address, &driver);
     return device::DeviceId{static_cast<std::uint32_t>(added_.size() - 1)};
   }
-  Result<void> hold(device::DeviceId device) override {
-    if (held[device.row]++ == 0) return added_[device.row].second->start(device);
-    return {};
+  void retire_device(device::DeviceId device) override {
+    retired.push_back(device.row);
+    const std::vector<device::Driver*> holders = std::exchange(held[device.row], {});
+    device::Driver& driver = *added_[device.row].second;
+    if (!holders.empty()) driver.stop(device);
+    driver.forget(device);
+    for (device::Driver* holder : holders)
+      if (holder != nullptr) holder->retired(device);
   }
-  void release(device::DeviceId device) override {
-    if (--held[device.row] == 0) added_[device.row].second->stop(device);
+  Result<void> hold(device::DeviceId device, device::Driver* holder = nullptr) override {
+    if (std::ranges::find(retired, device.row) != retired.end()) return Error{"", "the device has retired"};
+    held[device.row].push_back(holder);
+    return held[device.row].size() == 1 ? added_[device.row].second->start(device) : Result<void>();
   }
+  void release(device::DeviceId device, device::Driver* holder = nullptr) override {
+    std::vector<device::Driver*>& holders = held[device.row];
+    const auto found = std::ranges::find(holders, holder);
+    if (found == holders.end()) return;  // the device has retired
+    holders.erase(found);
+    if (holders.empty()) added_[device.row].second->stop(device);
+  }
+  void post(std::function<void()> task) override { posted_.push_back(std::move(task)); }
   Result<std::unique_ptr<Simulation>> open_world(const std::string& path) override {
     opened.push_back(path);
     scene_ = scene_of(world_text_);
@@ -73,13 +93,15 @@ class MemorySite final : public Surroundings {
   }
 
   Recorder recorder;
-  std::map<std::uint32_t, int> held;
+  std::map<std::uint32_t, std::vector<device::Driver*>> held;  // once per hold; null: nobody hears of its end
+  std::vector<std::uint32_t> retired;                          // in this order
   std::vector<std::string> opened;
 
  private:
   std::string world_text_;
   scene::SceneDesc scene_;
   std::vector<std::pair<device::Address, device::Driver*>> added_;
+  std::vector<std::function<void()>> posted_;
   Site site_;
   std::vector<std::unique_ptr<device::Driver>> drivers_;
 };

@@ -47,7 +47,7 @@ bool is_finite(const wire::Pose2d& pose) {
 
 Vfh::Vfh(device::Opener& opener, const VfhOptions& options)
     : options_(options),
-      client_(opener, 2),
+      client_(opener, *this, 2),
       position_(client_.queue(kRobot, kStatesKept)),
       scans_(client_.latest(kLaser, lsr::kDataScan)) {
   client_.when_news([this](std::vector<device::Publication>& more) { take_news(more); });
@@ -197,7 +197,7 @@ Result<std::unique_ptr<device::Driver>> make_vfh(const scene::CfgSection& sectio
         [&thread](const world::World& world, const world::Pace&) { thread.ticked(world.tick()); });
     return {};
   };
-  site.add_user({driver.get(), &driver->client(), *required, section.at("requires"), connected});
+  site.add_user({driver.get(), &driver->client(), *provided, *required, section.at("requires"), connected});
   return std::unique_ptr<device::Driver>(std::move(driver));
 }
 

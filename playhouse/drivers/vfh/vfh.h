@@ -36,6 +36,7 @@ class Vfh final : public device::Driver {
   std::string_view name() const override { return "vfh"; }
   Result<void> start(device::DeviceId device) override;
   void stop(device::DeviceId device) override;
+  void retired(device::DeviceId) override { stop(device_); }
   device::Taken command(const device::Message& message) override;
   void request(const device::Message& message, device::Replier replier) override;
   bool capable(device::DeviceId device, std::uint8_t type, std::uint8_t subtype) const override;

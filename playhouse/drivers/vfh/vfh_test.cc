@@ -11,6 +11,7 @@
 
 #include "playhouse/drivers/testing/memory_site.h"
 #include "playhouse/wire/codec.h"
+#include "playhouse/world/population.h"
 
 namespace playhouse::drivers {
 namespace {
@@ -124,8 +125,8 @@ TEST_F(VfhTest, closed_on_its_way_it_leaves_a_robot_that_stands) {
   EXPECT_NE(told().a, 0);
   site.release(site.id(kVfh));
   EXPECT_EQ(told(), geom::Twist());
-  EXPECT_EQ(site.held[site.id({6665, 6, 0}).row], 0);
-  EXPECT_EQ(site.held[site.id(kWheels).row], 1);
+  EXPECT_EQ(site.held[site.id({6665, 6, 0}).row].size(), 0u);
+  EXPECT_EQ(site.held[site.id(kWheels).row].size(), 1u);
 }
 
 TEST_F(VfhTest, a_goal_for_a_closed_device_is_not_kept_for_the_next_who_opens_it) {
@@ -167,6 +168,68 @@ TEST_F(VfhTest, requests_are_its_robot_s) {
 TEST_F(VfhTest, the_directory_shows_it_at_its_robot) {
   Simulation& simulation = *site.site().simulation();
   EXPECT_EQ(simulation.directory().model_of(kVfh), simulation.directory().model_of(kWheels));
+}
+
+TEST_F(VfhTest, goes_with_its_robot_amid_a_drive_and_so_does_the_laser_between_them) {
+  Simulation& simulation = *site.site().simulation();
+  const device::DeviceId vfh = site.id(kVfh);
+  device::Driver& driver = site.driver(kVfh);
+  go_to(0, 3);
+  site.run(1);
+  ASSERT_TRUE(simulation.post([](world::World& world) { EXPECT_TRUE(world::despawn(world, {0})); }));
+  site.run(3);
+  site.run(0);  // what was said on the io thread
+  EXPECT_EQ(site.retired.size(), 4u);
+  EXPECT_EQ(site.site().device_count(), 1u) << "the simulation";
+  EXPECT_EQ(simulation.directory().size(), 0u);
+  EXPECT_EQ(simulation.source_count(), 0u);
+  EXPECT_EQ(site.hold(vfh).error().text, "the device has retired");
+  const std::vector<std::byte> goal = wire::encode(p2d::CmdPos{{0, 3, 0}, {}, 1});
+  EXPECT_EQ(driver.command({vfh, kCmd, p2d::kCmdPos, goal}), device::Taken::kNo);
+}
+
+TEST_F(VfhTest, ends_its_drive_when_it_hears_that_a_device_of_its_retired_and_lets_go_of_the_other) {
+  ASSERT_TRUE(site.hold(site.id(kWheels))) << "by somebody else";
+  go_to(0, 3);
+  site.run(2);
+  EXPECT_NE(told().a, 0);
+  site.retire_device(site.id({6665, 6, 0}));
+  EXPECT_EQ(told(), geom::Twist());
+  EXPECT_EQ(site.held[site.id(kWheels).row].size(), 1u);
+  EXPECT_EQ(go_to(0, 3), device::Taken::kNo);
+  site.release(site.id(kVfh));  // has nothing left to let go of
+  EXPECT_EQ(site.held[site.id(kWheels).row].size(), 1u);
+}
+
+/// The laser is no part of the robot.
+constexpr const char* kApart = R"(
+interval_sim 100
+ranger( name "gate" sensor( range [0 8] fov 180 samples 181 ) )
+position( name "r0" size [0.4 0.4 0.2] )
+)";
+constexpr const char* kApartFile = R"(
+driver( name "stage" provides ["simulation:0"] worldfile "some.world" )
+driver( name "stage" provides ["laser:0"] model "gate" )
+driver( name "stage" provides ["position2d:0"] model "r0" alwayson 1 )
+driver( name "vfh" provides ["position2d:1"] requires ["position2d:0" "laser:0"] ))";
+
+TEST(VfhApart, stops_its_robot_when_its_laser_goes) {
+  MemorySite site(kApart);
+  ASSERT_EQ(site.build(kApartFile), "");
+  Simulation& simulation = *site.site().simulation();
+  const world::World& world = simulation.world();
+  const device::DeviceId vfh = site.id(kVfh), laser = site.id({6665, 6, 0});
+  ASSERT_TRUE(site.hold(vfh));
+  const std::vector<std::byte> goal = wire::encode(p2d::CmdPos{{0, 3, 0}, {}, 1});
+  EXPECT_EQ(site.driver(kVfh).command({vfh, kCmd, p2d::kCmdPos, goal}), device::Taken::kLatest);
+  site.run(3);
+  EXPECT_NE(world.positions.command[0], geom::Twist());
+  ASSERT_TRUE(simulation.post([](world::World& changed) { EXPECT_TRUE(world::despawn(changed, {0})); }));
+  site.run(1);
+  site.run(1);
+  EXPECT_EQ(world.positions.command[0], geom::Twist());
+  EXPECT_THAT(site.retired, ElementsAre(laser.row, vfh.row));
+  EXPECT_TRUE(site.site().find(kWheels).has_value());
 }
 
 TEST(VfhSection, says_what_is_wrong_and_where) {

@@ -1,0 +1,179 @@
+// Automatic devices of models that come and go: which addresses they get, and that nothing is left of them.
+// Out of scope here: what clients hear (app/population_test.cc).
+
+#include "playhouse/drivers/simulated/auto_devices.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "playhouse/drivers/testing/memory_site.h"
+#include "playhouse/wire/generated/position2d.h"
+#include "playhouse/world/population.h"
+#include "playhouse/world/state.h"
+
+namespace playhouse::drivers {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using testing::MemorySite;
+using world::ModelId;
+namespace p2d = wire::position2d;
+
+constexpr std::uint8_t kCmd = 2, kReq = 3;
+
+// By rows: 0 robot "a" with a laser (1); 2 robot "two" with two lasers (3, 4); 5 a laser that no robot
+// carries.
+constexpr const char* kWorld = R"(
+interval_sim 100
+define laser ranger( sensor( samples 3 fov 180 ) )
+position( name "a" laser( name "l" ) )
+position( name "two" laser( name "l" ) laser( name "m" ) )
+laser( name "gate" )
+)";
+constexpr std::uint32_t kA = 0, kTwo = 2, kGate = 5;
+
+class AutoDevicesTest : public ::testing::Test {
+ protected:
+  AutoDevicesTest() : site(kWorld) {
+    EXPECT_TRUE(site.site().open_world("some.world"));
+    robots = std::make_unique<AutoDevices>(site.site(), 6665);
+    EXPECT_TRUE(robots->add_all());
+  }
+  Simulation& simulation() { return *site.site().simulation(); }
+  void post(std::function<void(world::World&)> change) { EXPECT_TRUE(simulation().post(std::move(change))); }
+  /// Comes before the next tick, and its devices with it.
+  ModelId come(std::uint32_t prototype) {
+    ModelId id;
+    post([&](world::World& world) { id = *world::spawn(world, prototype, {}); });
+    site.run(0);
+    return id;
+  }
+  void go(ModelId id) {
+    post([=](world::World& world) { EXPECT_TRUE(world::despawn(world, id)); });
+    site.run(0);
+  }
+  std::vector<std::string> names(ModelId id) { return device_names(simulation().directory(), id, 6665); }
+  std::size_t devices() { return site.site().device_count(); }
+
+  MemorySite site;
+  std::unique_ptr<AutoDevices> robots;
+};
+
+TEST_F(AutoDevicesTest, of_a_robot_that_comes_have_numbers_that_nobody_had) {
+  EXPECT_THAT(names({kTwo}), ElementsAre("position2d:1"));
+  EXPECT_THAT(names({kGate}), ElementsAre("ranger:3", "laser:3"));
+  const ModelId first = come(kA);
+  EXPECT_THAT(names(first), ElementsAre("position2d:4")) << "laser:2 and laser:3 are taken";
+  EXPECT_THAT(names({first.value + 1}), ElementsAre("ranger:4", "laser:4"));
+  const ModelId second = come(kTwo);
+  EXPECT_THAT(names(second), ElementsAre("position2d:5"));
+  EXPECT_THAT(names({second.value + 1}), ElementsAre("ranger:5", "laser:5"));
+  EXPECT_THAT(names({second.value + 2}), ElementsAre("ranger:6", "laser:6"));
+  EXPECT_THAT(names(come(kGate)), ElementsAre("ranger:7", "laser:7"));
+  EXPECT_TRUE(site.site().find({6665, p2d::kCode, 5}).has_value());
+}
+
+TEST_F(AutoDevicesTest, go_with_their_robot_and_leave_their_numbers_to_nobody) {
+  const std::size_t before = devices();
+  const ModelId first = come(kA);
+  EXPECT_EQ(devices(), before + 3);
+  go(first);
+  EXPECT_EQ(devices(), before);
+  EXPECT_THAT(names(first), IsEmpty());
+  EXPECT_EQ(site.retired.size(), 3u);
+  EXPECT_THAT(names(come(kA)), ElementsAre("position2d:5"));
+  go({kA});
+  EXPECT_FALSE(site.site().find({6665, p2d::kCode, 0}).has_value()) << "one of the start";
+}
+
+TEST_F(AutoDevicesTest, are_decided_change_by_change_however_many_wait_for_a_tick) {
+  ModelId gone, stays;
+  post([&](world::World& world) { gone = *world::spawn(world, kA, {}); });
+  post([&](world::World& world) { EXPECT_TRUE(world::despawn(world, gone)); });
+  post([&](world::World& world) { stays = *world::spawn(world, kA, {}); });
+  site.run(0);
+  EXPECT_THAT(names(stays), ElementsAre("position2d:5"));
+  EXPECT_EQ(site.retired.size(), 3u) << "those of the first, which clients may have seen";
+}
+
+TEST_F(AutoDevicesTest, are_none_of_what_goes_in_the_very_change_in_which_it_came) {
+  post([&](world::World& world) { EXPECT_TRUE(world::despawn(world, *world::spawn(world, kA, {}))); });
+  site.run(0);
+  EXPECT_THAT(site.retired, IsEmpty());
+  EXPECT_THAT(names(come(kA)), ElementsAre("position2d:4"));
+}
+
+TEST_F(AutoDevicesTest, are_known_to_listeners_with_the_world_that_they_are_in) {
+  std::vector<std::size_t> seen;
+  simulation().add_listener([&](const world::World& world, const world::Pace&) {
+    const ModelId newest = world.models.id.back();
+    if (newest.value > kGate) seen.push_back(names(newest).size());
+  });
+  come(kA);
+  go({6});
+  EXPECT_THAT(seen, ElementsAre(2u));
+}
+
+TEST_F(AutoDevicesTest, follow_what_a_tick_changes) {
+  world::World& world = simulation().engine().world();
+  const ModelId id = *world::spawn(world, kA, {});  // as a phase of the engine may
+  site.run(1);
+  EXPECT_THAT(names(id), ElementsAre("position2d:4"));
+}
+
+TEST_F(AutoDevicesTest, measure_and_obey_as_others_do_until_their_robot_goes) {
+  const ModelId robot = come(kA);
+  const device::DeviceId wheels = site.id({6665, p2d::kCode, 4}), laser = site.id({6665, 6, 4});
+  ASSERT_TRUE(site.hold(wheels));
+  ASSERT_TRUE(site.hold(laser));
+  site.run(1);
+  EXPECT_EQ(site.recorder.published.size(), 2u);
+  EXPECT_EQ(simulation().source_count(), 2u);
+  device::Driver& driver = site.driver({6665, p2d::kCode, 4});
+  const std::vector<std::byte> go_on = wire::encode(p2d::CmdVel{{0.3, 0, 0}, 1});
+  EXPECT_EQ(driver.command({wheels, kCmd, p2d::kCmdVel, go_on}), device::Taken::kLatest);
+
+  // A request and a command are under way when the robot goes.
+  post([=](world::World& world) { EXPECT_TRUE(world::despawn(world, robot)); });
+  const std::vector<std::byte> power = wire::encode(p2d::PowerConfig{0});
+  driver.request({wheels, kReq, p2d::kReqMotorPower, power}, device::Replier(site.recorder, 1));
+  driver.command({wheels, kCmd, p2d::kCmdVel, go_on});
+  site.run(1);
+  EXPECT_FALSE(site.recorder.answers.at(1).ack);
+  EXPECT_EQ(site.recorder.published.size(), 2u);
+  site.run(0);  // the stops have reached the tick
+  EXPECT_EQ(simulation().source_count(), 0u);
+  EXPECT_EQ(robots->driver().device_count(), devices());
+  // A driver that has not heard yet.
+  EXPECT_EQ(driver.command({wheels, kCmd, p2d::kCmdVel, go_on}), device::Taken::kNo);
+  driver.request({wheels, kReq, p2d::kReqGetGeom, {}}, device::Replier(site.recorder, 2));
+  EXPECT_FALSE(site.recorder.answers.at(2).ack);
+  EXPECT_FALSE(driver.capable(wheels, kCmd, p2d::kCmdVel));
+}
+
+TEST_F(AutoDevicesTest, opened_while_their_robot_goes_end_as_all_do) {
+  const ModelId robot = come(kA);
+  const device::DeviceId wheels = site.id({6665, p2d::kCode, 4});
+  post([=](world::World& world) { EXPECT_TRUE(world::despawn(world, robot)); });
+  ASSERT_TRUE(site.hold(wheels)) << "clients have not heard yet";
+  site.run(1);
+  EXPECT_FALSE(site.hold(wheels));
+  site.run(0);
+  EXPECT_EQ(simulation().source_count(), 0u);
+}
+
+TEST_F(AutoDevicesTest, of_a_world_that_became_another_are_all_new) {
+  const std::size_t before = devices();
+  std::vector<std::byte> start;
+  ASSERT_TRUE(world::save_state(simulation().world(), start));
+  come(kA);
+  post([&](world::World& world) { EXPECT_TRUE(world::load_state(world, start)); });
+  site.run(0);
+  EXPECT_EQ(devices(), before);
+  EXPECT_THAT(names({kA}), ElementsAre("position2d:5"));
+  EXPECT_TRUE(site.site().find({6665, 31, 0}).has_value()) << "the world itself is still there";
+}
+
+}  // namespace
+}  // namespace playhouse::drivers
