@@ -98,6 +98,31 @@ std::size_t corners_of(const scene::ModelDesc& desc) {
   return corners;
 }
 
+/// What the models [begin, end) have of a table; nothing if they have nothing.
+template <typename Table>
+Range range_of_run(const Tables& tables, std::uint32_t begin, std::uint32_t end, Per per) {
+  Range all;
+  for (std::uint32_t model = begin; model < end; ++model) {
+    const Range own = range_of<Table>(tables, model, per);
+    if (own.begin < own.end) all = {all.begin < all.end ? all.begin : own.begin, own.end};
+  }
+  return all;
+}
+
+/// Removes ranges, ascending or empty; each value that stays moves once.
+template <typename T>
+void erase_ranges(std::vector<T>& values, std::span<const Range> ranges) {
+  const auto at = [&](std::uint32_t index) { return values.begin() + index; };
+  auto to = values.end();
+  std::uint32_t from = 0;  // where what stays begins, once something was left out
+  for (const Range& range : ranges) {
+    if (range.begin == range.end) continue;
+    to = to == values.end() ? at(range.begin) : std::move(at(from), at(range.begin), to);
+    from = range.end;
+  }
+  if (to != values.end()) values.erase(std::move(at(from), values.end(), to), values.end());
+}
+
 Error no_model() {
   return Error{{}, "there is no such model, or no more"};
 }
@@ -162,21 +187,20 @@ void Population::add_part(ModelRow row) {
   }
 }
 
-void Population::erase(std::uint32_t begin, std::uint32_t end) {
-  for (std::uint32_t row = begin; row < end; ++row) world_.corners_ -= corners_of(world_.desc({row}));
+void Population::erase(std::span<const Rows> runs) {
+  for (const Rows& run : runs)
+    for (std::uint32_t row = run.begin; row < run.end; ++row)
+      world_.corners_ -= corners_of(world_.desc({row}));
+  std::vector<Range> rows, beams;
   const auto erase_from = [&]<typename Table>(Table Tables::*table) {
     // Tables are in the order of the models, so what a run of models has is a run as well.
-    Range rows, beams;
-    for (std::uint32_t model = begin; model < end; ++model) {
-      const Range r = range_of<Table>(world_, model, Per::kRow),
-                  b = range_of<Table>(world_, model, Per::kBeam);
-      if (r.begin < r.end) rows = {rows.begin < rows.end ? rows.begin : r.begin, r.end};
-      if (b.begin < b.end) beams = {beams.begin < beams.end ? beams.begin : b.begin, b.end};
+    rows.clear(), beams.clear();
+    for (const Rows& run : runs) {
+      rows.push_back(range_of_run<Table>(world_, run.begin, run.end, Per::kRow));
+      beams.push_back(range_of_run<Table>(world_, run.begin, run.end, Per::kBeam));
     }
     each_column_of<Table>([&](const auto& column) {
-      auto& values = world_.*table.*column.values;
-      const Range range = column.per == Per::kBeam ? beams : rows;
-      values.erase(values.begin() + range.begin, values.begin() + range.end);
+      erase_ranges(world_.*table.*column.values, column.per == Per::kBeam ? beams : rows);
     });
   };
   // The models last: the others' ranges are found by them; a ranger's beams by its sensors.
@@ -350,27 +374,59 @@ Result<ModelId> spawn(World& world, std::uint32_t prototype, const geom::Pose& X
   return top;
 }
 
-Result<void> despawn(World& world, ModelId model) {
-  const ModelRow row = world.row(model);
-  if (!row) return no_model();
-  if (world.models.parent_id[row.index]) return Error{{}, "it is a part of another model"};
-  // What was attached to the tree, wherever in it.
+namespace {
+
+/// Rows of top-level models that are to go, ascending.
+Result<std::vector<std::uint32_t>> tops_to_go(const World& world, std::span<const ModelId> models) {
+  std::vector<std::uint32_t> tops;
+  for (const ModelId model : models) {
+    const ModelRow row = world.row(model);
+    if (!row) return no_model();
+    if (world.models.parent_id[row.index]) return Error{{}, "it is a part of another model"};
+    tops.push_back(row.index);
+  }
+  std::ranges::sort(tops);
+  if (std::ranges::adjacent_find(tops) != tops.end()) return Error{{}, "it is named twice"};
+  return tops;
+}
+
+/// Makes what was attached to these trees, wherever in them, trees of their own.
+void detach_from(World& world, std::span<const std::uint32_t> tops) {
   std::vector<ModelId> attached;
-  for (std::uint32_t part = 0; part < world.models.size(); ++part)
-    if (part != row.index && world.models.root[part] == row.index && was_attached(world, part))
-      attached.push_back(world.models.id[part]);
+  for (std::uint32_t part = 0; part < world.models.size(); ++part) {
+    const bool goes = std::ranges::binary_search(tops, world.models.root[part]);
+    if (goes && was_attached(world, part)) attached.push_back(world.models.id[part]);
+  }
   for (const ModelId part : attached) {
     const Result<void> detached = detach(world, part);
     PLAYHOUSE_ASSERT(detached.ok());
   }
-  const std::uint32_t count = prototype_of(world.scene(), world.models.desc[row.index]).count;
-  const Mobility mobility = world.models.mobility[row.index];
+}
+
+}  // namespace
+
+Result<void> despawn(World& world, ModelId model) {
+  return despawn(world, std::span(&model, 1));
+}
+
+Result<void> despawn(World& world, std::span<const ModelId> models) {
+  const Result<std::vector<std::uint32_t>> tops = tops_to_go(world, models);
+  if (!tops) return tops.error();
+  detach_from(world, *tops);
+  const auto count_of = [&](std::uint32_t top) {
+    return prototype_of(world.scene(), world.models.desc[top]).count;
+  };
+  for (const ModelId model : models) {
+    const std::uint32_t top = world.row(model).index;
+    world.changes.add({Change::Kind::kDespawn, model, {}, count_of(top), world.models.mobility[top]});
+  }
+  std::vector<Population::Rows> runs;  // what came together has ids, and so rows, in a run
+  for (const std::uint32_t top : *tops) runs.push_back({top, top + count_of(top)});
   Population population(world);
-  population.given().erase(model);
-  population.erase(row.index, row.index + count);  // what came together has ids, and so rows, in a run
+  population.erase(runs);
+  for (const ModelId model : models) population.given().erase(model);
   const bool derived = population.derive();
   PLAYHOUSE_ASSERT(derived);
-  world.changes.add({Change::Kind::kDespawn, model, {}, count, mobility});
   return {};
 }
 

@@ -23,6 +23,9 @@ Result<ModelId> spawn(World& world, std::uint32_t prototype, const geom::Pose& X
 /// Takes a top-level model and all its own parts out of the world; what was attached to it stays where it
 /// is. Cost: the population. Fails if there is no such model or it is a part.
 Result<void> despawn(World& world, ModelId model);
+/// The same for several, in their order and at the cost of one. Fails, and all stay, where one of them is
+/// none, is a part, or is named twice.
+Result<void> despawn(World& world, std::span<const ModelId> models);
 
 /// Makes a top-level model a part of another tree, at X_PC in `parent`. Fails where the parent is in the
 /// child's own tree, the child drives or is fixed, or either does not exist.
@@ -50,8 +53,11 @@ class Population {
   /// A row at the end of every table that its kind has, as it is at the start of its life. `X_PM` is where
   /// the scene, or who spawned it, puts it. Derived columns are complete if `parent` is a row that exists.
   ModelRow append(ModelId id, std::uint32_t desc, ModelRow parent, const geom::Pose& X_PM);
-  /// Removes the rows [begin, end) of the models and what they have in other tables. derive() is due then.
-  void erase(std::uint32_t begin, std::uint32_t end);
+  struct Rows {
+    std::uint32_t begin = 0, end = 0;
+  };
+  /// Removes runs of rows of the models, ascending, and what they have in other tables. derive() is due then.
+  void erase(std::span<const Rows> runs);
   /// Computes every derived column again but poses and subscribers. False, and no use of the world, if the
   /// population columns make no trees, or deeper ones than limits::kTreeDepth.
   bool derive();

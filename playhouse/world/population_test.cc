@@ -149,6 +149,42 @@ TEST_F(PopulationTest, what_a_robot_carried_stays_when_it_goes) {
   expect_whole();
 }
 
+TEST_F(PopulationTest, several_go_as_they_would_one_by_one) {
+  World other(scene, 1);
+  std::vector<ModelId> going = {{5}, {1}};
+  for (World* each : {&world, &other}) {
+    for (int i = 0; i < 4; ++i) {
+      const Result<ModelId> robot = spawn(*each, i % 2 == 0 ? 1 : 5, {1.0 * i, 0, 0, 0});
+      ASSERT_TRUE(robot.ok());
+      if (each == &world && i != 1) going.push_back(*robot);
+    }
+    const Result<ModelId> puck = spawn(*each, 4, {});
+    ASSERT_TRUE(attach(*each, *puck, {8}, {}).ok());
+    ASSERT_TRUE(attach(*each, {4}, *puck, {}).ok());
+  }
+  const std::uint64_t before = world.changes.end();
+  ASSERT_TRUE(despawn(world, going).ok());
+  for (const ModelId each : going) ASSERT_TRUE(despawn(other, each).ok());
+  expect_whole();
+  EXPECT_EQ(first_difference(world, other), std::nullopt);
+  EXPECT_EQ(world.hash(), other.hash());
+  std::vector<ModelId> gone;
+  for (const Change& change : world.changes.since(before))
+    if (change.kind == Change::Kind::kDespawn) gone.push_back(change.model);
+  EXPECT_EQ(gone, going);
+  ASSERT_TRUE(despawn(world, std::vector(world.models.id)[0]).ok()) << "the wall";
+}
+
+TEST_F(PopulationTest, of_several_all_stay_where_one_cannot_go) {
+  const std::uint64_t before = world.hash();
+  EXPECT_FALSE(despawn(world, std::vector<ModelId>{{1}, {2}}).ok()) << "a part";
+  EXPECT_FALSE(despawn(world, std::vector<ModelId>{{1}, {99}}).ok());
+  EXPECT_FALSE(despawn(world, std::vector<ModelId>{{1}, {5}, {1}}).ok()) << "twice";
+  EXPECT_EQ(world.hash(), before);
+  EXPECT_EQ(world.changes.end(), 0u);
+  EXPECT_TRUE(despawn(world, std::span<const ModelId>()).ok());
+}
+
 TEST_F(PopulationTest, refuses_what_makes_no_world) {
   const std::uint64_t before = world.hash();
   const double nan = std::numeric_limits<double>::quiet_NaN();
