@@ -189,8 +189,10 @@ void Population::add_part(ModelRow row) {
 
 void Population::erase(std::span<const Rows> runs) {
   for (const Rows& run : runs)
-    for (std::uint32_t row = run.begin; row < run.end; ++row)
+    for (std::uint32_t row = run.begin; row < run.end; ++row) {
       world_.corners_ -= corners_of(world_.desc({row}));
+      world_.remove_names({row});
+    }
   std::vector<Range> rows, beams;
   const auto erase_from = [&]<typename Table>(Table Tables::*table) {
     // Tables are in the order of the models, so what a run of models has is a run as well.
@@ -314,8 +316,11 @@ void Population::derive_mobility(std::uint32_t first) {
 
 void Population::settle(std::uint32_t first) {
   derive_mobility(first);
-  world_.names_known_ = false;
   ++world_.population_;
+}
+
+void Population::add_names(std::uint32_t first) {
+  if (world_.names_known_) world_.add_names(first);
 }
 
 geom::Pose Population::start_of(ModelRow row) const {
@@ -370,6 +375,7 @@ Result<ModelId> spawn(World& world, std::uint32_t prototype, const geom::Pose& X
     population.append({top.value + i}, prototype + i, parent, i == 0 ? X : desc.X_PM);
   }
   population.settle(first);
+  population.add_names(first);
   world.changes.add({Change::Kind::kSpawn, top, {}, range.count, world.models.mobility[first]});
   return top;
 }

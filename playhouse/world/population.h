@@ -67,8 +67,10 @@ class Population {
   std::map<ModelId, Given>& given() { return world_.given_; }
   static std::uint32_t next_id(const World& world) { return world.next_id_; }
   static const std::map<ModelId, Given>& given(const World& world) { return world.given_; }
-  /// Completes what append() leaves open for the models from row `first` on, and says that names changed.
+  /// Completes what append() leaves open for the models from row `first` on.
   void settle(std::uint32_t first);
+  /// Lets World::find() know the names of the models from row `first` on, which were given already.
+  void add_names(std::uint32_t first);
   /// Where the scene, or who spawned it, put a model in its parent.
   geom::Pose start_of(ModelRow row) const;
 

@@ -149,6 +149,27 @@ TEST_F(PopulationTest, what_a_robot_carried_stays_when_it_goes) {
   expect_whole();
 }
 
+TEST_F(PopulationTest, names_are_found_as_in_a_world_that_never_changed) {
+  scene::SceneDesc same = scene;
+  same.models[4].name = "s";  // the wall's puck is called as the second robot, which is the last of the name
+  for (const scene::SceneDesc* each : {&scene, static_cast<const scene::SceneDesc*>(&same)}) {
+    World changed(*each, 1), fresh(*each, 1);
+    ASSERT_TRUE(changed.find("s").valid()) << "from here on it knows names";
+    for (const std::uint32_t prototype : {1u, 5u, 1u})
+      for (World* world : {&changed, &fresh}) ASSERT_TRUE(spawn(*world, prototype, {}).ok());
+    for (World* world : {&changed, &fresh}) {
+      ASSERT_TRUE(despawn(*world, {5}).ok());
+      ASSERT_TRUE(despawn(*world, {7}).ok());
+    }
+    World again(*each, 1);  // asked only now
+    std::vector<std::byte> bytes;
+    ASSERT_TRUE(save_state(fresh, bytes).ok());
+    ASSERT_TRUE(load_state(again, bytes).ok());
+    for (const char* name : {"wall", "r", "r~2", "r~3", "r~3.ranger:0", "s", "s~2", "s.ranger:0", "puck", "x"})
+      EXPECT_EQ(changed.find(name), again.find(name)) << name;
+  }
+}
+
 TEST_F(PopulationTest, several_go_as_they_would_one_by_one) {
   World other(scene, 1);
   std::vector<ModelId> going = {{5}, {1}};

@@ -120,10 +120,31 @@ std::string World::name(ModelRow row) const {
 /// Given names win over default names, later ones over earlier ones.
 void World::index_names() const {
   by_name_.clear();
-  for (std::uint32_t row = 0; row < models.size(); ++row)
-    if (models.id[row].value < scene_->models.size()) by_name_[desc({row}).alias] = models.id[row];
-  for (std::uint32_t row = 0; row < models.size(); ++row) by_name_[name({row})] = models.id[row];
   names_known_ = true;
+  names_shared_ = false;
+  for (std::uint32_t row = 0; row < models.size(); ++row)
+    if (models.id[row].value < scene_->models.size()) add_name(desc({row}).alias, models.id[row]);
+  add_names(0);
+}
+
+/// Those of the models from row `first` on, which are the last.
+void World::add_names(std::uint32_t first) const {
+  for (std::uint32_t row = first; row < models.size(); ++row) add_name(name({row}), models.id[row]);
+}
+
+void World::add_name(const std::string& name, ModelId id) const {
+  const auto [place, is_new] = by_name_.try_emplace(name, id);
+  if (is_new || place->second == id) return;
+  names_shared_ = true;
+  place->second = id;
+}
+
+/// Of a model that goes. Where names are shared another one may have it then, and all are looked up anew.
+void World::remove_names(ModelRow row) const {
+  if (names_shared_) names_known_ = false;
+  if (!names_known_) return;
+  by_name_.erase(name(row));
+  if (models.id[row.index].value < scene_->models.size()) by_name_.erase(desc(row).alias);
 }
 
 ModelRow World::find(std::string_view name) const {

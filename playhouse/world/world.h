@@ -174,6 +174,9 @@ class World : public Tables {
     geom::Pose X_WM;  // where it came
   };
   void index_names() const;
+  void add_names(std::uint32_t first) const;
+  void add_name(const std::string& name, ModelId id) const;
+  void remove_names(ModelRow row) const;
 
   const scene::SceneDesc* scene_;
   std::uint64_t seed_;
@@ -182,7 +185,8 @@ class World : public Tables {
   std::uint64_t population_ = 0;
   std::map<ModelId, Given> given_;
   mutable std::map<std::string, ModelId, std::less<>> by_name_;
-  mutable bool names_known_ = false;  // by_name_ holds everyone; made when somebody asks
+  mutable bool names_known_ = false;   // by_name_ holds everyone; made when somebody asks
+  mutable bool names_shared_ = false;  // some of them are several models': by_name_ has the last
 };
 
 class World::Children {
