@@ -5,6 +5,7 @@
 #include "playhouse/replicate/json_text.h"
 #include "playhouse/replicate/quantize.h"
 #include "playhouse/replicate/views.h"
+#include "playhouse/world/population.h"
 
 namespace playhouse::replicate {
 namespace {
@@ -60,7 +61,7 @@ ModelState model_state(const world::World& world, std::uint32_t row) {
 
 Layout::Layout(const world::World& world, const Prototypes& prototypes, const DeviceNames& devices,
                const Layout* before)
-    : population(world.population()) {
+    : population(world.population()), ids_given(world::Population::next_id(world)) {
   const world::Models& models = world.models;
   id = models.id;
   parent = models.parent;

@@ -47,6 +47,7 @@ struct Layout {
          const Layout* before = nullptr);
 
   std::uint64_t population = 0;                           // World::population()
+  std::uint32_t ids_given = 0;                            // all models that ever were have lower ids
   std::vector<world::ModelId> id;                         // per model, ascending
   std::vector<std::uint32_t> parent;                      // per model: row, or world::ModelRow::kNone
   std::vector<std::uint32_t> root;                        // per model

@@ -300,7 +300,7 @@ class WebServer::Impl final : public net::HttpService,
   /// one that never was.
   Result<std::optional<std::uint32_t>> row_of(world::ModelId model) const {
     const replicate::Layout& layout = *newest_;
-    if (layout.id.empty() || model > layout.id.back()) return Error{"", "no such model"};
+    if (model.value >= layout.ids_given) return Error{"", "no such model"};
     return layout.row(model);
   }
 

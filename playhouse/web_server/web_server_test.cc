@@ -290,12 +290,14 @@ TEST_F(WebServerTest, a_robot_is_dragged_and_a_wall_is_not) {
   EXPECT_EQ(small_.world.models.X_PM[0].x, 0);
 }
 
-/// The next text message, as a page reads it; "" at the end.
+/// The next text message, as a page reads it; "" at the end. Packets before it are acknowledged.
 std::string next_text(WebClient& viewer, const std::function<void()>& turning) {
-  std::string message;
-  do message = viewer.message(turning);
-  while (!message.empty() && message[0] != 1);
-  return message;
+  for (;;) {
+    std::string message = viewer.message(turning);
+    if (message.empty() || message[0] == 1) return message;
+    const int frame = message[3];  // after the opcode, the version and the flags; below 128 here
+    viewer.send_text("{\"do\":\"ack\",\"frame\":" + std::to_string(frame) + "}");
+  }
 }
 
 TEST_F(WebServerTest, robots_are_added_copied_and_removed_and_viewers_follow) {
@@ -317,6 +319,9 @@ TEST_F(WebServerTest, robots_are_added_copied_and_removed_and_viewers_follow) {
   EXPECT_EQ(small_.world.models.size(), 18u);
   viewer.send_text(R"({"do":"drag","model":1,"x":5,"y":5,"a":1})");
   viewer.send_text(R"({"do":"remove","model":1})");
+  viewer.send_text(R"({"do":"remove","model":18})");
+  EXPECT_THAT(next_text(viewer, turning()), HasSubstr(R"({"gone":[18,19,20,21],)"));
+  viewer.send_text(R"({"do":"copy","model":18,"x":5,"y":5,"a":1})");
   viewer.send_text(R"({"do":"remove","model":0})");
   EXPECT_THAT(next_text(viewer, turning()), HasSubstr("may not be removed"))
       << "who has gone is nobody's fault";

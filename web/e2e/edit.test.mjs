@@ -39,6 +39,9 @@ test('a robot is added in the middle of the picture and selected, for every view
   assert.deepEqual(await robots(), ['guest', 'mate', 'drifter', 'guest~2']);
   await other.waitForFunction(() => window.playhouse.robots.includes('guest~2'));
   assert.deepEqual(await pose('guest~2', other), await pose('guest~2'));
+  const devices = await page.locator('#panel [data-device]').evaluateAll((all) => all.map((one) => one.dataset.device));
+  assert.deepEqual(devices.slice(0, 1), ['position2d:3']);
+  assert.ok(devices.includes('laser:3'));
 });
 
 test('a copy stands beside the selected robot', async () => {
