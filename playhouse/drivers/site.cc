@@ -72,11 +72,15 @@ void Site::follow(const world::Change& change) {
 }
 
 void Site::retire(std::vector<device::Address> devices) {
+  const auto has = [](std::span<const device::Address> all, device::Address address) {
+    return std::ranges::find(all, address) != all.end();
+  };
   // Those of drivers are added behind those that they require.
   for (std::size_t i = 0; i < devices.size(); ++i) {
     for (const User& user : users_) {
-      if (std::ranges::find(user.devices, devices[i]) == user.devices.end()) continue;
-      devices.insert(devices.end(), user.provided.begin(), user.provided.end());
+      if (!has(user.devices, devices[i])) continue;
+      for (const device::Address& provided : user.provided)
+        if (!has(devices, provided)) devices.push_back(provided);
     }
   }
   for (const device::Address& address : devices) simulation_->directory().remove(address);
@@ -85,7 +89,7 @@ void Site::retire(std::vector<device::Address> devices) {
   });
 }
 
-/// Nothing if it is out: a device may require two that go, or show a model that goes.
+/// Nothing if it is out: one that requires two devices went with the first.
 void Site::take_out(device::Address address) {
   const auto found = devices_.find(address);
   if (found == devices_.end()) return;
