@@ -1,6 +1,7 @@
 #pragma once
 
-/// The columns of the world, each listed once: name, role, unit, frame, writer, member. What is done with
+/// The columns of the world, each listed once: name, role, unit, frame, writer, member; those of the kinds'
+/// tables as kinds/*.toml have them (generated/table_columns.h). What is done with
 /// every column goes through these lists: rows that come and go, the hashes, save and load, comparison, the
 /// count of memory, the return to the start, the tests. A column or a table that is not listed does not
 /// compile.
@@ -73,46 +74,12 @@ inline constexpr auto kColumns<Models> = std::tuple{
     Column{"models.say", Role::kMark, "", "", "decide", &Models::say},
 };
 
-template <>
-inline constexpr auto kColumns<Positions> = std::tuple{
-    Column{"positions.model", Role::kDerived, "", "", "", &Positions::model},
-    Column{"positions.mode", Role::kMotion, "", "", "decide, command_*", &Positions::mode},
-    Column{"positions.command", Role::kMotion, "m/s, rad/s", "M", "decide, command_*", &Positions::command},
-    Column{"positions.goal", Role::kMotion, "m, rad", "O", "decide, command_position", &Positions::goal},
-    Column{"positions.velocity", Role::kMotion, "m/s, rad/s", "M", "act", &Positions::velocity},
-    Column{"positions.X_OM", Role::kMotion, "m, rad", "O", "move, set_odometry", &Positions::X_OM},
-    Column{"positions.X_WO", Role::kMotion, "m, rad", "W", "set_odometry", &Positions::X_WO},
-    Column{"positions.odom_error", Role::kDerived, "1", "M", "", &Positions::odom_error},
-    Column{"positions.stall", Role::kMotion, "", "", "move", &Positions::stall},
-    Column{"positions.motor_on", Role::kMotion, "", "", "devices", &Positions::motor_on},
-};
+}  // namespace playhouse::world
 
-template <>
-inline constexpr auto kColumns<Rangers> = std::tuple{
-    Column{"rangers.model", Role::kDerived, "", "", "", &Rangers::model},
-    Column{"rangers.first_sensor", Role::kDerived, "", "", "", &Rangers::first_sensor},
-    Column{"rangers.sensor_count", Role::kDerived, "", "", "", &Rangers::sensor_count},
-    Column{"rangers.measured_tick", Role::kSensed, "tick", "", "sense", &Rangers::measured_tick},
-};
+#include "playhouse/world/generated/table_columns.h"
 
-template <>
-inline constexpr auto kColumns<Sensors> = std::tuple{
-    Column{"sensors.ranger", Role::kDerived, "", "", "", &Sensors::ranger},
-    Column{"sensors.first_beam", Role::kDerived, "", "", "", &Sensors::first_beam},
-    Column{"sensors.beam_count", Role::kDerived, "", "", "", &Sensors::beam_count},
-    Column{"sensors.ranges", Role::kSensed, "m", "", "sense", &Sensors::ranges, Per::kBeam},
-    Column{"sensors.intensities", Role::kSensed, "1", "", "sense", &Sensors::intensities, Per::kBeam},
-};
+namespace playhouse::world {
 
-template <>
-inline constexpr auto kColumns<Fiducials> = std::tuple{
-    Column{"fiducials.model", Role::kDerived, "", "", "", &Fiducials::model},
-    Column{"fiducials.hits", Role::kSensed, "m, rad", "M", "sense", &Fiducials::hits},
-    Column{"fiducials.measured_tick", Role::kSensed, "tick", "", "sense", &Fiducials::measured_tick},
-};
-
-inline constexpr std::tuple kTables{&Tables::models, &Tables::positions, &Tables::rangers, &Tables::sensors,
-                                    &Tables::fiducials};
 static_assert(std::apply([]<typename... Table>(Table Tables::*...) { return (sizeof(Table) + ...); },
                          kTables) == sizeof(Tables),
               "a table is not in the list");
@@ -123,6 +90,12 @@ void each_column_of(const Visit& visit) {
   static_assert(std::tuple_size_v<decltype(kColumns<Table>)> * sizeof(std::vector<int>) == sizeof(Table),
                 "a column of this table is not in its list");
   std::apply([&](const auto&... column) { (visit(column), ...); }, kColumns<Table>);
+}
+
+/// Calls visit(table) for every table of a kind; visit is a template.
+template <typename Visit>
+void each_kind_table(const Visit& visit) {
+  std::apply([&](auto... table) { (visit(table), ...); }, kKindTables);
 }
 
 /// Calls visit(column, values...) for every column of every table, with its values in each of the worlds
@@ -145,18 +118,11 @@ struct Range {
 template <typename Table>
 Range range_of(const Tables& tables, std::uint32_t model, Per per) {
   const Models& models = tables.models;
-  const auto row_of = [&](scene::ModelKind kind) {
-    const std::uint32_t part = models.part[model];
-    return models.kind[model] == kind ? Range{part, part + 1} : Range{};
-  };
   if constexpr (std::is_same_v<Table, Models>) {
     return {model, model + 1};
-  } else if constexpr (std::is_same_v<Table, Positions>) {
-    return row_of(scene::ModelKind::kPosition);
-  } else if constexpr (std::is_same_v<Table, Rangers>) {
-    return row_of(scene::ModelKind::kRanger);
-  } else if constexpr (std::is_same_v<Table, Fiducials>) {
-    return row_of(scene::ModelKind::kFiducial);
+  } else if constexpr (std::is_same_v<decltype(kKindOf<Table>), const scene::ModelKind>) {
+    const std::uint32_t part = models.part[model];
+    return models.kind[model] == kKindOf<Table> ? Range{part, part + 1} : Range{};
   } else {
     static_assert(std::is_same_v<Table, Sensors>);
     if (models.kind[model] != scene::ModelKind::kRanger) return {};

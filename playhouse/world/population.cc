@@ -15,7 +15,7 @@ namespace playhouse::world {
 namespace {
 
 constexpr std::uint32_t kNone = ModelRow::kNone;
-constexpr std::size_t kUsualHits = 32;  // of a fiducial finder; room for more is made once they are seen
+constexpr std::size_t kUsualItems = 32;  // of a list; room for more is made once they are there
 
 template <typename T>
 std::uint32_t count32(const std::vector<T>& column) {
@@ -31,31 +31,28 @@ geom::Twist draw_odometry_error(std::uint64_t seed, ModelId model) {
   return error;
 }
 
-void add_position(World& world, const scene::PositionDesc& desc, ModelRow model) {
-  Positions& positions = world.positions;
-  const geom::Pose& X_WM = world.models.X_WM[model.index];
+/// What a row begins with that is not zero. Tables without an overload begin with zeros.
+template <typename Table>
+void begin(World&, Table&, const scene::ModelDesc&, ModelRow) {}
+
+void begin(World& world, Positions& positions, const scene::ModelDesc& model, ModelRow row) {
+  const scene::PositionDesc& desc = *model.position;
+  const geom::Pose& X_WM = world.models.X_WM[row.index];
   const bool gps = desc.localization == scene::Localization::kGps;
   const geom::Pose X_WO = desc.localization_origin.value_or(gps ? geom::Pose{} : X_WM);
-  positions.model.push_back(model);
-  positions.mode.push_back(ControlMode::kVelocity);
-  positions.command.push_back(desc.velocity);
-  positions.goal.push_back({});
-  positions.velocity.push_back({});
-  positions.X_OM.push_back(geom::compose(geom::inverse(X_WO), X_WM));
-  positions.X_WO.push_back(X_WO);
-  positions.odom_error.push_back(
-      desc.odom_error.value_or(draw_odometry_error(world.seed(), world.id(model))));
-  positions.stall.push_back(0);
-  positions.motor_on.push_back(1);
+  positions.command.back() = desc.velocity;
+  positions.X_OM.back() = geom::compose(geom::inverse(X_WO), X_WM);
+  positions.X_WO.back() = X_WO;
+  positions.odom_error.back() = desc.odom_error.value_or(draw_odometry_error(world.seed(), world.id(row)));
+  positions.motor_on.back() = 1;
 }
 
-void add_ranger(Rangers& rangers, Sensors& sensors, const scene::ModelDesc& desc, ModelRow model) {
-  const RangerRow ranger{count32(rangers.model)};
-  rangers.model.push_back(model);
-  rangers.first_sensor.push_back(count32(sensors.ranger));
-  rangers.sensor_count.push_back(count32(desc.sensors));
-  rangers.measured_tick.push_back(0);
-  for (const scene::RangerSensorDesc& sensor : desc.sensors) {
+void begin(World& world, Rangers& rangers, const scene::ModelDesc& model, ModelRow) {
+  Sensors& sensors = world.sensors;
+  const RangerRow ranger{count32(rangers.model) - 1};
+  rangers.first_sensor.back() = count32(sensors.ranger);
+  rangers.sensor_count.back() = count32(model.sensors);
+  for (const scene::RangerSensorDesc& sensor : model.sensors) {
     sensors.ranger.push_back(ranger);
     sensors.first_beam.push_back(count32(sensors.ranges));
     sensors.beam_count.push_back(sensor.samples);
@@ -64,10 +61,13 @@ void add_ranger(Rangers& rangers, Sensors& sensors, const scene::ModelDesc& desc
   }
 }
 
-void add_fiducial(Fiducials& fiducials, ModelRow model) {
-  fiducials.model.push_back(model);
-  fiducials.hits.emplace_back().reserve(kUsualHits);
-  fiducials.measured_tick.push_back(0);
+/// A row of zeros at the end of a table; lists get room for what is usual.
+template <typename Table>
+void add_row(Table& table) {
+  each_column_of<Table>([&](const auto& column) {
+    auto& value = (table.*column.values).emplace_back();
+    if constexpr (requires { value.reserve(kUsualItems); }) value.reserve(kUsualItems);
+  });
 }
 
 /// Adds a row after the last of its parent's children.
@@ -168,23 +168,14 @@ ModelRow Population::append(ModelId id, std::uint32_t desc_row, ModelRow parent,
 
 void Population::add_part(ModelRow row) {
   const scene::ModelDesc& desc = world_.desc(row);
-  std::uint32_t& part = world_.models.part[row.index];
-  switch (desc.kind) {
-    case scene::ModelKind::kPosition:
-      part = count32(world_.positions.model);
-      add_position(world_, *desc.position, row);
-      return;
-    case scene::ModelKind::kRanger:
-      part = count32(world_.rangers.model);
-      add_ranger(world_.rangers, world_.sensors, desc, row);
-      return;
-    case scene::ModelKind::kFiducial:
-      part = count32(world_.fiducials.model);
-      add_fiducial(world_.fiducials, row);
-      return;
-    case scene::ModelKind::kPlain:
-      return;
-  }
+  each_kind_table([&]<typename Table>(Table Tables::*member) {
+    if (kKindOf<Table> != desc.kind) return;
+    Table& table = world_.*member;
+    world_.models.part[row.index] = count32(table.model);
+    add_row(table);
+    table.model.back() = row;
+    begin(world_, table, desc, row);
+  });
 }
 
 void Population::erase(std::span<const Rows> runs) {
@@ -205,12 +196,11 @@ void Population::erase(std::span<const Rows> runs) {
       erase_ranges(world_.*table.*column.values, column.per == Per::kBeam ? beams : rows);
     });
   };
-  // The models last: the others' ranges are found by them; a ranger's beams by its sensors.
-  erase_from(&Tables::fiducials);
-  erase_from(&Tables::positions);
-  erase_from(&Tables::sensors);
-  erase_from(&Tables::rangers);
-  erase_from(&Tables::models);
+  // From the last table to the models: what belongs to a model is found by tables that are listed before.
+  [&]<std::size_t... I>(std::index_sequence<I...>) {
+    (erase_from(std::get<sizeof...(I) - 1 - I>(kTables)), ...);
+  }
+  (std::make_index_sequence<std::tuple_size_v<decltype(kTables)>>());
 }
 
 Result<void> Population::check_room(std::span<const std::uint32_t> descs) const {
@@ -265,32 +255,26 @@ bool Population::derive_trees() {
 
 void Population::derive_parts() {
   Models& models = world_.models;
-  std::uint32_t position = 0, ranger = 0, fiducial = 0, sensor = 0, beam = 0;
   for (std::uint32_t row = 0; row < models.size(); ++row) {
-    const scene::ModelDesc& desc = world_.desc({row});
-    models.kind[row] = desc.kind;
-    switch (desc.kind) {
-      case scene::ModelKind::kPosition:
-        world_.positions.model[position] = {row};
-        models.part[row] = position++;
-        break;
-      case scene::ModelKind::kRanger:
-        world_.rangers.model[ranger] = {row};
-        world_.rangers.first_sensor[ranger] = sensor;
-        for (const scene::RangerSensorDesc& each : desc.sensors) {
-          world_.sensors.ranger[sensor] = {ranger};
-          world_.sensors.first_beam[sensor++] = beam;
-          beam += each.samples;
-        }
-        models.part[row] = ranger++;
-        break;
-      case scene::ModelKind::kFiducial:
-        world_.fiducials.model[fiducial] = {row};
-        models.part[row] = fiducial++;
-        break;
-      case scene::ModelKind::kPlain:
-        models.part[row] = kNone;
-        break;
+    models.kind[row] = world_.desc({row}).kind;
+    models.part[row] = kNone;
+  }
+  each_kind_table([&]<typename Table>(Table Tables::*member) {
+    std::vector<ModelRow>& model = (world_.*member).model;
+    std::uint32_t part = 0;
+    for (std::uint32_t row = 0; row < models.size(); ++row) {
+      if (models.kind[row] != kKindOf<Table>) continue;
+      model[part] = {row};
+      models.part[row] = part++;
+    }
+  });
+  std::uint32_t sensor = 0, beam = 0;
+  for (std::uint32_t ranger = 0; ranger < world_.rangers.size(); ++ranger) {
+    world_.rangers.first_sensor[ranger] = sensor;
+    for (const scene::RangerSensorDesc& each : world_.desc(world_.rangers.model[ranger]).sensors) {
+      world_.sensors.ranger[sensor] = {ranger};
+      world_.sensors.first_beam[sensor++] = beam;
+      beam += each.samples;
     }
   }
 }

@@ -246,10 +246,12 @@ class Loader {
 
   /// What was measured later than now would not be measured again for ages.
   Result<void> check_ticks() {
-    for (const auto* column : {&world_.rangers.measured_tick, &world_.fiducials.measured_tick})
-      for (const std::uint64_t tick : *column)
-        if (tick > tick_) return damaged("a sensor measured in the future");
-    return {};
+    bool ahead = false;
+    each_kind_table([&]<typename Table>(Table Tables::*table) {
+      if constexpr (requires(Table rows) { rows.measured_tick; })
+        for (const std::uint64_t tick : (world_.*table).measured_tick) ahead = ahead || tick > tick_;
+    });
+    return ahead ? damaged("a sensor measured in the future") : Result<void>{};
   }
 
   void place(std::uint32_t row) {

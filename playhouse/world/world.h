@@ -8,116 +8,16 @@
 /// B body (M moved by the origin), O odometry.
 
 #include <cmath>
-#include <cstdint>
 #include <map>
 #include <memory>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "playhouse/base/row.h"
-#include "playhouse/geom/pose.h"
-#include "playhouse/scene/scene_desc.h"
-#include "playhouse/world/change.h"
 #include "playhouse/world/decider.h"
-#include "playhouse/world/model_id.h"
+#include "playhouse/world/generated/tables.h"
 
 namespace playhouse::world {
-
-using ModelRow = Row<struct ModelTable>;
-using PositionRow = Row<struct PositionTable>;  // robots that move
-using RangerRow = Row<struct RangerTable>;
-using SensorRow = Row<struct SensorTable>;      // one transducer or scanner of a ranger
-using FiducialRow = Row<struct FiducialTable>;  // fiducial finders
-
-/// Every model (n rows).
-struct Models {
-  std::vector<ModelId> id;            // ascending
-  std::vector<std::uint32_t> desc;    // row of SceneDesc::models that says what it is
-  std::vector<ModelId> parent_id;     // none for a top-level model
-  std::vector<std::uint32_t> parent;  // the same as a row, or Row::kNone
-  std::vector<geom::Pose> X_PM;       // pose in the parent
-  std::vector<geom::Pose> X_WM;       // pose in the world
-  std::vector<std::uint32_t> root;    // top of the tree; its own row for a top-level model
-  std::vector<scene::ModelKind> kind;
-  std::vector<std::uint32_t> part;            // row in the kind's own table, or Row::kNone
-  std::vector<std::uint32_t> first_child;     // rows or Row::kNone; see World::children()
-  std::vector<std::uint32_t> next_sibling;    // ascending
-  std::vector<Mobility> mobility;             // of its tree
-  std::vector<std::uint32_t> subscribers;     // open devices and controllers, and one for alwayson
-  std::vector<std::uint32_t> controllers;     // of the subscribers
-  std::vector<std::int32_t> fiducial_return;  // 0: unseen
-  std::vector<std::int32_t> flags;            // tokens carried (source, sink)
-  std::vector<scene::Color> color;
-  std::vector<std::string> say;  // speech bubble; starts as the scene's `say`
-  std::size_t size() const { return X_PM.size(); }
-};
-
-enum class ControlMode : std::uint8_t { kVelocity, kPosition, kAcceleration, kHeading };
-
-/// Models that drive (position). A command stays in force until the next one replaces it.
-struct Positions {
-  std::vector<ModelRow> model;
-  std::vector<ControlMode> mode;
-  std::vector<geom::Twist> command;     // kVelocity [m/s, rad/s], car: a is the steering angle [rad];
-                                        // kAcceleration [m/s^2, rad/s^2]; kHeading: x is the speed [m/s],
-                                        // a the heading to keep, in the frame of X_OM [rad]
-  std::vector<geom::Pose> goal;         // kPosition: target
-  std::vector<geom::Twist> velocity;    // after bounds
-  std::vector<geom::Pose> X_OM;         // what the robot believes (gps or odometry)
-  std::vector<geom::Pose> X_WO;         // origin of the odometry frame in the world
-                                        // gps: localization_origin, or W itself; odometry: start pose
-  std::vector<geom::Twist> odom_error;  // fraction per axis
-  std::vector<std::uint8_t> stall;      // 1: the last motion was blocked
-  std::vector<std::uint8_t> motor_on;   // 0: commands are kept but do not move it
-  std::size_t size() const { return model.size(); }
-};
-
-/// Models that measure ranges; sensor rows first_sensor .. first_sensor + sensor_count - 1 belong to a
-/// ranger.
-struct Rangers {
-  std::vector<ModelRow> model;
-  std::vector<std::uint32_t> first_sensor, sensor_count;
-  std::vector<std::uint64_t> measured_tick;  // tick of the newest scan; 0: none yet
-  std::size_t size() const { return model.size(); }
-};
-
-/// Transducers and scanners. Beam k of a sensor is at ranges[first_beam + k]; beam 0 is the rightmost. The
-/// beams of a ranger's sensors are consecutive.
-struct Sensors {
-  std::vector<RangerRow> ranger;
-  std::vector<std::uint32_t> first_beam, beam_count;
-  std::vector<float> ranges;       // along the beam; range_max when nothing is hit  (beams)
-  std::vector<float> intensities;  // ranger_return of what was hit, else 0          (beams)
-  std::size_t size() const { return ranger.size(); }
-};
-
-struct FiducialHit {
-  ModelId target;
-  std::int32_t id = 0;  // 0 beyond range_max_id
-  double range = 0;     // m, centre to centre
-  double bearing = 0;   // rad, in the finder's frame
-  double heading = 0;   // rad, target relative to the finder
-  geom::Size size;      // m, of the target
-  friend bool operator==(const FiducialHit&, const FiducialHit&) = default;
-};
-
-struct Fiducials {
-  std::vector<ModelRow> model;
-  std::vector<std::vector<FiducialHit>> hits;  // by target id; capacity is kept from tick to tick
-  std::vector<std::uint64_t> measured_tick;    // 0: none yet
-  std::size_t size() const { return model.size(); }
-};
-
-/// The state, in columns; columns.h lists them all, with what each is to a run.
-struct Tables {
-  Models models;
-  Positions positions;
-  Rangers rangers;
-  Sensors sensors;
-  Fiducials fiducials;
-};
 
 class World : public Tables {
  public:

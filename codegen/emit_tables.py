@@ -1,0 +1,112 @@
+"""C++ for the tables of the world: playhouse/world/generated/. The table of all models is written by hand (world/models.h)."""
+
+from __future__ import annotations
+
+from codegen.emit_kinds_cpp import BANNER, _comment, enumerator
+from codegen.kind_state import Quantity, Record
+from codegen.kinds import BASE, Kind, Kinds
+
+FOLDER = "playhouse/world/generated"
+
+TYPES = {
+    "flag": "std::uint8_t", "int32": "std::int32_t", "uint32": "std::uint32_t", "uint64": "std::uint64_t", "float32": "float",
+    "float64": "double", "text": "std::string", "color": "scene::Color", "size": "geom::Size", "pose": "geom::Pose",
+    "twist": "geom::Twist", "ModelKind": "scene::ModelKind",
+}
+ZERO = {"flag", "int32", "uint32", "uint64", "float32", "float64"}
+
+
+def emit(kinds: Kinds) -> dict[str, str]:
+    """Path from the root of the tree -> content."""
+    return {f"{FOLDER}/tables.h": _tables(kinds), f"{FOLDER}/table_columns.h": _columns(kinds)}
+
+
+def tabled(kinds: Kinds) -> list[Kind]:
+    """Kinds with a table of their own, and after each the parts of it that have one."""
+    models = [k for k in kinds.simulated() if k.table and k.name != BASE]
+    return [each for k in models for each in [k, *(p for p in kinds.parts_of(k) if p.table)]]
+
+
+def _title(name: str) -> str:
+    return "".join(part.title() for part in name.split("_"))
+
+
+def _table(kind: Kind) -> str:
+    return _title(kind.table)
+
+
+def _type(kinds: Kinds, column: Quantity) -> str:
+    if column.type == "row":
+        owners = {"model": "Model"} | {k.name: _title(k.name) for k in tabled(kinds)}
+        return f"{owners[column.name]}Row" if column.name in owners else "std::uint32_t"
+    inner = TYPES.get(column.type, column.type)
+    return f"std::vector<{inner}>" if column.list else inner
+
+
+def _tables(kinds: Kinds) -> str:
+    found = tabled(kinds)
+    lines = [BANNER.rstrip(), "#pragma once", "",
+             "/// The tables of the world: what there is of each kind, in columns. Units, frames, roles and writers are in",
+             "/// table_columns.h and on the pages of docs/kinds/.", "", "#include <cstdint>", "#include <string>", "#include <vector>", "",
+             '#include "playhouse/world/models.h"', "", "namespace playhouse::world {", ""]
+    lines += [f"using {_title(k.name)}Row = Row<struct {_title(k.name)}Table>;" for k in found] + [""]
+    for kind in found:
+        for record in kind.state.records:
+            lines += _record(record)
+        lines += _struct(kinds, kind)
+    lines += _comment("The state, in columns; columns.h lists them all, with what each is to a run.")
+    lines += ["struct Tables {", "  Models models;", *(f"  {_table(k)} {k.table};" for k in found), "};", "",
+              "}  // namespace playhouse::world", ""]
+    return "\n".join(lines)
+
+
+def _record(record: Record) -> list[str]:
+    lines = [*_comment(record.doc), f"struct {record.name} {{"]
+    for f in record.fields:
+        zero = " = 0" if f.type in ZERO else ""
+        lines.append(f"  {TYPES.get(f.type, f.type)} {f.name}{zero};  // {_about(f)}")
+    lines += [f"  friend bool operator==(const {record.name}&, const {record.name}&) = default;", "};", ""]
+    names = ", ".join(f.name for f in record.fields)
+    lines += ["/// Calls visit(part) for every part.", "template <typename Visit>",
+              f"void each_part({record.name}& value, const Visit& visit) {{", f"  auto& [{names}] = value;",
+              "  " + ", ".join(f"visit({f.name})" for f in record.fields) + ";", "}", "template <typename Visit>",
+              f"void each_part(const {record.name}& value, const Visit& visit) {{", f"  const auto& [{names}] = value;",
+              "  " + ", ".join(f"visit({f.name})" for f in record.fields) + ";", "}", ""]
+    return lines
+
+
+def _about(quantity: Quantity) -> str:
+    unit = f" [{quantity.unit}]" if quantity.unit and quantity.unit != "1" else ""
+    per = " (beams)" if quantity.per else ""
+    return f"{quantity.doc}{unit}{per}"
+
+
+def _struct(kinds: Kinds, kind: Kind) -> list[str]:
+    lines = [*_comment(kind.doc), f"struct {_table(kind)} {{"]
+    lines += [f"  std::vector<{_type(kinds, c)}> {c.name};  // {_about(c)}" for c in kind.state.columns]
+    return [*lines, f"  std::size_t size() const {{ return {kind.state.columns[0].name}.size(); }}", "};", ""]
+
+
+def _columns(kinds: Kinds) -> str:
+    found = tabled(kinds)
+    lines = [BANNER.rstrip(), "#pragma once", "", "/// The columns of the kinds' tables, and which kind has which table. For columns.h alone.", "",
+             "namespace playhouse::world {", ""]
+    for kind in found:
+        lines += ["template <>", f"inline constexpr auto kColumns<{_table(kind)}> = std::tuple{{"]
+        for c in kind.state.columns:
+            per = ", Per::kBeam" if c.per else ""
+            lines.append(f'    Column{{"{kind.table}.{c.name}", Role::{enumerator(c.role)}, "{c.unit}", "{c.frame}", "{c.writer}", '
+                         f"&{_table(kind)}::{c.name}{per}}},")
+        lines += ["};", ""]
+    lines += _comment("The kind whose models have a row each; of parts' tables there is none.")
+    lines += ["template <typename Table>", "inline constexpr auto kKindOf = nullptr;"]
+    for kind in found:
+        if kind.entity == "model":
+            lines += ["template <>",
+                      f"inline constexpr scene::ModelKind kKindOf<{_table(kind)}> = scene::ModelKind::{enumerator(kind.kind)};"]
+    members = ", ".join(["&Tables::models", *(f"&Tables::{k.table}" for k in found)])
+    lines += ["", f"inline constexpr std::tuple kTables{{{members}}};", "",
+              *_comment("Those of kinds: a row for each model of the kind, in the order of the models."),
+              "inline constexpr std::tuple kKindTables{" + ", ".join(f"&Tables::{k.table}" for k in found if k.entity == "model") + "};",
+              "", "}  // namespace playhouse::world", ""]
+    return "\n".join(lines)

@@ -1,0 +1,61 @@
+// Generated from kinds/ by codegen (python3 -m codegen). Do not edit.
+#pragma once
+
+/// The columns of the kinds' tables, and which kind has which table. For columns.h alone.
+
+namespace playhouse::world {
+
+template <>
+inline constexpr auto kColumns<Positions> = std::tuple{
+    Column{"positions.model", Role::kDerived, "", "", "", &Positions::model},
+    Column{"positions.mode", Role::kMotion, "", "", "decide, commands", &Positions::mode},
+    Column{"positions.command", Role::kMotion, "m/s, m/s, m/s, rad/s or m/s^2, m/s^2, m/s^2, rad/s^2", "v_M", "decide, commands", &Positions::command},
+    Column{"positions.goal", Role::kMotion, "m, m, m, rad", "X_OG", "decide, commands", &Positions::goal},
+    Column{"positions.velocity", Role::kMotion, "m/s, m/s, m/s, rad/s", "v_M", "act", &Positions::velocity},
+    Column{"positions.X_OM", Role::kMotion, "m, m, m, rad", "X_OM", "move, set_odometry", &Positions::X_OM},
+    Column{"positions.X_WO", Role::kMotion, "m, m, m, rad", "X_WO", "set_odometry", &Positions::X_WO},
+    Column{"positions.odom_error", Role::kDerived, "1", "v_M", "", &Positions::odom_error},
+    Column{"positions.stall", Role::kMotion, "", "", "move", &Positions::stall},
+    Column{"positions.motor_on", Role::kMotion, "", "", "devices", &Positions::motor_on},
+};
+
+template <>
+inline constexpr auto kColumns<Rangers> = std::tuple{
+    Column{"rangers.model", Role::kDerived, "", "", "", &Rangers::model},
+    Column{"rangers.first_sensor", Role::kDerived, "", "", "", &Rangers::first_sensor},
+    Column{"rangers.sensor_count", Role::kDerived, "", "", "", &Rangers::sensor_count},
+    Column{"rangers.measured_tick", Role::kSensed, "", "", "sense", &Rangers::measured_tick},
+};
+
+template <>
+inline constexpr auto kColumns<Sensors> = std::tuple{
+    Column{"sensors.ranger", Role::kDerived, "", "", "", &Sensors::ranger},
+    Column{"sensors.first_beam", Role::kDerived, "", "", "", &Sensors::first_beam},
+    Column{"sensors.beam_count", Role::kDerived, "", "", "", &Sensors::beam_count},
+    Column{"sensors.ranges", Role::kSensed, "m", "", "sense", &Sensors::ranges, Per::kBeam},
+    Column{"sensors.intensities", Role::kSensed, "1", "", "sense", &Sensors::intensities, Per::kBeam},
+};
+
+template <>
+inline constexpr auto kColumns<Fiducials> = std::tuple{
+    Column{"fiducials.model", Role::kDerived, "", "", "", &Fiducials::model},
+    Column{"fiducials.hits", Role::kSensed, "", "", "sense", &Fiducials::hits},
+    Column{"fiducials.measured_tick", Role::kSensed, "", "", "sense", &Fiducials::measured_tick},
+};
+
+/// The kind whose models have a row each; of parts' tables there is none.
+template <typename Table>
+inline constexpr auto kKindOf = nullptr;
+template <>
+inline constexpr scene::ModelKind kKindOf<Positions> = scene::ModelKind::kPosition;
+template <>
+inline constexpr scene::ModelKind kKindOf<Rangers> = scene::ModelKind::kRanger;
+template <>
+inline constexpr scene::ModelKind kKindOf<Fiducials> = scene::ModelKind::kFiducial;
+
+inline constexpr std::tuple kTables{&Tables::models, &Tables::positions, &Tables::rangers, &Tables::sensors, &Tables::fiducials};
+
+/// Those of kinds: a row for each model of the kind, in the order of the models.
+inline constexpr std::tuple kKindTables{&Tables::positions, &Tables::rangers, &Tables::fiducials};
+
+}  // namespace playhouse::world

@@ -1,0 +1,94 @@
+// Generated from kinds/ by codegen (python3 -m codegen). Do not edit.
+#pragma once
+
+/// The tables of the world: what there is of each kind, in columns. Units, frames, roles and writers are in
+/// table_columns.h and on the pages of docs/kinds/.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "playhouse/world/models.h"
+
+namespace playhouse::world {
+
+using PositionRow = Row<struct PositionTable>;
+using RangerRow = Row<struct RangerTable>;
+using SensorRow = Row<struct SensorTable>;
+using FiducialRow = Row<struct FiducialTable>;
+
+/// A robot that drives in the plane.
+struct Positions {
+  std::vector<ModelRow> model;  // The model that drives.
+  std::vector<ControlMode> mode;  // What the command means.
+  std::vector<geom::Twist> command;  // Wanted velocity or acceleration; of a car the steering angle, by heading the heading itself, stands for the turn rate. [m/s, m/s, m/s, rad/s or m/s^2, m/s^2, m/s^2, rad/s^2]
+  std::vector<geom::Pose> goal;  // Wanted pose, for control by position. [m, m, m, rad]
+  std::vector<geom::Twist> velocity;  // Velocity within the bounds. [m/s, m/s, m/s, rad/s]
+  std::vector<geom::Pose> X_OM;  // What the robot believes. [m, m, m, rad]
+  std::vector<geom::Pose> X_WO;  // Where the frame of odometry is in the world. [m, m, m, rad]
+  std::vector<geom::Twist> odom_error;  // Errors as fractions of the motion.
+  std::vector<std::uint8_t> stall;  // The last motion was blocked.
+  std::vector<std::uint8_t> motor_on;  // Where it is 0 commands are kept and move nothing.
+  std::size_t size() const { return model.size(); }
+};
+
+/// Range finders of any kind: a laser has one sensor with many samples, a ring of sonars many with one.
+struct Rangers {
+  std::vector<ModelRow> model;  // The model that measures.
+  std::vector<std::uint32_t> first_sensor;  // The first of its sensors.
+  std::vector<std::uint32_t> sensor_count;  // How many sensors it has.
+  std::vector<std::uint64_t> measured_tick;  // Tick of the newest scan; 0: none yet.
+  std::size_t size() const { return model.size(); }
+};
+
+/// One transducer or scanner of a ranger.
+struct Sensors {
+  std::vector<RangerRow> ranger;  // The ranger that it is part of.
+  std::vector<std::uint32_t> first_beam;  // Its first beam, the rightmost.
+  std::vector<std::uint32_t> beam_count;  // How many beams it has.
+  std::vector<float> ranges;  // Along the beam; the largest range where nothing is hit. [m] (beams)
+  std::vector<float> intensities;  // The ranger_return of what was hit, else 0. (beams)
+  std::size_t size() const { return ranger.size(); }
+};
+
+/// A mark in view.
+struct FiducialHit {
+  ModelId target;  // The model that is marked.
+  std::int32_t id = 0;  // Its number; 0 beyond range_max_id.
+  double range = 0;  // From centre to centre. [m]
+  double bearing = 0;  // Where it is seen. [rad]
+  double heading = 0;  // How it is turned. [rad]
+  geom::Size size;  // How large it is. [m]
+  friend bool operator==(const FiducialHit&, const FiducialHit&) = default;
+};
+
+/// Calls visit(part) for every part.
+template <typename Visit>
+void each_part(FiducialHit& value, const Visit& visit) {
+  auto& [target, id, range, bearing, heading, size] = value;
+  visit(target), visit(id), visit(range), visit(bearing), visit(heading), visit(size);
+}
+template <typename Visit>
+void each_part(const FiducialHit& value, const Visit& visit) {
+  const auto& [target, id, range, bearing, heading, size] = value;
+  visit(target), visit(id), visit(range), visit(bearing), visit(heading), visit(size);
+}
+
+/// A finder of marks: sees models with a fiducial_return and tells which they are and where.
+struct Fiducials {
+  std::vector<ModelRow> model;  // The model that sees.
+  std::vector<std::vector<FiducialHit>> hits;  // The marks in view, by row.
+  std::vector<std::uint64_t> measured_tick;  // Tick of the newest list; 0: none yet.
+  std::size_t size() const { return model.size(); }
+};
+
+/// The state, in columns; columns.h lists them all, with what each is to a run.
+struct Tables {
+  Models models;
+  Positions positions;
+  Rangers rangers;
+  Sensors sensors;
+  Fiducials fiducials;
+};
+
+}  // namespace playhouse::world
