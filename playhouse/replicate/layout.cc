@@ -33,10 +33,9 @@ std::uint8_t traits_of(const world::World& world, world::ModelRow row) {
 
 /// What is this model's own and stays: its names and devices, and its mark.
 std::string words_of(const world::World& world, world::ModelRow row, const DeviceNames& devices) {
-  const std::string name = world.name(row);
+  const std::string name = world.name(row), alias = world.alias(row);
   std::string text = R"("name":)" + quoted(name);
-  const scene::ModelDesc& desc = world.desc(row);
-  if (desc.name == name && desc.alias != name) text += R"(,"alias":)" + quoted(desc.alias);
+  if (alias != name) text += R"(,"alias":)" + quoted(alias);
   const std::vector<std::string> names = devices ? devices(world.id(row)) : std::vector<std::string>();
   if (!names.empty()) text += R"(,"devices":)" + list(names, quoted);
   const std::int32_t fiducial = world.models.fiducial_return[row.index];

@@ -113,7 +113,7 @@ class SmallWorld {
     world.positions.velocity[k] = {rng.uniform(), 0, 0, rng.uniform() - 0.5};
     world.positions.X_OM[k] = X_PM;
     world.positions.stall[k] = rng.uniform() < 0.2;
-    if (rng.uniform() < 0.1) world.models.color[row.index] = {0, static_cast<float>(rng.uniform()), 1, 1};
+    if (rng.uniform() < 0.1) world::set_color(world, row, {0, static_cast<float>(rng.uniform()), 1, 1});
   }
 
   void see(std::uint32_t k, Rng& rng) {

@@ -44,6 +44,8 @@ class World : public Tables {
   /// The model's name: the scene's, or, of a model that came during the run, what it was given with the rest
   /// of the scene's behind it ("r7.ranger:0").
   std::string name(ModelRow row) const;
+  /// What it would be called had nobody named it: "position:3".
+  std::string alias(ModelRow row) const { return desc(row).alias; }
   /// Look-up by name or default name; none if there is no such model. The last of equal names wins.
   ModelRow find(std::string_view name) const;
   /// Rows of what is attached to it, ascending; for range-based for.

@@ -47,8 +47,9 @@ Result<world::ModelRow> section_model(const scene::CfgSection& section, const wo
   if (name.empty()) return world::ModelRow{};
   const world::ModelRow model = world.find(name);
   if (model) return model;
-  std::vector<std::string_view> names;
-  for (const scene::ModelDesc& desc : world.scene().models) names.push_back(desc.name);
+  std::vector<std::string> all;
+  for (std::uint32_t row = 0; row < world.models.size(); ++row) all.push_back(world.name({row}));
+  const std::vector<std::string_view> names(all.begin(), all.end());
   return Error{section.at("model"),
                fmt::format("the world has no model {}{}", in_quotes(name), did_you_mean(name, names))};
 }
