@@ -14,6 +14,7 @@
 #include "playhouse/drivers/simulated/auto_map.h"
 #include "playhouse/drivers/simulated/model_interfaces.h"
 #include "playhouse/scene/kinds.h"
+#include "playhouse/scene/testing_expanded.h"
 #include "playhouse/scene/world_loader.h"
 
 namespace playhouse::app {
@@ -38,7 +39,7 @@ scene::SceneDesc scene_of_every_kind() {
   scene::MemoryFiles none({});
   Result<scene::SceneDesc> scene = scene::load_world_text(kWorld, "test.world", none);
   EXPECT_TRUE(scene) << (scene ? "" : scene.error().line());
-  return scene ? std::move(*scene) : scene::SceneDesc{};
+  return scene ? scene::expanded(std::move(*scene)) : scene::SceneDesc{};
 }
 
 bool has(const scene::ModelDesc& model, Need need) {

@@ -186,7 +186,8 @@ std::vector<std::filesystem::path> library_folders(const scene::SceneDesc& scene
 Result<std::vector<std::string>> attach(world::World& world, const Libraries& libraries) {
   Batches batches(world, libraries);
   for (std::uint32_t row = 0; row < world.models.size(); ++row) {
-    const std::string where = world.scene().at(world.desc({row}).where);
+    if (world.desc({row}).ctrl.empty()) continue;
+    const std::string where = world.scene().at(world.where({row}));
     std::vector<std::string> repeated;
     for (const Post& post : posts_of(world, {row}, &repeated))
       if (const Result<void> added = batches.add(post, where); !added) return added.error();

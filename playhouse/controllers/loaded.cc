@@ -141,14 +141,14 @@ void Loaded::apply_command(World& world, Seat& seat) {
   }
   if (!applied) return end(world, seat, "its command has a number that is not finite or far too large");
   world.models.flags[seat.model.index] = robot.flags;
-  std::string& say = world.models.say[seat.model.index];
+  std::string& say = world.models.say.own(seat.model.index);
   if (say != robot.say) say = robot.say;
 }
 
 void Loaded::end(World& world, Seat& seat, const char* why) {
   seat.ended = true;
   if (seat.position) drive(world, seat.position, 0, 0);
-  log::error("{}: controller {} of {} ended: {}", world.scene().at(world.desc(seat.model).where),
+  log::error("{}: controller {} of {} ended: {}", world.scene().at(world.where(seat.model)),
              in_quotes(seat.controller_name), in_quotes(seat.name), why);
 }
 

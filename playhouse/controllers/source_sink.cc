@@ -40,7 +40,7 @@ void Sink::decide(world::World& world, std::size_t begin, std::size_t end) {
     const std::int32_t flags = world.models.flags[row];
     if (flags > before_[i]) {
       received_[i] += static_cast<std::uint64_t>(flags) - static_cast<std::uint64_t>(before_[i]);
-      world.models.say[row].assign("received ").append(std::to_string(received_[i]));
+      world.models.say.own(row).assign("received ").append(std::to_string(received_[i]));
     }
     before_[i] = flags;
   }

@@ -7,7 +7,6 @@
 
 #include "playhouse/replicate/json_text.h"
 #include "playhouse/replicate/views.h"
-#include "playhouse/world/population.h"
 
 namespace playhouse::replicate {
 namespace {
@@ -71,15 +70,19 @@ std::string prototype(const scene::ModelDesc& model, Texts& shapes) {
   return text += '}';
 }
 
-/// Trees of equal prototypes are one sort.
+/// A prototype is called by the word of its define, further ones of the same word by their first models. In scenes
+/// made in code, which share no descriptions, trees that look alike are one.
 std::vector<Addable> addable_of(const scene::SceneDesc& scene, std::span<const std::uint32_t> of_desc) {
   std::vector<Addable> addable;
-  std::set<std::vector<std::uint32_t>> known;
+  std::set<std::string> names;
+  std::set<std::vector<std::uint32_t>> looks;
   for (std::uint32_t row = 0; row < scene.models.size(); ++row) {
     const scene::ModelDesc& model = scene.models[row];
     if (model.parent >= 0 || !model.gui_move) continue;
-    const auto tree = of_desc.subspan(row, world::prototype_of(scene, row).count);
-    if (known.emplace(tree.begin(), tree.end()).second) addable.push_back({model.name, row});
+    const auto tree = of_desc.subspan(row, scene::tree_size(scene, row));
+    if (model.prototype.empty() && !looks.emplace(tree.begin(), tree.end()).second) continue;
+    const bool is_new = !model.prototype.empty() && names.insert(model.prototype).second;
+    addable.push_back({is_new ? model.prototype : model.name, row});
   }
   return addable;
 }

@@ -25,7 +25,7 @@ class Prototypes {
   /// The prototype of a row of SceneDesc::models.
   std::uint32_t of(std::uint32_t desc) const { return of_desc_[desc]; }
 
-  /// One of each sort of tree whose top a person may move, in the order of the scene.
+  /// The prototypes of trees whose top a person may move, in the order of the scene.
   const std::vector<Addable>& addable() const { return addable_; }
 
   /// Lists of JSON, without the brackets around them.

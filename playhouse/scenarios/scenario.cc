@@ -59,25 +59,17 @@ scene::Color paint(std::size_t robot) {
   return {channel(0), channel(geom::kTwoPi / 3), channel(2 * geom::kTwoPi / 3), 1};
 }
 
-/// Replaces the robot at the scene's end, "r", by one copy per pose, "r0", "r1", ...
+/// Puts robots like the one at the scene's end, "r", at these poses in its place: "r0", "r1", ...
 void replace_robot(scene::SceneDesc& scene, const std::vector<geom::Pose>& poses) {
-  const auto root =
-      std::find_if(scene.models.begin(), scene.models.end(), [](const auto& m) { return m.name == "r"; });
-  PLAYHOUSE_ASSERT(root != scene.models.end());
-  const std::vector<scene::ModelDesc> robot(root, scene.models.end());
-  scene.models.erase(root, scene.models.end());
-  scene.models.reserve(scene.models.size() + robot.size() * poses.size());
-  const auto first = static_cast<std::int32_t>(scene.models.size());
+  scene::TreeDesc robot = scene.trees.back();
+  PLAYHOUSE_ASSERT(robot.name == "r");
+  scene.trees.pop_back();
+  scene.trees.reserve(scene.trees.size() + poses.size());
   for (std::size_t k = 0; k < poses.size(); ++k) {
-    const auto base = static_cast<std::int32_t>(scene.models.size());
-    for (const scene::ModelDesc& part : robot) {
-      scene::ModelDesc& copy = scene.models.emplace_back(part);
-      copy.name = fmt::format("r{}{}", k, part.name.substr(1));
-      copy.alias = copy.name;
-      if (part.parent >= 0) copy.parent = part.parent - first + base;
-    }
-    scene.models[static_cast<std::size_t>(base)].X_PM = poses[k];
-    scene.models[static_cast<std::size_t>(base)].color = paint(k);
+    robot.name = robot.alias = fmt::format("r{}", k);
+    robot.X_WM = poses[k];
+    robot.color = paint(k);
+    scene.trees.push_back(robot);
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "playhouse/scenarios/embedded.h"
 #include "playhouse/scenarios/start_poses.h"
+#include "playhouse/scene/testing_expanded.h"
 #include "playhouse/scene/world_loader.h"
 
 namespace playhouse::scenarios {
@@ -27,8 +28,8 @@ double closest_pair(std::vector<geom::Pose> poses) {
 
 std::vector<geom::Pose> robot_poses(const scene::SceneDesc& scene) {
   std::vector<geom::Pose> poses;
-  for (const scene::ModelDesc& model : scene.models) {
-    if (model.kind == scene::ModelKind::kPosition) poses.push_back(model.X_PM);
+  for (const scene::TreeDesc& tree : scene.trees) {
+    if (scene.models[tree.top].kind == scene::ModelKind::kPosition) poses.push_back(tree.X_WM);
   }
   return poses;
 }
@@ -86,8 +87,9 @@ TEST(Scenario, starts_no_robot_in_the_rock) {
 }
 
 TEST(Scenario, has_the_sensors_and_controllers_it_names) {
-  const auto sonar = make("sonar", 2), laser = make("laser", 2), cave = make("cave", 2);
+  auto sonar = make("sonar", 2), laser = make("laser", 2), cave = make("cave", 2);
   ASSERT_TRUE(sonar && laser && cave);
+  for (auto* scene : {&sonar, &laser, &cave}) **scene = scene::expanded(std::move(**scene));
   const auto part = [](const scene::SceneDesc& scene, std::string_view name) {
     return std::find_if(scene.models.begin(), scene.models.end(),
                         [&](const auto& m) { return m.name == name; });

@@ -16,13 +16,18 @@ std::string counted(std::size_t count, const std::string& noun) {
 }
 
 std::string summary(const SceneDesc& scene) {
+  std::vector<std::size_t> trees(scene.models.size());  // by row of the top
+  for (const TreeDesc& tree : scene.trees) ++trees[tree.top];
   std::map<std::string, std::size_t> types;
-  std::size_t beams = 0;
-  for (const ModelDesc& model : scene.models) {
-    ++types[model.type];
-    for (const RangerSensorDesc& sensor : model.sensors) beams += sensor.samples;
+  std::size_t models = 0, beams = 0;
+  for (std::size_t row = 0, top = 0; row < scene.models.size(); ++row) {
+    const ModelDesc& model = scene.models[row];
+    if (model.parent < 0) top = row;
+    models += trees[top];
+    types[model.type] += trees[top];
+    for (const RangerSensorDesc& sensor : model.sensors) beams += trees[top] * sensor.samples;
   }
-  std::string line = escaped(scene.path) + ": " + counted(scene.models.size(), "model");
+  std::string line = escaped(scene.path) + ": " + counted(models, "model");
   for (const auto& [type, count] : types) line += ", " + std::to_string(count) + " " + type;
   return line + ", " + counted(beams, "beam");
 }

@@ -14,6 +14,7 @@
 #include "playhouse/scene/bitmap.h"
 #include "playhouse/scene/cfg.h"
 #include "playhouse/scene/syntax.h"
+#include "playhouse/scene/testing_expanded.h"
 #include "playhouse/scene/world_loader.h"
 
 namespace playhouse::scene {
@@ -37,7 +38,7 @@ TEST_P(OriginalWorld, loads_with_the_models_that_the_original_counts) {
   ASSERT_TRUE(scene.ok()) << scene.error().line();
   std::map<std::string, int> models;
   std::size_t sensors = 0, beams = 0;
-  for (const ModelDesc& model : scene->models) {
+  for (const ModelDesc& model : expanded(*scene).models) {
     ++models[model.type];
     sensors += model.sensors.size();
     for (const RangerSensorDesc& sensor : model.sensors) beams += sensor.samples;
@@ -91,9 +92,10 @@ TEST(OriginalFiles, the_first_robot_of_simple_world_is_as_the_file_says) {
   ASSERT_TRUE(scene.ok()) << scene.error().line();
   EXPECT_THAT(scene->warnings, testing::IsEmpty());
   const auto named = [&](const std::string& name) {
-    const auto found = std::find_if(scene->models.begin(), scene->models.end(),
-                                    [&](const ModelDesc& model) { return model.name == name; });
-    return found == scene->models.end() ? ModelDesc{} : *found;
+    const std::vector<ModelDesc> all = expanded(*scene).models;
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const ModelDesc& model) { return model.name == name; });
+    return found == all.end() ? ModelDesc{} : *found;
   };
   const ModelDesc cave = named("cave"), robot = named("r0"), sonar = named("r0.ranger:0"),
                   laser = named("r0.ranger:1");

@@ -4,19 +4,25 @@
 
 namespace playhouse::scene {
 
+bool Expansion::has_room(const Counts& more) const {
+  const Counts sum = counts_ + more;
+  return sum.models <= limits_.models && sum.sensors <= limits_.sensors && sum.fields <= limits_.fields;
+}
+
 Result<void> Expansion::add(const Section& section, SourceLine top, int depth) {
   const Result<Instance> instance = macros_.instance(section);
   if (!instance) return instance.error();
   const auto too_many = [&](std::size_t limit, const char* what) {
     return document_.error(top, "the world holds more than " + std::to_string(limit) + " " + what);
   };
-  for (const Section* part : instance->parts) fields_ += 1 + part->fields.size();
-  if (fields_ > limits_.fields) return too_many(limits_.fields, "properties, those of its macros included");
+  for (const Section* part : instance->parts) counts_.fields += 1 + part->fields.size();
+  if (counts_.fields > limits_.fields)
+    return too_many(limits_.fields, "properties, those of its macros included");
   if (const Kind* kind = find_entity(instance->type); kind && kind->entity != EntityForm::kModel) {
     if (kind->table.empty()) return {};  // shapes are limited by their corners
-    return ++sensors_ > limits_.sensors ? too_many(limits_.sensors, "sensors") : Result<void>();
+    return ++counts_.sensors > limits_.sensors ? too_many(limits_.sensors, "sensors") : Result<void>();
   }
-  if (++models_ > limits_.models) return too_many(limits_.models, "models");
+  if (++counts_.models > limits_.models) return too_many(limits_.models, "models");
   if (depth > limits::kEntityDepth) {
     return document_.error(section.where,
                            "models nested more than " + std::to_string(limits::kEntityDepth) + " deep");

@@ -17,13 +17,28 @@ class Expansion {
   /// inside each other more than limits::kEntityDepth deep.
   Result<void> add(const Section& section) { return add(section, section.where, 1); }
 
+  struct Counts {
+    std::size_t models = 0, sensors = 0, fields = 0;
+    friend Counts operator+(const Counts& a, const Counts& b) {
+      return {a.models + b.models, a.sensors + b.sensors, a.fields + b.fields};
+    }
+    friend Counts operator-(const Counts& a, const Counts& b) {
+      return {a.models - b.models, a.sensors - b.sensors, a.fields - b.fields};
+    }
+  };
+  /// Of all sections so far.
+  const Counts& counts() const { return counts_; }
+  bool has_room(const Counts& more) const;
+  /// Counts a section again that was this much.
+  void add_again(const Counts& section) { counts_ = counts_ + section; }
+
  private:
   Result<void> add(const Section& section, SourceLine top, int depth);
 
   const Document& document_;
   const Macros& macros_;
   const WorldLimits& limits_;
-  std::size_t models_ = 0, sensors_ = 0, fields_ = 0;
+  Counts counts_;
 };
 
 }  // namespace playhouse::scene

@@ -17,6 +17,7 @@ constexpr double kLargest =
 }  // namespace
 
 void LoadState::add(Error fault) {
+  ++faults;
   const auto same = [&fault](const Error& known) {
     return known.where == fault.where && known.text == fault.text;
   };
@@ -132,6 +133,7 @@ Color Properties::color(Color otherwise, std::size_t row) const {
   }
   const std::string name = text("color", "");
   if (name == "random") {
+    ++state_.random_colors;
     Rng rng(0, 0, {Purpose::kColor, static_cast<std::uint32_t>(row)});
     const auto channel = [&rng] { return static_cast<float>(rng.uniform()); };
     const float r = channel(), g = channel(), b = channel();

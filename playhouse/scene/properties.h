@@ -21,7 +21,9 @@ struct LoadState {
   std::optional<Error> error;  // the first fault
   std::vector<Error> others;   // the next ones
   Warnings warnings;
-  bool over = false;  // nothing more can be said: the load ends
+  bool over = false;              // nothing more can be said: the load ends
+  std::size_t faults = 0;         // those that were known included
+  std::size_t random_colors = 0;  // read so far; each is that of its model alone
 
   /// The load goes on, to find what else is wrong, until there are as many faults as warnings of a kind.
   void fail(SourceLine where, std::string text) { add(document.error(where, std::move(text))); }

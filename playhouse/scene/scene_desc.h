@@ -7,7 +7,10 @@
 /// by `X_MB`, the file's `origin`), S sensor.
 
 #include <cstdint>
+#include <map>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "playhouse/base/in_quotes.h"
@@ -26,6 +29,7 @@ struct SourceLine {
 struct Block {
   std::vector<geom::Vec2> points;  // m, in B; at least 3
   double z_min = 0, z_max = 0;     // m, relative to B
+  friend bool operator==(const Block&, const Block&) = default;
 };
 
 /// A body traced from a bitmap: closed contours on pixel edges, solid to the left of each edge (outer
@@ -34,14 +38,19 @@ struct Block {
 struct Contours {
   std::vector<std::vector<geom::Vec2>> loops;  // m, in B
   double z_min = 0, z_max = 0;                 // m, relative to B
+  friend bool operator==(const Contours&, const Contours&) = default;
 };
 
-/// A model: what its words say, and what the loader makes of its place in the file. `X_PM.z` includes
+/// A description of a model: what its words say, and what the loader makes of its place in the file. Trees of
+/// them are prototypes, which any number of trees share: of the top-level one, `name`, `alias`, `where`,
+/// `X_PM`, `color` and `fiducial_return` are those of its first tree in the world. `X_PM.z` includes
 /// `stacked`, and `update_interval` is at least a tick.
 struct ModelDesc : PlainDesc, KindDescs {
-  std::string name;   // unique token, e.g. "r0" or "r0.ranger:1"
+  std::string name;   // token, unique in the first tree, e.g. "r0" or "r0.ranger:1"
   std::string alias;  // default token, e.g. "position:0"; equal to `name` when the file gave none
   std::string type;   // the base type as the file says it, after macros: "position", "gripper", ...
+  /// Of a top-level one, what people call its like: the word of the define that made it, else `name`.
+  std::string prototype;
   ModelKind kind = ModelKind::kPlain;
   std::int32_t parent = -1;  // row of SceneDesc::models, always below this row; -1: the world
   SourceLine where;
@@ -51,11 +60,30 @@ struct ModelDesc : PlainDesc, KindDescs {
   std::vector<Contours> bitmaps;
 };
 
+/// A tree of models in the world: its prototype, and what it has for itself.
+struct TreeDesc {
+  std::uint32_t top = 0;    // row of SceneDesc::models, a top-level one
+  std::string name, alias;  // tokens of the top; those of its parts follow
+  SourceLine where;
+  geom::Pose X_WM;
+  Color color;  // of the top
+  std::int32_t fiducial_return = 0;
+};
+
 struct SceneDesc : WorldDesc {
   std::string path;                // of the top-level file
   std::vector<std::string> files;  // all files read; row 0 is the top-level one
   WindowDesc window;
-  std::vector<ModelDesc> models;      // parents before children, siblings in file order
+  /// Every description once, tree by tree: parents before children, siblings in file order.
+  std::vector<ModelDesc> models;
+  /// What is in the world, in file order. None, as in scenes made in code, stands for one_of_each().
+  std::vector<TreeDesc> trees;
+  /// Tokens of parts, by row of `trees` and place in the tree, that are not those of the prototype: later
+  /// models of the same name have them.
+  struct Token {
+    std::string name, alias;
+  };
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Token> renamed;
   std::vector<std::string> warnings;  // "file:line: text", each once
 
   /// "file:line" of a place in this scene.
@@ -63,5 +91,15 @@ struct SceneDesc : WorldDesc {
     return where.file < files.size() ? escaped(files[where.file]) + ":" + std::to_string(where.line) : path;
   }
 };
+
+/// How many models the tree has whose top is at `row` of SceneDesc::models; 0 if there is no top.
+std::uint32_t tree_size(const SceneDesc& scene, std::uint32_t row);
+
+/// A tree of the world for each tree of descriptions, as these say.
+std::vector<TreeDesc> one_of_each(const SceneDesc& scene);
+
+/// A token of a part, name or alias, in a tree whose top is called `name` instead of `top`: what begins with
+/// the top's name begins with that of this one.
+std::string token_in(std::string_view token, std::string_view top, std::string_view name);
 
 }  // namespace playhouse::scene

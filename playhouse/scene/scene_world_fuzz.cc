@@ -20,6 +20,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   const auto scene = load_world_text(text.substr(0, split), "w/t.world", files, limits);
   if (!scene && scene.error().text.empty()) std::abort();
   if (scene) {
+    for (const TreeDesc& tree : scene->trees)
+      if (tree.name.empty() || tree_size(*scene, tree.top) == 0) std::abort();
     for (std::size_t row = 0; row < scene->models.size(); ++row) {
       const ModelDesc& model = scene->models[row];
       if (model.name.empty() || model.parent >= static_cast<std::int32_t>(row)) std::abort();

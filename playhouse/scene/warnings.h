@@ -32,7 +32,10 @@ class Warnings {
   template <std::invocable Hint>
   void add(Warning kind, SourceLine where, std::string text, Hint hint) {
     std::string line = sources_->at(where) + ": " + text;
-    if (is_known(line) || !has_room(kind)) return;
+    const bool known = is_known(line);
+    const bool here = where.file == watched_.file && where.line == watched_.line;
+    news_ += !known || here ? 1 : 0;
+    if (known || !has_room(kind)) return;
     const std::string tail = hint();
     lines_.push_back(std::move(line) + tail);
     if (kind == Warning::kUnknownWord && !tail.empty() && slip_.empty()) slip_ = lines_.back();
@@ -41,6 +44,11 @@ class Warnings {
   /// `error` and, after it, the first unknown word that resembles a known one: a slip there often is why
   /// something is missing later, and the warnings are not shown when an error ends the load.
   Error with_slip(Error error) const;
+
+  /// How many warnings came up that the load had not given before, or that are of the line `watched`. Where
+  /// there is none, the like of what was read gives none either, wherever it stands.
+  std::size_t news() const { return news_; }
+  void watch(SourceLine watched) { watched_ = watched; }
 
   /// All lines, and one for each kind that has more.
   std::vector<std::string> take();
@@ -53,6 +61,8 @@ class Warnings {
   const SourceTexts* sources_;
   std::vector<std::string> lines_;
   std::string slip_;
+  std::size_t news_ = 0;
+  SourceLine watched_;
   std::array<std::size_t, kWarningKinds> counts_{};
 };
 

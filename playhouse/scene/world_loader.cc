@@ -13,6 +13,7 @@
 #include "playhouse/scene/generated/read_kinds.h"
 #include "playhouse/scene/kinds.h"
 #include "playhouse/scene/properties.h"
+#include "playhouse/scene/repeats.h"
 #include "playhouse/scene/syntax.h"
 #include "playhouse/scene/token_names.h"
 #include "playhouse/scene/vocabulary.h"
@@ -24,6 +25,15 @@ std::size_t text_bytes_of(const ModelDesc& model) {
   std::size_t bytes = model.name.size() + model.alias.size() + model.say.size();
   for (const std::string& ctrl : model.ctrl) bytes += ctrl.size();
   return bytes;
+}
+
+/// How many names and default names of a tree begin with that of its top.
+std::size_t names_below(std::span<const ModelDesc> tree) {
+  std::size_t below = 0;
+  for (const ModelDesc& part : tree.subspan(1))
+    for (const std::string* token : {&part.name, &part.alias})
+      below += token_in(*token, tree[0].name, "").size() < token->size() ? 1 : 0;
+  return below;
 }
 
 class WorldLoader {
@@ -47,10 +57,25 @@ class WorldLoader {
 
  private:
   using Loops = std::vector<std::vector<geom::Vec2>>;
+  using Siblings = std::map<std::string_view, int>;
   /// What all models of a world share a limited amount of.
   struct Budget {
     std::size_t left, limit;
     std::string_view what;
+  };
+  /// A tree that further sections may repeat, and how much of the limited each takes.
+  struct Repeat {
+    std::uint32_t top = 0;  // row of the scene's models
+    const Kind* kind = nullptr;
+    std::string given;  // the name, where no section has its own
+    // What the tree has for itself, where no section says it.
+    geom::Pose X_WM;
+    Color color;
+    int fiducial_return = 0;
+    bool random_color = false;
+    Expansion::Counts counts;
+    std::size_t corners = 0, beams = 0;
+    std::size_t text_bytes = 0, names_below = 0;  // without the top's name, which so many others begin with
   };
 
   void read_globals();
@@ -58,8 +83,20 @@ class WorldLoader {
   /// The section with its macros applied.
   std::optional<Instance> instance(const Section& section);
   void load_window(const Instance& window, const Kind& kind);
+  /// A section at top level.
+  void load_section(const Section& section);
+  /// A section that says what one before said, but for what its instance has for itself. False, and nothing
+  /// done, if there is none such or it has to be looked at word by word.
+  bool repeat_tree(const Section& section);
+  /// A top-level model and everything inside it, word by word.
+  void load_tree(const Section& section, const Instance& entity);
+  /// Where the models from `first` on are the same as the tree before them that this word made, they go, and
+  /// the last tree is one like that. Gives the row of the top that it has now.
+  std::uint32_t share_tree(std::uint32_t first, std::string_view word);
   /// A model and everything inside it. `siblings` counts the models of each type in the parent.
-  void load_model(const Instance& instance, std::int32_t parent, std::map<std::string_view, int>& siblings);
+  void load_model(const Instance& entity, std::int32_t parent, Siblings& siblings);
+  /// The model's number in the world, in file order.
+  std::size_t number_of(std::size_t row) const { return counts_before_.models + row - first_row_; }
   /// What the words of a model say, of its own kind and of every one.
   void read_words(const Properties& properties, const Kind& kind, ModelDesc& model);
   /// Reads the entities that are parts of a model of this kind; returns all others, the models inside it.
@@ -90,6 +127,14 @@ class WorldLoader {
   std::map<std::string, Loops> bitmaps_;
   std::set<std::string_view> plain_types_;                           // warned of
   std::set<std::pair<std::uint32_t, std::uint32_t>> unknown_types_;  // files and lines told
+  std::map<std::string, Repeat, std::less<>> repeats_;               // by repeat_key()
+  std::map<std::string_view, std::uint32_t> latest_;  // row of the latest tree that a word made
+  std::string key_;                                   // of the section that is read
+  Siblings tops_{{"model", 1}};                       // the original's invisible ground is model:0
+  // Of the tree that is read.
+  Expansion::Counts counts_before_;
+  std::size_t first_row_ = 0;
+  std::size_t colors_with_top_ = 0;  // that are random, of all trees before and the top
   bool has_window_ = false;
   SourceLine follow_where_;  // of the window's follow_model
   Expansion expansion_{document_, macros_, limits_};
@@ -101,27 +146,119 @@ Result<SceneDesc> WorldLoader::load() {
   scene_.files = document_.sources.file_names();
   scene_.path = scene_.files.front();
   read_globals();
-  // The original's invisible ground is model:0.
-  std::map<std::string_view, int> siblings{{"model", 1}};
   for (const Statement& statement : document_.statements) {
     if (state_.over) break;
     if (!statement.base.empty()) {
       define(statement);
-    } else if (const Result<void> counted = expansion_.add(statement.section); !counted) {
-      state_.end(counted.error());
-    } else if (const auto entity = instance(statement.section)) {
-      const Kind* kind = find_entity(entity->type);
-      if (kind && kind->entity == EntityForm::kWindow) {
-        load_window(*entity, *kind);
-      } else {
-        load_model(*entity, -1, siblings);
-      }
+    } else {
+      load_section(statement.section);
     }
   }
   if (state_.error) return state_.warnings.with_slip(*state_.error);
   names_.check_follow_model(follow_where_);
   scene_.warnings = state_.warnings.take();
   return std::move(scene_);
+}
+
+void WorldLoader::load_section(const Section& section) {
+  key_ = repeat_key(section);
+  if (repeat_tree(section)) return;
+  counts_before_ = expansion_.counts();
+  if (const Result<void> counted = expansion_.add(section); !counted) return state_.end(counted.error());
+  const std::optional<Instance> entity = instance(section);
+  if (!entity) return;
+  const Kind* kind = find_entity(entity->type);
+  if (kind && kind->entity == EntityForm::kWindow) {
+    load_window(*entity, *kind);
+  } else {
+    load_tree(section, *entity);
+  }
+}
+
+bool WorldLoader::repeat_tree(const Section& section) {
+  const auto found = repeats_.find(key_);
+  if (found == repeats_.end()) return false;
+  const Repeat& repeat = found->second;
+  const Properties own(state_, section.fields);
+  const Field* const name = own.fields().find("name");
+  if (name && name->values.empty()) return false;
+  const std::string_view given = name ? name->values.front().text : repeat.given;
+  const std::size_t longest_name = given.size() + repeat.kind->name.size() + 12;
+  const bool fits = expansion_.has_room(repeat.counts) && repeat.corners <= corners_.left &&
+                    repeat.beams <= beams_.left &&
+                    repeat.text_bytes + (repeat.names_below + 2) * longest_name <= text_bytes_.left;
+  if (!fits || names_.may_clash(given)) return false;
+
+  const std::size_t number = expansion_.counts().models;
+  expansion_.add_again(repeat.counts);
+  corners_.left -= repeat.corners;
+  beams_.left -= repeat.beams;
+  const geom::Pose X_WM = own.pose("pose").value_or(repeat.X_WM);
+  Color color = repeat.color;
+  if (repeat.random_color || own.has("color") || own.has("color_rgba"))
+    color = Properties(state_, *instance(section)).color(repeat.kind->color, number);
+  const int mark = own.integer("fiducial_return", repeat.fiducial_return);
+  names_.add_top(repeat.top, repeat.kind->name, given, tops_[repeat.kind->name]++, section.where);
+  names_.end_tree();
+  TreeDesc& made = scene_.trees.back();
+  made.X_WM = X_WM;
+  made.color = color;
+  made.fiducial_return = mark;
+  text_bytes_.left -= repeat.text_bytes + made.alias.size() + (repeat.names_below + 1) * made.name.size();
+  return true;
+}
+
+void WorldLoader::load_tree(const Section& section, const Instance& entity) {
+  const auto first = static_cast<std::uint32_t>(scene_.models.size());
+  const std::size_t trees = scene_.trees.size(), news = state_.warnings.news(), faults = state_.faults;
+  const std::size_t corners = corners_.left, beams = beams_.left, texts = text_bytes_.left;
+  first_row_ = first;
+  const std::size_t colors = state_.random_colors;
+  state_.warnings.watch(section.where);
+  load_model(entity, -1, tops_);
+  names_.end_tree();
+  if (scene_.trees.size() == trees || state_.over) return;
+
+  ModelDesc& top = scene_.models[first];
+  TreeDesc& tree = scene_.trees.back();
+  tree.X_WM = top.X_PM;
+  tree.color = top.color;
+  tree.fiducial_return = top.fiducial_return;
+  top.prototype = macros_.find(section.name) ? std::string(section.name) : tree.name;
+
+  const std::span<const ModelDesc> models = std::span(scene_.models).subspan(first);
+  Repeat repeat;
+  repeat.kind = find_entity(entity.type);
+  repeat.given = Properties(state_, entity).text("name", "");
+  repeat.X_WM = tree.X_WM;
+  repeat.color = tree.color;
+  repeat.fiducial_return = tree.fiducial_return;
+  repeat.random_color = colors_with_top_ > colors;
+  repeat.corners = corners - corners_.left;
+  repeat.beams = beams - beams_.left;
+  repeat.names_below = names_below(models);
+  repeat.text_bytes =
+      texts - text_bytes_.left - top.alias.size() - (repeat.names_below + 1) * top.name.size();
+  repeat.counts = expansion_.counts() - counts_before_;
+  repeat.top = share_tree(first, section.name);
+  const bool was_quiet = state_.warnings.news() == news && state_.faults == faults;
+  const bool is_alone = names_.names_parts_alone() || state_.random_colors > colors_with_top_;
+  if (was_quiet && !is_alone) repeats_.emplace(key_, std::move(repeat));
+}
+
+std::uint32_t WorldLoader::share_tree(std::uint32_t first, std::string_view word) {
+  const auto [latest, is_first] = latest_.try_emplace(word, first);
+  if (is_first) return first;
+  const std::uint32_t before = latest->second;
+  const std::span<const ModelDesc> models(scene_.models);
+  if (names_.names_parts_alone() ||
+      !is_same_tree(models.subspan(before, tree_size(scene_, before)), models.subspan(first))) {
+    return latest->second = first;
+  }
+  names_.share(before);
+  scene_.models.resize(first);
+  stacks_children_.resize(first);
+  return before;
 }
 
 void WorldLoader::read_globals() {
@@ -138,7 +275,7 @@ void WorldLoader::read_globals() {
 }
 
 void WorldLoader::define(const Statement& statement) {
-  if (macros_.define(statement)) return;
+  if (macros_.define(statement)) return repeats_.clear();  // the same words may mean another thing now
   const std::string_view name = statement.section.name;
   state_.warnings.add(Warning::kMacro, statement.section.where,
                       "macro " + in_quotes(name) + " is defined at " +
@@ -202,13 +339,12 @@ void WorldLoader::read_words(const Properties& properties, const Kind& kind, Mod
   model.size = kind.size;
   model.color = kind.color;
   model.gui_move = model.parent < 0;
-  read(properties, scene_.models.size(), model);
+  read(properties, number_of(scene_.models.size()), model);
   model.update_interval = std::max(model.update_interval, scene_.interval);
   read_kind(properties, kind.kind, model);
 }
 
-void WorldLoader::load_model(const Instance& entity, std::int32_t parent,
-                             std::map<std::string_view, int>& siblings) {
+void WorldLoader::load_model(const Instance& entity, std::int32_t parent, Siblings& siblings) {
   const Kind* kind = kind_of(entity);
   if (!kind) return;
   const std::size_t row = scene_.models.size();
@@ -220,19 +356,32 @@ void WorldLoader::load_model(const Instance& entity, std::int32_t parent,
   model.type = std::string(kind->name);
   model.kind = kind->kind;
   read_words(properties, *kind, model);
+  if (parent < 0) colors_with_top_ = state_.random_colors;
   if (parent >= 0 && stacks_children_[static_cast<std::size_t>(parent)]) {
     model.stacked = scene_.models[static_cast<std::size_t>(parent)].size.z;
     model.X_PM.z += model.stacked;
   }
-  names_.name(model, properties.text("name", ""), siblings[kind->name]++);
+  const std::string given = properties.text("name", "");
+  const int index = siblings[kind->name]++;
+  if (parent >= 0) {
+    names_.name_part(model, given, index);
+  } else {
+    names_.add_top(static_cast<std::uint32_t>(row), kind->name, given, index, entity.where);
+    model.name = scene_.trees.back().name;
+    model.alias = scene_.trees.back().alias;
+  }
   spend(text_bytes_, text_bytes_of(model), entity.where);
 
   Shape shape;
   const std::vector<Instance> children = load_parts(entity, *kind, model, shape);
   read_body(properties, *kind, std::move(shape), model);
   stacks_children_.push_back(properties.flag("stack_children", true));
+  if (row >= limits_.descriptions)
+    return state_.end(document_.error(entity.where, "the world holds more than " +
+                                                        std::to_string(limits_.descriptions) +
+                                                        " models that are like no other"));
   scene_.models.push_back(std::move(model));
-  std::map<std::string_view, int> grandchildren;
+  Siblings grandchildren;
   for (const Instance& child : children) {
     if (state_.over) return;
     load_model(child, static_cast<std::int32_t>(row), grandchildren);
@@ -271,7 +420,7 @@ void WorldLoader::load_block(const Properties& properties, SourceLine where, Sha
 }
 
 void WorldLoader::load_sensor(const Properties& properties, SourceLine where, ModelDesc& model) {
-  read(properties, scene_.models.size(), model.sensors.emplace_back());
+  read(properties, number_of(scene_.models.size()), model.sensors.emplace_back());
   spend(beams_, model.sensors.back().samples, where);
 }
 

@@ -21,7 +21,8 @@ Result<SceneDesc> load_world(const std::string& path, NamedBy by = NamedBy::kPer
 
 /// How much a world may hold; smaller in fuzzers than limits.h allows.
 struct WorldLimits {
-  std::size_t models = limits::kEntities;
+  std::size_t models = limits::kSceneModels;
+  std::size_t descriptions = limits::kEntities;  // of models that are like no other
   std::size_t fields = limits::kExpandedFields;
   std::size_t pixels = limits::kBitmapPixels;
   std::size_t bitmap_bytes = limits::kBitmapBytes;

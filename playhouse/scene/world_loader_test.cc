@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "playhouse/scene/kinds.h"
+#include "playhouse/scene/testing_expanded.h"
 
 namespace playhouse::scene {
 namespace {
@@ -22,7 +23,9 @@ using Files = std::map<std::string, std::string>;
 
 Result<SceneDesc> load(const std::string& text, Files others = {}, const WorldLimits& limits = {}) {
   MemoryFiles files(std::move(others));
-  return load_world_text(text, "w/t.world", files, limits);
+  Result<SceneDesc> scene = load_world_text(text, "w/t.world", files, limits);
+  if (scene) *scene = expanded(std::move(*scene));
+  return scene;
 }
 
 SceneDesc loaded(const std::string& text, Files others = {}) {
@@ -847,7 +850,7 @@ TEST(WorldFiles, an_include_is_looked_for_beside_the_files_and_then_in_the_searc
                     {"none/", "lib/"});
   const auto scene = load_world_text("include \"in.inc\"", "w/t.world", files);
   ASSERT_TRUE(scene.ok()) << scene.error().line();
-  EXPECT_THAT(names_of(*scene), ElementsAre("beside", "further", "far"));
+  EXPECT_THAT(names_of(expanded(*scene)), ElementsAre("beside", "further", "far"));
   EXPECT_EQ(load_world_text("include \"gone.inc\"", "w/t.world", files).error().line(),
             "w/t.world:1: included file \"w/gone.inc\" cannot be opened: no such file");
 }

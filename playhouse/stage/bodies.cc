@@ -146,12 +146,10 @@ const std::vector<Shape>& Shapes::of(std::uint32_t row) {
 Trees make_trees(const world::World& world) {
   const world::Models& models = world.models;
   Trees trees;
-  trees.of_root.assign(models.size(), kNone);
   trees.first_model.push_back(0);
   trees.first_position.push_back(0);
   for (std::uint32_t row = 0; row < models.size(); ++row) {
     if (models.root[row] != row || models.mobility[row] == world::Mobility::kFixed) continue;
-    trees.of_root[row] = static_cast<std::uint32_t>(trees.root.size());
     trees.root.push_back(row);
     add_tree(trees, world, row);
     trees.first_model.push_back(static_cast<std::uint32_t>(trees.models.size()));

@@ -5,6 +5,7 @@
 /// follow, in the order of the trees, so that a tree's solids and vertices are consecutive and change
 /// without those that stand still. Frames: W world, M the model that owns the solid.
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <span>
@@ -22,12 +23,15 @@ using geom::Vec2;
 
 /// Trees of models that can move: those that hold at least one model that drives, and loose ones.
 struct Trees {
-  std::vector<std::uint32_t> root;                       // model row of the top                        (t)
+  std::vector<std::uint32_t> root;                       // model row of the top, ascending             (t)
   std::vector<std::uint32_t> first_model, models;        // rows, parents first: models[first_model[t] ..]
   std::vector<std::uint32_t> first_position, positions;  // position rows of the tree
   std::vector<std::uint32_t> first_solid;                // solids first_solid[t] .. first_solid[t + 1] - 1
-  std::vector<std::uint32_t> of_root;  // model row of a top -> tree row, or Row::kNone (models)
   std::size_t size() const { return root.size(); }
+  /// Row of the tree with this top.
+  std::uint32_t of_root(std::uint32_t top) const {
+    return static_cast<std::uint32_t>(std::ranges::lower_bound(root, top) - root.begin());
+  }
 };
 
 /// What a solid of a model is, whichever model has it: made once for each row of SceneDesc::models.
@@ -91,7 +95,8 @@ void place(Solids& solids, const world::Models& models, std::size_t begin, std::
 
 /// Where one tree would be: a proposal, or a step on the way to it. Rows count from the tree's first.
 struct TreeShape {
-  std::span<Pose> X_PM, X_WM;    // (models of the tree)
+  std::span<Pose> driven;        // X_PM of those that drive (positions of the tree)
+  std::span<Pose> X_WM;          // (models of the tree)
   std::span<Rotation> rotation;  // of X_WM (models of the tree)
   std::span<Vec2> center, p;     // (solids of the tree), (their vertices)
 };

@@ -11,17 +11,18 @@ std::uint64_t ticks_of(double update_interval, double interval) {
 
 void DueList::populate(const world::World& world, std::span<const world::ModelRow> models) {
   period_.clear();
-  for (const world::ModelRow model : models)
-    period_.push_back(ticks_of(world.desc(model).update_interval, world.scene().interval));
+  for (const scene::ModelDesc& desc : world.scene().models)
+    period_.push_back(ticks_of(desc.update_interval, world.scene().interval));
   due_.reserve(models.size());
 }
 
 std::span<const std::uint32_t> DueList::take(const world::World& world, SensorTable table,
                                              std::uint64_t tick) {
   due_.clear();
-  for (std::uint32_t row = 0; row < period_.size(); ++row) {
-    if (world.models.subscribers[table.model[row].index] == 0) continue;
-    if (tick - table.measured_tick[row] < period_[row]) continue;
+  for (std::uint32_t row = 0; row < table.model.size(); ++row) {
+    const std::uint32_t model = table.model[row].index;
+    if (world.models.subscribers[model] == 0) continue;
+    if (tick - table.measured_tick[row] < period_[world.models.desc[model]]) continue;
     table.measured_tick[row] = tick;
     due_.push_back(row);
   }

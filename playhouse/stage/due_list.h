@@ -19,7 +19,7 @@ struct SensorTable {
 
 class DueList {
  public:
-  /// Reads the periods of all sensors of a table. To be called again when sensors came or went.
+  /// Reads the periods of all sensors. To be called again when sensors came or went.
   void populate(const world::World& world, std::span<const world::ModelRow> models);
 
   /// The rows that measure for `tick`, in order; measured_tick says so from then on. Valid until the next
@@ -27,7 +27,7 @@ class DueList {
   std::span<const std::uint32_t> take(const world::World& world, SensorTable table, std::uint64_t tick);
 
  private:
-  std::vector<std::uint64_t> period_;  // ticks between two measurements (sensors)
+  std::vector<std::uint64_t> period_;  // ticks between two measurements (rows of SceneDesc::models)
   std::vector<std::uint32_t> due_;
 };
 

@@ -124,6 +124,9 @@ Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene
     return Error{scene.path, "the interval of a tick must be above 0"};
   for (const scene::ModelDesc& model : scene.models)
     if (const Result<void> checked = check_model(scene, model); !checked) return checked.error();
+  for (const scene::TreeDesc& tree : scene.trees)
+    if (!finite(tree.X_WM))
+      return Error{scene.at(tree.where), "model " + tree.name + " has a pose that is not a finite number"};
   warn_of_ghost_walls(scene);
   return std::unique_ptr<world::Engine>(std::make_unique<StageEngine>(scene, options.seed, options.workers));
 }

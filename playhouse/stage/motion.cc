@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "playhouse/base/limits.h"
 
@@ -28,6 +29,11 @@ Pose driven(const Pose& X_PM, const geom::Twist& velocity, double dt) {
   return {X_PM.x + p.x, X_PM.y + p.y, X_PM.z, geom::normalize(X_PM.a + velocity.a * dt)};
 }
 
+Pose part_at(const Pose& X_WP, Rotation rotation, const Pose& X_PM) {
+  const Vec2 p = X_WP.xy() + rotation * X_PM.xy();
+  return {p.x, p.y, X_WP.z + X_PM.z, geom::normalize(X_WP.a + X_PM.a)};
+}
+
 Outline outline_at(const Solids& solids, std::size_t row, Vec2 center, const Vec2* p) {
   const std::size_t vertices = solids.first_vertex[row + 1] - solids.first_vertex[row] - 1;
   return {{p, vertices}, center, solids.convex[row] != 0};
@@ -47,15 +53,13 @@ void Motion::populate(const Trees& trees, const Solids& solids, const world::Mod
   stalls_.assign(trees.size(), 0);
   conflicts_.assign(trees.size(), {});
   reach_.assign(trees.size(), 0);
-  parent_.assign(trees.models.size(), 0);
+  first_parent_.assign(trees.size(), world::ModelRow::kNone);
+  parent_.clear();
   std::size_t largest_tree = 0, most_solids = 0, most_vertices = 0;
-  std::vector<std::uint32_t> place(models.size());  // of a model in its tree
   for (std::size_t tree = 0; tree < trees.size(); ++tree) {
     const std::uint32_t begin = trees.first_model[tree], end = trees.first_model[tree + 1];
-    for (std::uint32_t i = begin; i < end; ++i) {
-      place[trees.models[i]] = i - begin;
-      if (i > begin) parent_[i] = place[models.parent[trees.models[i]]];
-    }
+    add_parents(std::span(trees.models).subspan(begin, end - begin), models,
+                static_cast<std::uint32_t>(tree));
     const std::uint32_t first = trees.first_solid[tree], last = trees.first_solid[tree + 1];
     largest_tree = std::max<std::size_t>(largest_tree, end - begin);
     most_solids = std::max<std::size_t>(most_solids, last - first);
@@ -63,7 +67,7 @@ void Motion::populate(const Trees& trees, const Solids& solids, const world::Mod
         std::max<std::size_t>(most_vertices, solids.first_vertex[last] - solids.first_vertex[first]);
   }
   for (Sweep& sweep : sweeps_) {
-    sweep.X_PM.resize(largest_tree);
+    sweep.driven.resize(largest_tree);
     sweep.X_WM.resize(largest_tree);
     sweep.rotation.resize(largest_tree);
     sweep.center.resize(most_solids);
@@ -71,19 +75,32 @@ void Motion::populate(const Trees& trees, const Solids& solids, const world::Mod
     sweep.conflicts.clear();
     sweep.conflicts.reserve(8 * trees.size());  // what few workers meet is met by one
   }
-  X_PM_.resize(trees.models.size());
-  X_WM_.resize(trees.models.size());
-  rotation_.resize(trees.models.size());
+  driven_.resize(trees.positions.size());
+  rotation_.resize(trees.size());
   center_.resize(solids.moving());
   p_.resize(solids.p_M.size() - fixed_vertices_);
 }
 
-TreeShape Motion::proposal(const Solids& solids, std::uint32_t tree) {
-  const std::uint32_t model = trees_->first_model[tree], models = trees_->first_model[tree + 1] - model;
+void Motion::add_parents(std::span<const std::uint32_t> rows, const world::Models& models,
+                         std::uint32_t tree) {
+  bool is_run = true;
+  for (std::size_t i = 0; i < rows.size(); ++i) is_run = is_run && rows[i] == rows[0] + i;
+  if (is_run) return;
+  first_parent_[tree] = static_cast<std::uint32_t>(parent_.size());
+  std::map<std::uint32_t, std::uint32_t> place;  // of a model in its tree
+  for (const std::uint32_t row : rows) {
+    parent_.push_back(place.empty() ? 0 : place.at(models.parent[row]));
+    place.emplace(row, static_cast<std::uint32_t>(place.size()));
+  }
+}
+
+TreeShape Motion::proposal(const Solids& solids, std::uint32_t tree, Sweep& sweep) {
+  const std::uint32_t models = trees_->first_model[tree + 1] - trees_->first_model[tree];
+  const std::uint32_t robot = trees_->first_position[tree], robots = trees_->first_position[tree + 1] - robot;
   const std::uint32_t solid = trees_->first_solid[tree], last = trees_->first_solid[tree + 1];
-  return {{X_PM_.data() + model, models},
-          {X_WM_.data() + model, models},
-          {rotation_.data() + model, models},
+  return {{driven_.data() + robot, robots},
+          {sweep.X_WM.data(), models},
+          {sweep.rotation.data(), models},
           {center_.data() + place_of(solid), last - solid},
           {p_.data() + vertex_of(solids, solid), solids.first_vertex[last] - solids.first_vertex[solid]}};
 }
@@ -94,21 +111,23 @@ void Motion::shape_at(const Surroundings& in, std::uint32_t tree, double fractio
   const world::Models& models = in.world.models;
   const double dt = in.world.scene().interval * fraction;
   const std::uint32_t first = trees_->first_model[tree];
-  for (std::size_t i = 0; i < out.X_PM.size(); ++i) {
+  std::size_t robot = 0;
+  for (std::size_t i = 0; i < out.X_WM.size(); ++i) {
     const std::uint32_t model = trees_->models[first + i];
-    out.X_PM[i] = models.kind[model] == scene::ModelKind::kPosition
-                      ? driven(models.X_PM[model], in.world.positions.velocity[models.part[model]], dt)
-                      : models.X_PM[model];
+    const Pose* X_PM = &models.X_PM[model];
+    if (models.kind[model] == scene::ModelKind::kPosition) {
+      Pose& X = out.driven[robot++];
+      X = driven(*X_PM, in.world.positions.velocity[models.part[model]], dt);
+      X_PM = &X;
+    }
     if (i == 0) {
-      out.X_WM[0] = out.X_PM[0];
+      out.X_WM[0] = *X_PM;
       out.rotation[0] = Rotation::of(out.X_WM[0].a);
       continue;
     }
-    const std::uint32_t parent = parent_[first + i];
-    const Pose &X_WP = out.X_WM[parent], &X_PM = out.X_PM[i];
-    const Vec2 p = X_WP.xy() + out.rotation[parent] * X_PM.xy();
-    out.X_WM[i] = {p.x, p.y, X_WP.z + X_PM.z, geom::normalize(X_WP.a + X_PM.a)};
-    out.rotation[i] = X_PM.a == 0 ? out.rotation[parent] : Rotation::of(out.X_WM[i].a);
+    const std::uint32_t parent = parent_of(models, tree, model, i);
+    out.X_WM[i] = part_at(out.X_WM[parent], out.rotation[parent], *X_PM);
+    out.rotation[i] = X_PM->a == 0 ? out.rotation[parent] : Rotation::of(out.X_WM[i].a);
   }
 
   const Solids& solids = in.solids;
@@ -124,14 +143,15 @@ void Motion::shape_at(const Surroundings& in, std::uint32_t tree, double fractio
   }
 }
 
-void Motion::propose(const Surroundings& in, std::uint32_t tree) {
+void Motion::propose(const Surroundings& in, std::uint32_t tree, Sweep& sweep) {
   proposes_[tree] = stalls_[tree] = 0;
   reach_[tree] = 0;
   for (std::uint32_t i = trees_->first_position[tree]; i < trees_->first_position[tree + 1]; ++i)
     if (moves(in.world.positions.velocity[trees_->positions[i]])) proposes_[tree] = 1;
   if (!proposes_[tree]) return;
-  const TreeShape shape = proposal(in.solids, tree);
+  const TreeShape shape = proposal(in.solids, tree, sweep);
   shape_at(in, tree, 1.0, shape);
+  rotation_[tree] = shape.rotation[0];
   for (std::size_t i = 0; i < shape.center.size(); ++i)
     reach_[tree] =
         std::max(reach_[tree], distance(shape.center[i], in.solids.center[trees_->first_solid[tree] + i]));
@@ -221,10 +241,10 @@ bool Motion::meets(const Surroundings& in, std::uint32_t tree, const TreeShape& 
 /// True if the way of a tree is blocked whatever the trees before it do; else `sweep` has its conflicts.
 bool Motion::is_blocked(const Surroundings& in, std::uint32_t tree, Sweep& sweep) {
   const unsigned steps = steps_of(in, tree);
-  const TreeShape last = proposal(in.solids, tree);
-  const TreeShape between{{sweep.X_PM.data(), last.X_PM.size()},
-                          {sweep.X_WM.data(), last.X_WM.size()},
-                          {sweep.rotation.data(), last.rotation.size()},
+  const TreeShape last = proposal(in.solids, tree, sweep);
+  const TreeShape between{{sweep.driven.data(), last.driven.size()},
+                          last.X_WM,
+                          last.rotation,
                           {sweep.center.data(), last.center.size()},
                           {sweep.p.data(), last.p.size()}};
   for (unsigned step = 1; step < steps; ++step) {
@@ -271,16 +291,33 @@ void Motion::believe(world::World& world, std::uint32_t robot) const {
   positions.X_OM[robot] = driven(positions.X_OM[robot], believed, world.scene().interval);
 }
 
-void Motion::commit(world::World& world, Solids& solids, std::uint32_t tree) const {
+/// Computes again where the parts of the proposal are: most memory would be theirs otherwise.
+void Motion::put(world::Models& models, std::uint32_t tree, Sweep& sweep) const {
+  const std::uint32_t first = trees_->first_model[tree];
+  std::size_t robot = trees_->first_position[tree];
+  for (std::uint32_t i = first; i < trees_->first_model[tree + 1]; ++i) {
+    const std::uint32_t model = trees_->models[i];
+    if (models.kind[model] == scene::ModelKind::kPosition) models.X_PM.own(model) = driven_[robot++];
+    const Pose& X_PM = models.X_PM[model];
+    if (i == first) {
+      models.X_WM[model] = X_PM;
+      sweep.rotation[0] = rotation_[tree];
+      continue;
+    }
+    const std::uint32_t parent = parent_of(models, tree, model, i - first);
+    models.X_WM[model] = part_at(models.X_WM[models.parent[model]], sweep.rotation[parent], X_PM);
+    if (models.first_child[model] == world::ModelRow::kNone) continue;
+    sweep.rotation[i - first] = X_PM.a == 0 ? sweep.rotation[parent] : Rotation::of(models.X_WM[model].a);
+  }
+}
+
+void Motion::commit(world::World& world, Solids& solids, std::uint32_t tree, Sweep& sweep) const {
   for (std::uint32_t i = trees_->first_position[tree]; i < trees_->first_position[tree + 1]; ++i) {
     const std::uint32_t robot = trees_->positions[i];
     world.positions.stall[robot] = stalls_[tree] && moves(world.positions.velocity[robot]);
   }
   if (!proposes_[tree] || stalls_[tree]) return;
-  for (std::uint32_t i = trees_->first_model[tree]; i < trees_->first_model[tree + 1]; ++i) {
-    world.models.X_PM[trees_->models[i]] = X_PM_[i];
-    world.models.X_WM[trees_->models[i]] = X_WM_[i];
-  }
+  put(world.models, tree, sweep);
   const std::uint32_t first = trees_->first_solid[tree], end = trees_->first_solid[tree + 1];
   std::copy_n(center_.begin() + static_cast<std::ptrdiff_t>(place_of(first)), end - first,
               solids.center.begin() + first);
@@ -300,7 +337,7 @@ bool Motion::move(world::World& world, Solids& solids, const DiscIndex& index, c
       for (std::size_t tree = begin; tree < end; ++tree) body(static_cast<std::uint32_t>(tree));
     });
   };
-  each_tree([&](std::uint32_t tree) { propose(in, tree); });
+  each_tree([&](std::uint32_t tree) { propose(in, tree, sweeps_[workers.current()]); });
   reach_max_ = 0;
   for (const double reach : reach_) reach_max_ = std::max(reach_max_, reach);
   for (Sweep& sweep : sweeps_) sweep.conflicts.clear();
@@ -308,7 +345,7 @@ bool Motion::move(world::World& world, Solids& solids, const DiscIndex& index, c
     if (proposes_[tree]) follow(in, tree, workers.current());
   });
   decide();
-  each_tree([&](std::uint32_t tree) { commit(world, solids, tree); });
+  each_tree([&](std::uint32_t tree) { commit(world, solids, tree, sweeps_[workers.current()]); });
   for (std::size_t tree = 0; tree < trees_->size(); ++tree)
     if (proposes_[tree] && !stalls_[tree]) return true;
   return false;

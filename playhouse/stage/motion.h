@@ -40,7 +40,7 @@ class Motion {
   /// What one worker needs to follow one way after the other.
   struct Sweep {
     // The shape of a tree between here and its proposal.
-    std::vector<Pose> X_PM, X_WM;
+    std::vector<Pose> driven, X_WM;
     std::vector<Rotation> rotation;
     std::vector<Vec2> center, p;
     // Of all ways of this tick, those of one way together; keeps its capacity from tick to tick.
@@ -61,7 +61,8 @@ class Motion {
     const Walls& walls;
   };
 
-  void propose(const Surroundings& in, std::uint32_t tree);
+  void add_parents(std::span<const std::uint32_t> rows, const world::Models& models, std::uint32_t tree);
+  void propose(const Surroundings& in, std::uint32_t tree, Sweep& sweep);
   void shape_at(const Surroundings& in, std::uint32_t tree, double fraction, const TreeShape& out) const;
   unsigned steps_of(const Surroundings& in, std::uint32_t tree) const;
   void follow(const Surroundings& in, std::uint32_t tree, std::uint32_t worker);
@@ -71,10 +72,19 @@ class Motion {
   bool meets_other(const Surroundings& in, std::size_t solid, const Outline& now, const Outline& then,
                    std::size_t other, Sweep& sweep) const;
   void decide();
-  void commit(world::World& world, Solids& solids, std::uint32_t tree) const;
+  void commit(world::World& world, Solids& solids, std::uint32_t tree, Sweep& sweep) const;
+  void put(world::Models& models, std::uint32_t tree, Sweep& sweep) const;
   void believe(world::World& world, std::uint32_t robot) const;
-  TreeShape proposal(const Solids& solids, std::uint32_t tree);
+  /// The proposal's own memory, with the sweep's for what can be computed again.
+  TreeShape proposal(const Solids& solids, std::uint32_t tree, Sweep& sweep);
 
+  /// Row in its tree of the parent of a model, the tree's `place`-th.
+  std::uint32_t parent_of(const world::Models& models, std::uint32_t tree, std::uint32_t model,
+                          std::size_t place) const {
+    const std::uint32_t first = first_parent_[tree];
+    return first == world::ModelRow::kNone ? models.parent[model] - trees_->root[tree]
+                                           : parent_[first + place];
+  }
   /// Where the proposal of a moving solid and of its vertices begins.
   std::size_t place_of(std::size_t solid) const { return solid - fixed_; }
   std::size_t vertex_of(const Solids& solids, std::size_t solid) const {
@@ -87,11 +97,14 @@ class Motion {
   std::vector<std::uint8_t> proposes_, stalls_;  // (trees)
   std::vector<Conflicts> conflicts_;             // (trees)
   std::vector<double> reach_;                    // largest displacement of a solid's centre  [m] (trees)
-  std::vector<std::uint32_t> parent_;  // local row of the parent in its tree           (models of trees)
-  double reach_max_ = 0;               // m, of this tick
-  // The proposals; rows as in Trees::models, and as in Solids from the first that can move on.
-  std::vector<Pose> X_PM_, X_WM_;
-  std::vector<Rotation> rotation_;
+  // Row in its tree of a model's parent, for trees whose models are no run of rows: others were attached to
+  // them. For a run it follows from the model's row.
+  std::vector<std::uint32_t> first_parent_;  // of parent_, or Row::kNone for a run                (trees)
+  std::vector<std::uint32_t> parent_;        // (models of such trees)
+  double reach_max_ = 0;                     // m, of this tick
+  // The proposals; rows as in Trees::positions, in Trees, and in Solids from the first that can move on.
+  std::vector<Pose> driven_;        // X_PM of those that drive
+  std::vector<Rotation> rotation_;  // of the top
   std::vector<Vec2> center_, p_;
   std::vector<Sweep> sweeps_;  // one per worker
 };

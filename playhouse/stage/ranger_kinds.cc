@@ -128,13 +128,20 @@ void RangerKinds::populate(const world::World& world, double body_radius) {
     for (RangerKind& kind : kinds)
       for (Bundle& bundle : kind.bundles) finish_bundle(bundle, body_radius_);
   }
+  std::vector<std::uint32_t> of_desc(world.scene().models.size(), world::RangerRow::kNone);
   of_ranger.clear();
+  of_ranger.reserve(world.rangers.size());
   for (const world::ModelRow model : world.rangers.model) {
-    const auto [entry, is_new] =
-        known_.try_emplace(signature(world.desc(model)), static_cast<std::uint32_t>(kinds.size()));
-    if (is_new) kinds.push_back(make_kind(world.desc(model), body_radius_));
-    of_ranger.push_back(entry->second);
+    std::uint32_t& kind = of_desc[world.models.desc[model.index]];
+    if (kind == world::RangerRow::kNone) kind = find_kind(world.desc(model));
+    of_ranger.push_back(kind);
   }
+}
+
+std::uint32_t RangerKinds::find_kind(const scene::ModelDesc& desc) {
+  const auto [entry, is_new] = known_.try_emplace(signature(desc), static_cast<std::uint32_t>(kinds.size()));
+  if (is_new) kinds.push_back(make_kind(desc, body_radius_));
+  return entry->second;
 }
 
 }  // namespace playhouse::stage

@@ -80,6 +80,9 @@ class RangerKinds {
   void populate(const world::World& world, double body_radius);
 
  private:
+  /// Row of kinds, of a new one if there is none like it.
+  std::uint32_t find_kind(const scene::ModelDesc& desc);
+
   std::map<std::vector<double>, std::uint32_t> known_;  // by what makes rangers alike: row of kinds
   double body_radius_ = 0;                              // m, for which the tables are good
 };

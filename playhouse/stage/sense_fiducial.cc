@@ -23,11 +23,11 @@ SensorTable FiducialSense::table(world::World& world) const {
 
 void FiducialSense::populate(const world::World& world, const Solids& solids) {
   const std::size_t models = world.fiducials.size() > 0 ? world.models.size() : 0;
-  z_min_.assign(world.models.size(), 1e300);
-  z_max_.assign(world.models.size(), -1e300);
+  z_min_.assign(models, 1e300);
+  z_max_.assign(models, -1e300);
   marked_.reserve(models);
   targets_.populate(models, 0.25);
-  for (std::size_t row = 0; row < solids.size(); ++row) {
+  for (std::size_t row = 0; models > 0 && row < solids.size(); ++row) {
     const std::uint32_t top = solids.root[row];
     const double z = world.models.X_WM[top].z;
     z_min_[top] = std::min(z_min_[top], solids.z_min[row] - z);

@@ -19,7 +19,8 @@ class FiducialSense final : public SensePhase {
  private:
   void find(world::World& world, const Space& space, std::uint32_t finder) const;
 
-  std::vector<double> z_min_, z_max_;  // of the solids of a model's tree, from its top's z   [m] (models)
+  std::vector<double> z_min_,
+      z_max_;  // of the solids of a model's tree, from its top's z   [m] (models, if there is a finder)
   std::vector<std::uint32_t> marked_;  // models of this tick
   DiscIndex targets_;                  // the marked models, as points
 };

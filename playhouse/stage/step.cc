@@ -44,7 +44,7 @@ void StageEngine::ingest() {
 void StageEngine::replace(const world::Change& change) {
   const world::ModelRow model = world_.row(change.model);
   if (change.kind != world::Change::Kind::kPlace || !model) return;
-  const std::uint32_t tree = trees_.of_root[world_.models.root[model.index]];
+  const std::uint32_t tree = trees_.of_root(world_.models.root[model.index]);
   place(solids_, world_.models, trees_.first_solid[tree], trees_.first_solid[tree + 1]);
 }
 

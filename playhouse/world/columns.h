@@ -33,21 +33,27 @@ inline constexpr bool is_done(Role role) {
 /// What a value of a column belongs to: a row of its table, or a beam of the row.
 enum class Per : std::uint8_t { kRow, kBeam };
 
-template <typename Table, typename T>
+/// `Of` is a vector or a SharedColumn.
+template <typename Table, typename Of>
 struct Column {
-  using Value = T;
+  using Values = Of;
   const char* name;
   Role role;
   const char* unit;    // "" for numbers, rows and texts
   const char* frame;   // of vectors and poses: P parent, W world, M the model, O odometry; else ""
   const char* writer;  // phases and functions that write it once it is there
-  std::vector<T> Table::*values;
+  Values Table::*values;
   Per per = Per::kRow;
 
   constexpr Column(const char* name, Role role, const char* unit, const char* frame, const char* writer,
-                   std::vector<T> Table::*values, Per per = Per::kRow)
+                   Values Table::*values, Per per = Per::kRow)
       : name(name), role(role), unit(unit), frame(frame), writer(writer), values(values), per(per) {}
 };
+
+template <typename Values>
+inline constexpr bool kIsShared = false;
+template <typename T>
+inline constexpr bool kIsShared<SharedColumn<T>> = true;
 
 template <typename Table>
 inline constexpr auto kColumns = nullptr;
@@ -87,7 +93,8 @@ static_assert(std::apply([]<typename... Table>(Table Tables::*...) { return (siz
 /// Calls visit(column) for every column of one table.
 template <typename Table, typename Visit>
 void each_column_of(const Visit& visit) {
-  static_assert(std::tuple_size_v<decltype(kColumns<Table>)> * sizeof(std::vector<int>) == sizeof(Table),
+  static_assert(std::apply([]<typename... Of>(const Column<Table, Of>&...) { return (sizeof(Of) + ...); },
+                           kColumns<Table>) == sizeof(Table),
                 "a column of this table is not in its list");
   std::apply([&](const auto&... column) { (visit(column), ...); }, kColumns<Table>);
 }

@@ -12,6 +12,7 @@
 #include "playhouse/scene/scene_desc.h"
 #include "playhouse/world/change.h"
 #include "playhouse/world/model_id.h"
+#include "playhouse/world/shared_column.h"
 
 namespace playhouse::world {
 
@@ -19,13 +20,13 @@ using ModelRow = Row<struct ModelTable>;
 
 /// Every model (n rows).
 struct Models {
-  std::vector<ModelId> id;            // ascending
-  std::vector<std::uint32_t> desc;    // row of SceneDesc::models that says what it is
-  std::vector<ModelId> parent_id;     // none for a top-level model
-  std::vector<std::uint32_t> parent;  // the same as a row, or Row::kNone
-  std::vector<geom::Pose> X_PM;       // pose in the parent
-  std::vector<geom::Pose> X_WM;       // pose in the world
-  std::vector<std::uint32_t> root;    // top of the tree; its own row for a top-level model
+  std::vector<ModelId> id;              // ascending
+  std::vector<std::uint32_t> desc;      // row of SceneDesc::models that says what it is; many may share one
+  std::vector<ModelId> parent_id;       // none for a top-level model
+  std::vector<std::uint32_t> parent;    // the same as a row, or Row::kNone
+  SharedColumn<geom::Pose> X_PM{desc};  // pose in the parent; that of a top or a robot is its own
+  std::vector<geom::Pose> X_WM;         // pose in the world
+  std::vector<std::uint32_t> root;      // top of the tree; its own row for a top-level model
   std::vector<scene::ModelKind> kind;
   std::vector<std::uint32_t> part;            // row in the kind's own table, or Row::kNone
   std::vector<std::uint32_t> first_child;     // rows or Row::kNone; see World::children()
@@ -35,9 +36,9 @@ struct Models {
   std::vector<std::uint32_t> controllers;     // of the subscribers
   std::vector<std::int32_t> fiducial_return;  // 0: unseen
   std::vector<std::int32_t> flags;            // tokens carried (source, sink)
-  std::vector<scene::Color> color;
-  std::vector<std::string> say;  // speech bubble; starts as the scene's `say`
-  std::size_t size() const { return X_PM.size(); }
+  SharedColumn<scene::Color> color{desc};
+  SharedColumn<std::string> say{desc};  // speech bubble; starts as the scene's; own with controllers
+  std::size_t size() const { return id.size(); }
 };
 
 /// What a command to a drive means: a velocity [m/s, rad/s], of a car with the steering angle as turn rate

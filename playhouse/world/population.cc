@@ -1,6 +1,7 @@
 #include "playhouse/world/population.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -33,9 +34,9 @@ geom::Twist draw_odometry_error(std::uint64_t seed, ModelId model) {
 
 /// What a row begins with that is not zero. Tables without an overload begin with zeros.
 template <typename Table>
-void begin(World&, Table&, const scene::ModelDesc&, ModelRow) {}
+void fill_row(World&, Table&, const scene::ModelDesc&, ModelRow) {}
 
-void begin(World& world, Positions& positions, const scene::ModelDesc& model, ModelRow row) {
+void fill_row(World& world, Positions& positions, const scene::ModelDesc& model, ModelRow row) {
   const scene::PositionDesc& desc = *model.position;
   const geom::Pose& X_WM = world.models.X_WM[row.index];
   const bool gps = desc.localization == scene::Localization::kGps;
@@ -47,7 +48,7 @@ void begin(World& world, Positions& positions, const scene::ModelDesc& model, Mo
   positions.motor_on.back() = 1;
 }
 
-void begin(World& world, Rangers& rangers, const scene::ModelDesc& model, ModelRow) {
+void fill_row(World& world, Rangers& rangers, const scene::ModelDesc& model, ModelRow) {
   Sensors& sensors = world.sensors;
   const RangerRow ranger{count32(rangers.model) - 1};
   rangers.first_sensor.back() = count32(sensors.ranger);
@@ -68,15 +69,6 @@ void add_row(Table& table) {
     auto& value = (table.*column.values).emplace_back();
     if constexpr (requires { value.reserve(kUsualItems); }) value.reserve(kUsualItems);
   });
-}
-
-/// Adds a row after the last of its parent's children.
-void link(Models& models, std::uint32_t row) {
-  const std::uint32_t parent = models.parent[row];
-  if (parent == kNone) return;
-  std::uint32_t* place = &models.first_child[parent];
-  while (*place != kNone) place = &models.next_sibling[*place];
-  *place = row;
 }
 
 /// What of a tree can be seen in its parts, without how it came there.
@@ -123,6 +115,11 @@ void erase_ranges(std::vector<T>& values, std::span<const Range> ranges) {
   if (to != values.end()) values.erase(std::move(at(from), values.end(), to), values.end());
 }
 
+template <typename T>
+void erase_ranges(SharedColumn<T>& values, std::span<const Range> ranges) {
+  values.erase(ranges);
+}
+
 Error no_model() {
   return Error{{}, "there is no such model, or no more"};
 }
@@ -137,6 +134,45 @@ void Population::clear() {
   world_.names_known_ = false;
 }
 
+void Population::begin(std::span<const scene::TreeDesc> trees) {
+  const std::vector<scene::ModelDesc>& descs = world_.scene().models;
+  std::vector<geom::Pose> poses;
+  std::vector<scene::Color> colors;
+  std::vector<std::string> says;
+  for (const scene::ModelDesc& desc : descs) {
+    poses.push_back(desc.X_PM);
+    colors.push_back(desc.color);
+    says.push_back(desc.say);
+  }
+  world_.models.X_PM.set_prototypes(std::move(poses));
+  world_.models.color.set_prototypes(std::move(colors));
+  world_.models.say.set_prototypes(std::move(says));
+
+  std::vector<std::size_t> count(descs.size());  // of trees, by row of their top
+  for (const scene::TreeDesc& tree : trees) ++count[tree.top];
+  std::size_t models = 0, sensors = 0, beams = 0;
+  std::map<scene::ModelKind, std::size_t> of_kind;
+  for (std::size_t row = 0, trees_of_it = 0; row < descs.size(); ++row) {
+    const scene::ModelDesc& desc = descs[row];
+    if (desc.parent < 0) trees_of_it = count[row];
+    models += trees_of_it;
+    of_kind[desc.kind] += trees_of_it;
+    sensors += trees_of_it * desc.sensors.size();
+    for (const scene::RangerSensorDesc& sensor : desc.sensors) beams += trees_of_it * sensor.samples;
+  }
+  const auto make_room = [&]<typename Table>(Table Tables::*table, std::size_t rows) {
+    each_column_of<Table>([&](const auto& column) {
+      auto& values = world_.*table.*column.values;
+      if constexpr (!kIsShared<std::remove_cvref_t<decltype(values)>>)
+        values.reserve(column.per == Per::kBeam ? beams : rows);
+    });
+  };
+  world_.models.X_PM.reserve(models);
+  make_room(&Tables::models, models);
+  make_room(&Tables::sensors, sensors);
+  each_kind_table([&]<typename Table>(Table Tables::*table) { make_room(table, of_kind[kKindOf<Table>]); });
+}
+
 ModelRow Population::append(ModelId id, std::uint32_t desc_row, ModelRow parent, const geom::Pose& X_PM) {
   Models& models = world_.models;
   const scene::ModelDesc& desc = world_.scene().models[desc_row];
@@ -146,7 +182,7 @@ ModelRow Population::append(ModelId id, std::uint32_t desc_row, ModelRow parent,
   models.desc.push_back(desc_row);
   models.parent_id.push_back(top ? ModelId{} : models.id[parent.index]);
   models.parent.push_back(parent.index);
-  models.X_PM.push_back(X_PM);
+  models.X_PM.set(row.index, X_PM);
   models.X_WM.push_back(top ? X_PM : geom::compose(models.X_WM[parent.index], X_PM));
   models.root.push_back(top ? row.index : models.root[parent.index]);
   models.kind.push_back(desc.kind);
@@ -158,12 +194,22 @@ ModelRow Population::append(ModelId id, std::uint32_t desc_row, ModelRow parent,
   models.controllers.push_back(0);
   models.fiducial_return.push_back(desc.fiducial_return);
   models.flags.push_back(0);
-  models.color.push_back(desc.color);
-  models.say.push_back(desc.say);
+  // What phases write on any number of workers.
+  if (top || desc.kind == scene::ModelKind::kPosition) models.X_PM.own(row.index);
+  if (!desc.ctrl.empty()) models.say.own(row.index);
   world_.corners_ += corners_of(desc);
-  link(models, row.index);
   add_part(row);
   return row;
+}
+
+void Population::append_tree(ModelId top, std::uint32_t desc, std::uint32_t count, const geom::Pose& X_WM) {
+  const auto first = count32(world_.models.id);
+  append(top, desc, {}, X_WM);
+  for (std::uint32_t i = 1; i < count; ++i) {
+    const scene::ModelDesc& part = world_.scene().models[desc + i];
+    append({top.value + i}, desc + i, {first + static_cast<std::uint32_t>(part.parent) - desc}, part.X_PM);
+  }
+  next_id() = top.value + count;
 }
 
 void Population::add_part(ModelRow row) {
@@ -174,7 +220,7 @@ void Population::add_part(ModelRow row) {
     world_.models.part[row.index] = count32(table.model);
     add_row(table);
     table.model.back() = row;
-    begin(world_, table, desc, row);
+    fill_row(world_, table, desc, row);
   });
 }
 
@@ -223,7 +269,7 @@ Result<void> Population::check_room(std::span<const std::uint32_t> descs) const 
 bool Population::derive() {
   if (!derive_trees()) return false;
   derive_parts();
-  settle(0);
+  note_change(0);
   return true;
 }
 
@@ -237,13 +283,7 @@ bool Population::derive_trees() {
     models.parent[row] = parent ? world_.row(parent).index : kNone;
     if (parent && models.parent[row] == kNone) return false;
   }
-  // From the last row to the first, each put before its later siblings.
-  for (std::uint32_t row = count; row-- > 0;) {
-    const std::uint32_t parent = models.parent[row];
-    if (parent == kNone) continue;
-    models.next_sibling[row] = models.first_child[parent];
-    models.first_child[parent] = row;
-  }
+  link(0);
   for (std::uint32_t row = 0; row < count; ++row) {
     std::uint32_t top = row;
     for (int depth = 0; models.parent[top] != kNone; top = models.parent[top])
@@ -251,6 +291,17 @@ bool Population::derive_trees() {
     models.root[row] = top;
   }
   return true;
+}
+
+void Population::link(std::uint32_t first) {
+  Models& models = world_.models;
+  // From the last row to the first, each put before its later siblings.
+  for (std::uint32_t row = count32(models.id); row-- > first;) {
+    const std::uint32_t parent = models.parent[row];
+    if (parent == kNone) continue;
+    models.next_sibling[row] = models.first_child[parent];
+    models.first_child[parent] = row;
+  }
 }
 
 void Population::derive_parts() {
@@ -283,9 +334,8 @@ void Population::derive_parts() {
 /// has a bitmap, which only walls have.
 void Population::derive_mobility(std::uint32_t first) {
   Models& models = world_.models;
-  const auto scene_models = static_cast<std::uint32_t>(world_.scene().models.size());
   for (std::uint32_t row = first; row < models.size(); ++row) {
-    const bool came = models.root[row] == row && models.id[row].value >= scene_models;
+    const bool came = models.root[row] == row && models.id[row].value >= world_.first_id_.back();
     models.mobility[row] = came ? Mobility::kLoose : Mobility::kFixed;
   }
   for (std::uint32_t row = first; row < models.size(); ++row) {
@@ -299,6 +349,11 @@ void Population::derive_mobility(std::uint32_t first) {
 }
 
 void Population::settle(std::uint32_t first) {
+  link(first);
+  note_change(first);
+}
+
+void Population::note_change(std::uint32_t first) {
   derive_mobility(first);
   ++world_.population_;
 }
@@ -308,15 +363,11 @@ void Population::add_names(std::uint32_t first) {
 }
 
 geom::Pose Population::start_of(ModelRow row) const {
-  const auto given = world_.given_.find(world_.id(row));
+  const World::Origin from = world_.origin(row);
+  if (from.place > 0) return world_.desc(row).X_PM;
+  if (from.tree != kNone) return world_.trees_[from.tree].X_WM;
+  const auto given = world_.given_.find(from.first);
   return given == world_.given_.end() ? world_.desc(row).X_PM : given->second.X_WM;
-}
-
-PrototypeRange prototype_of(const scene::SceneDesc& scene, std::uint32_t row) {
-  if (row >= scene.models.size() || scene.models[row].parent >= 0) return {};
-  std::uint32_t end = row + 1;
-  while (end < scene.models.size() && scene.models[end].parent >= static_cast<std::int32_t>(row)) ++end;
-  return {row, end - row};
 }
 
 namespace {
@@ -332,15 +383,14 @@ std::string fresh_name(const World& world, const std::string& name) {
 }  // namespace
 
 Result<ModelId> spawn(World& world, std::uint32_t prototype, const geom::Pose& X_WM, std::string name) {
-  const PrototypeRange range = prototype_of(world.scene(), prototype);
-  if (range.count == 0) return Error{{}, "there is no such prototype"};
+  const std::uint32_t count = scene::tree_size(world.scene(), prototype);
+  if (count == 0) return Error{{}, "there is no such prototype"};
   if (!is_place(X_WM)) return Error{{}, "the pose is not finite, or too far away"};
   Population population(world);
-  std::vector<std::uint32_t> descs(range.count);
+  std::vector<std::uint32_t> descs(count);
   std::iota(descs.begin(), descs.end(), prototype);
   if (const Result<void> room = population.check_room(descs); !room) return room.error();
-  if (population.next_id() > ModelId::kNone - range.count)
-    return Error{{}, "the run has no more ids to give"};
+  if (population.next_id() > ModelId::kNone - count) return Error{{}, "the run has no more ids to give"};
   if (name.empty()) {
     name = fresh_name(world, world.scene().models[prototype].name);
   } else if (world.find(name)) {
@@ -350,17 +400,11 @@ Result<ModelId> spawn(World& world, std::uint32_t prototype, const geom::Pose& X
   const geom::Pose X{X_WM.x, X_WM.y, X_WM.z, geom::normalize(X_WM.a)};
   const ModelId top{population.next_id()};
   const auto first = count32(world.models.id);
-  population.next_id() += range.count;
   population.given()[top] = {std::move(name), X};
-  for (std::uint32_t i = 0; i < range.count; ++i) {
-    const scene::ModelDesc& desc = world.scene().models[prototype + i];
-    const ModelRow parent =
-        i == 0 ? ModelRow{} : ModelRow{first + static_cast<std::uint32_t>(desc.parent) - prototype};
-    population.append({top.value + i}, prototype + i, parent, i == 0 ? X : desc.X_PM);
-  }
+  population.append_tree(top, prototype, count, X);
   population.settle(first);
   population.add_names(first);
-  world.changes.add({Change::Kind::kSpawn, top, {}, range.count, world.models.mobility[first]});
+  world.changes.add({Change::Kind::kSpawn, top, {}, count, world.models.mobility[first]});
   return top;
 }
 
@@ -404,7 +448,7 @@ Result<void> despawn(World& world, std::span<const ModelId> models) {
   if (!tops) return tops.error();
   detach_from(world, *tops);
   const auto count_of = [&](std::uint32_t top) {
-    return prototype_of(world.scene(), world.models.desc[top]).count;
+    return scene::tree_size(world.scene(), world.models.desc[top]);
   };
   for (const ModelId model : models) {
     const std::uint32_t top = world.row(model).index;
@@ -436,7 +480,7 @@ Result<void> attach(World& world, ModelId child, ModelId parent, const geom::Pos
     population.derive();
     return Error{{}, "too many models would be attached to each other"};
   }
-  models.X_PM[child_row.index] = {X_PC.x, X_PC.y, X_PC.z, geom::normalize(X_PC.a)};
+  models.X_PM.own(child_row.index) = {X_PC.x, X_PC.y, X_PC.z, geom::normalize(X_PC.a)};
   place_tree(world, child_row);
   world.changes.add({Change::Kind::kAttach, child, parent, 0, mobility});
   return {};
@@ -448,7 +492,7 @@ Result<void> detach(World& world, ModelId child) {
   if (!was_attached(world, row.index)) return Error{{}, "it is not attached to anything"};
   const ModelId parent = world.models.parent_id[row.index];
   world.models.parent_id[row.index] = {};
-  world.models.X_PM[row.index] = world.models.X_WM[row.index];
+  world.models.X_PM.own(row.index) = world.models.X_WM[row.index];
   Population population(world);
   const bool derived = population.derive();
   PLAYHOUSE_ASSERT(derived);

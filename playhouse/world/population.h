@@ -13,11 +13,11 @@
 
 namespace playhouse::world {
 
-/// A new tree like the scene's at row `prototype` of SceneDesc::models, a top-level one, at X_WM. An empty
-/// name stands for the prototype's with the least number behind it that makes it new ("r0~2"). Its sensors
-/// measure and its wheels turn once somebody subscribes, as with any model. Gives the id of the top; ids of
-/// the rest follow it. Cost: the size of the tree. Fails on a prototype that is none, a pose that is no
-/// place, a name that is taken, and where the world has no room (base/limits.h).
+/// A new tree of the prototype whose top is at this row of SceneDesc::models, at X_WM. An empty name stands
+/// for that of the prototype's first tree with the least number behind it that makes it new ("r0~2"). Its
+/// sensors measure and its wheels turn once somebody subscribes, as with any model. Gives the id of the top;
+/// ids of the rest follow it. Cost: the size of the tree. Fails on a prototype that is none, a pose that is
+/// no place, a name that is taken, and where the world has no room (base/limits.h).
 Result<ModelId> spawn(World& world, std::uint32_t prototype, const geom::Pose& X_WM, std::string name = {});
 
 /// Takes a top-level model and all its own parts out of the world; what was attached to it stays where it
@@ -34,12 +34,6 @@ Result<void> attach(World& world, ModelId child, ModelId parent, const geom::Pos
 /// Makes a model that was attached a top-level one again, where it is now. Fails for any other.
 Result<void> detach(World& world, ModelId child);
 
-/// The models of the scene's tree whose top is at `row` of SceneDesc::models; none if that is no top.
-struct PrototypeRange {
-  std::uint32_t first = 0, count = 0;
-};
-PrototypeRange prototype_of(const scene::SceneDesc& scene, std::uint32_t row);
-
 /// How rows come and go, for spawn() and its like and for a world that is loaded.
 class Population {
  public:
@@ -48,11 +42,15 @@ class Population {
   /// Fails where models of these rows of SceneDesc::models would be too many with those there are, or have
   /// too many sensors, beams or corners (base/limits.h).
   Result<void> check_room(std::span<const std::uint32_t> descs) const;
+  /// Room for the models of these trees, and what all columns share of the prototypes. Before any row.
+  void begin(std::span<const scene::TreeDesc> trees);
   /// Removes every model.
   void clear();
   /// A row at the end of every table that its kind has, as it is at the start of its life. `X_PM` is where
   /// the scene, or who spawned it, puts it. Derived columns are complete if `parent` is a row that exists.
   ModelRow append(ModelId id, std::uint32_t desc, ModelRow parent, const geom::Pose& X_PM);
+  /// Rows for the `count` models of the prototype whose top is at `desc`, with the next ids from `top` on.
+  void append_tree(ModelId top, std::uint32_t desc, std::uint32_t count, const geom::Pose& X_WM);
   struct Rows {
     std::uint32_t begin = 0, end = 0;
   };
@@ -76,6 +74,9 @@ class Population {
 
  private:
   void add_part(ModelRow row);
+  /// Puts the rows from `first` on behind the children of their parents.
+  void link(std::uint32_t first);
+  void note_change(std::uint32_t first);
   bool derive_trees();
   void derive_parts();
   void derive_mobility(std::uint32_t first);

@@ -2,11 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "playhouse/base/rng.h"
+#include "playhouse/scene/testing_expanded.h"
 #include "playhouse/world/columns.h"
 #include "playhouse/world/state.h"
 
@@ -311,6 +315,113 @@ TEST_F(PopulationTest, a_state_cut_or_changed_anywhere_is_refused_or_is_a_whole_
         ASSERT_TRUE(despawn(other, other.id({other.models.root[0]})).ok()) << at;
     }
   }
+}
+
+/// Three robots of one description and a puck, as the loader makes it.
+scene::SceneDesc shared_scene() {
+  scene::SceneDesc scene = make_scene();
+  scene.models.resize(5);
+  scene.models[1].color = {0, 1, 0, 1};
+  scene.models[1].fiducial_return = 3;
+  scene.trees = {{1, "r", "position:0", {}, {1, 1, 0, 0}, {0, 1, 0, 1}, 3},
+                 {4, "puck", "model:1", {}, {3, 3, 0, 0}, {}, 0},
+                 {1, "s", "position:1", {}, {2, 1, 0, 0}, {}, 0},
+                 {1, "t.u", "position:2", {}, {3, 1, 0, 1}, {}, 0}};
+  scene.renamed[{2, 1}] = {"elsewhere", "s.ranger:0"};
+  return scene;
+}
+
+TEST(SharedScene, makes_the_world_that_a_scene_with_a_description_for_each_model_makes) {
+  const scene::SceneDesc shared = shared_scene(), each = scene::expanded(shared);
+  ASSERT_EQ(each.models.size(), 10u);
+  World a(shared, 1), b(each, 1);
+  const auto expect_same = [&] {
+    EXPECT_EQ(a.hash(), b.hash());
+    EXPECT_EQ(a.sensed_hash(), b.sensed_hash());
+    each_column(
+        [](const auto& column, const auto& values, const auto& others) {
+          if (std::string_view(column.name) != "models.desc") EXPECT_EQ(values, others) << column.name;
+        },
+        a, b);
+    for (std::uint32_t row = 0; row < a.models.size(); ++row) {
+      EXPECT_EQ(a.name({row}), b.name({row}));
+      EXPECT_EQ(a.alias({row}), b.alias({row}));
+      for (const std::string& token : {a.name({row}), a.alias({row})})
+        EXPECT_EQ(a.find(token), b.find(token)) << token;
+      EXPECT_EQ(a.find(a.name({row})), ModelRow{row}) << a.name({row});
+    }
+  };
+  expect_same();
+  for (World* world : {&a, &b}) {
+    ASSERT_TRUE(spawn(*world, 0 + (world == &a ? 1u : 0u), {9, 9, 0, 0}, "new"));
+    ASSERT_TRUE(set_pose(*world, {1}, {0.1, 0.2, 0.3, 0.4}));
+    set_color(*world, {7}, {0, 0, 1, 1});
+    ASSERT_TRUE(despawn(*world, {3}));
+  }
+  expect_same();
+  return_to_start(a);
+  return_to_start(b);
+  expect_same();
+  EXPECT_FALSE(a.find("puck").valid());
+  EXPECT_FALSE(a.find("s.ranger:0.none").valid());
+}
+
+TEST(SharedScene, keeps_what_models_have_in_common_once) {
+  const scene::SceneDesc scene = shared_scene();
+  const World world(scene, 1);
+  EXPECT_TRUE(world.models.X_PM.is_own(0)) << "it drives";
+  EXPECT_FALSE(world.models.X_PM.is_own(1));
+  EXPECT_FALSE(world.models.color.is_own(0));
+  EXPECT_TRUE(world.models.color.is_own(4)) << "not as the first of its like";
+  EXPECT_FALSE(world.models.say.is_own(0));
+}
+
+TEST(SharedColumn, is_a_column_of_values_whoever_has_them) {
+  std::vector<std::uint32_t> prototypes;
+  SharedColumn<double> column(prototypes);
+  column.set_prototypes({1, 2});
+  std::vector<double> expected;
+  Rng rng(1, 0, {Purpose::kColor, 0});
+  for (int step = 0; step < 2000; ++step) {
+    const auto row = static_cast<std::size_t>(rng.uniform() * static_cast<double>(expected.size()));
+    const double action = rng.uniform();
+    if (expected.empty() || action < 0.4) {
+      const std::uint32_t prototype = rng.uniform() < 0.5 ? 0 : 1;
+      prototypes.push_back(prototype);
+      expected.push_back(prototype + 1);
+    } else if (action < 0.7) {
+      column.set(row, action);
+      expected[row] = action;
+    } else if (action < 0.9) {
+      column.set(row, 1);
+      expected[row] = 1;
+    } else if (action < 0.98) {
+      struct Run {
+        std::size_t begin, end;
+      };
+      const std::size_t size = expected.size(), end = std::min(row + 3, size);
+      const Run runs[] = {{row, end}, {end, end}, {std::min(end + 2, size), std::min(end + 3, size)}};
+      column.erase(runs);
+      const auto erase_from = [&](auto& values) {
+        for (const Run& run : {runs[2], runs[0]})
+          values.erase(values.begin() + static_cast<std::ptrdiff_t>(run.begin),
+                       values.begin() + static_cast<std::ptrdiff_t>(run.end));
+      };
+      erase_from(prototypes);
+      erase_from(expected);
+    } else {
+      column.clear();
+      prototypes.clear();
+      expected.clear();
+    }
+    ASSERT_EQ(column.size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) ASSERT_EQ(column[i], expected[i]) << step;
+  }
+  prototypes = {0};
+  SharedColumn<double> zeros(prototypes);
+  zeros.set_prototypes({0.0});
+  zeros.set(0, -0.0);
+  EXPECT_TRUE(std::signbit(zeros[0]));
 }
 
 }  // namespace

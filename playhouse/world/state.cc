@@ -94,7 +94,7 @@ template <typename Column, typename Values>
 void put_column(Packer& out, const Column& column, const Values& values) {
   out.text(column.name);
   out.varint(values.size());
-  for (const auto& value : values) put_value(out, value);
+  for (std::size_t row = 0; row < values.size(); ++row) put_value(out, values[row]);
 }
 
 Error damaged(std::string_view what) {
@@ -114,14 +114,27 @@ Result<std::uint64_t> get_head(Unpacker& in, const char* name) {
   return size;
 }
 
+/// Values of a column, as many as are expected.
+template <typename Values>
+Result<void> get_values(Unpacker& in, const char* name, Values& values) {
+  for (std::size_t row = 0; row < values.size(); ++row) {
+    typename Values::value_type value{};
+    if (!get_value(in, value)) return damaged(fmt::format("{} has a value that is none", name));
+    if constexpr (kIsShared<Values>) {
+      values.set(row, value);
+    } else {
+      values[row] = std::move(value);
+    }
+  }
+  return {};
+}
+
 template <typename T>
 Result<void> get_column(Unpacker& in, const char* name, std::vector<T>& values) {
   const Result<std::uint64_t> size = get_head(in, name);
   if (!size) return size.error();
   values.resize(static_cast<std::size_t>(*size));
-  for (T& value : values)
-    if (!get_value(in, value)) return damaged(fmt::format("{} has a value that is none", name));
-  return {};
+  return get_values(in, name, values);
 }
 
 /// Who there is, as it is read and before it is believed.
@@ -134,7 +147,7 @@ struct Census {
 /// which is what despawn() removes. `count` gets its size.
 bool is_tree(const Census& census, std::size_t top, const scene::SceneDesc& scene, std::size_t& count) {
   const std::uint32_t first = census.desc[top];
-  count = prototype_of(scene, first).count;
+  count = scene::tree_size(scene, first);
   if (count == 0 || top + count > census.id.size()) return false;
   for (std::uint32_t i = 1; i < count; ++i) {
     const auto parent = static_cast<std::uint32_t>(scene.models[first + i].parent) - first;
@@ -234,11 +247,15 @@ class Loader {
     each_column(
         [&](const auto& column, auto& values) {
           if (!result || !is_saved(column.role) || column.role == Role::kPopulation) return;
-          const std::size_t size = values.size();
-          result = get_column(in_, column.name, values);
-          if (result && values.size() != size)
+          const Result<std::uint64_t> size = get_head(in_, column.name);
+          if (!size) {
+            result = size.error();
+          } else if (*size != values.size()) {
             result = damaged(
-                fmt::format("{} has {} values where {} are expected", column.name, values.size(), size));
+                fmt::format("{} has {} values where {} are expected", column.name, *size, values.size()));
+          } else {
+            result = get_values(in_, column.name, values);
+          }
         },
         world_);
     return result ? check_ticks() : result;
@@ -298,10 +315,9 @@ std::optional<std::string> differing_column(const World& a, const World& b, std:
       a, row,
       [&](const auto& column, const auto& values_a, const auto& values_b, Range range) {
         if (found || !(is_done(column.role) || (sensed && column.role == Role::kSensed))) return;
-        if (range.end > values_b.size() ||
-            !std::equal(values_a.begin() + range.begin, values_a.begin() + range.end,
-                        values_b.begin() + range.begin))
-          found = column.name;
+        bool same = range.end <= values_b.size();
+        for (std::uint32_t i = range.begin; same && i < range.end; ++i) same = values_a[i] == values_b[i];
+        if (!same) found = column.name;
       },
       a, b);
   return found;

@@ -43,21 +43,6 @@ std::size_t bytes_of(const T& value) {
   }
 }
 
-/// Hash of the columns of one model that `is_in(column)` chooses, with the model's id.
-template <typename Choose>
-std::uint64_t hash_of(const World& world, std::uint32_t model, const Choose& is_in) {
-  Hash hash;
-  add(hash, world.models.id[model]);
-  each_value_of(
-      world, model,
-      [&](const auto& column, const auto& values, Range range) {
-        if (!is_in(column)) return;
-        for (std::uint32_t i = range.begin; i < range.end; ++i) add(hash, values[i]);
-      },
-      world);
-  return hash.value();
-}
-
 bool finite(double x, double y, double z, double a) {
   return std::isfinite(x) && std::isfinite(y) && std::isfinite(z) && std::isfinite(a);
 }
@@ -78,15 +63,26 @@ void believe_truth(World& world, std::uint32_t model) {
 }  // namespace
 
 World::World(const scene::SceneDesc& scene, std::uint64_t seed) : scene_(&scene), seed_(seed) {
+  if (scene.trees.empty()) made_ = scene::one_of_each(scene);
+  trees_ = scene.trees.empty() ? made_ : scene.trees;
+  first_like_.assign(scene.models.size(), kNone);
   Population population(*this);
-  const auto count = static_cast<std::uint32_t>(scene.models.size());
-  for (std::uint32_t row = 0; row < count; ++row) {
-    const scene::ModelDesc& desc = scene.models[row];
-    PLAYHOUSE_ASSERT(desc.parent < static_cast<std::int32_t>(row));
-    const ModelRow parent = desc.parent < 0 ? ModelRow{} : ModelRow{static_cast<std::uint32_t>(desc.parent)};
-    population.append({row}, row, parent, desc.X_PM);
+  population.begin(trees_);
+  std::vector<std::uint32_t> sizes(
+      scene.models.size());  // of prototypes, by row of the top; 0: not known yet
+  first_id_.reserve(trees_.size() + 1);
+  for (const scene::TreeDesc& tree : trees_) {
+    if (sizes[tree.top] == 0) sizes[tree.top] = scene::tree_size(scene, tree.top);
+    PLAYHOUSE_ASSERT(sizes[tree.top] > 0);
+    const ModelId top{population.next_id()};
+    first_id_.push_back(top.value);
+    population.append_tree(top, tree.top, sizes[tree.top], tree.X_WM);
+    models.color.set(top.value, tree.color);
+    models.fiducial_return[top.value] = tree.fiducial_return;
   }
-  population.next_id() = count;
+  first_id_.push_back(population.next_id());
+  PLAYHOUSE_ASSERT(made_.empty() || models.size() == scene.models.size());
+  for (std::uint32_t row = population.next_id(); row-- > 0;) first_like_[models.desc[row]] = row;
   population.settle(0);
 }
 
@@ -105,52 +101,156 @@ PositionRow World::position(ModelId id) const {
   return {models.part[model.index]};
 }
 
-std::string World::name(ModelRow row) const {
+std::uint32_t World::tree_with(ModelId id) const {
+  const auto next = std::ranges::upper_bound(first_id_, id.value);
+  return next == first_id_.end() ? kNone : static_cast<std::uint32_t>(next - first_id_.begin()) - 1;
+}
+
+World::Origin World::origin(ModelRow row) const {
   const std::uint32_t desc = models.desc[row.index];
   std::uint32_t top = desc;
   while (scene_->models[top].parent >= 0) top = static_cast<std::uint32_t>(scene_->models[top].parent);
-  const std::string& name = scene_->models[desc].name;
-  const auto given = given_.find({models.id[row.index].value - (desc - top)});
-  if (given == given_.end()) return name;
-  if (desc == top) return given->second.name;
-  const std::string prefix = scene_->models[top].name + ".";
-  return given->second.name + "." + (name.starts_with(prefix) ? name.substr(prefix.size()) : name);
+  const ModelId first{models.id[row.index].value - (desc - top)};
+  const std::uint32_t tree = tree_with(first);
+  const bool of_scene = tree != kNone && first_id_[tree] == first.value && trees_[tree].top == top;
+  return {top, desc - top, first, of_scene ? tree : kNone};
 }
 
-/// Given names win over default names, later ones over earlier ones.
+std::uint32_t World::like(ModelRow row) const {
+  const std::uint32_t id = models.id[row.index].value, desc = models.desc[row.index];
+  const std::uint32_t tree = tree_with({id});
+  return tree != kNone && trees_[tree].top + (id - first_id_[tree]) == desc ? id : first_like_[desc];
+}
+
+scene::SourceLine World::where(ModelRow row) const {
+  const Origin from = origin(row);
+  return from.place == 0 && from.tree != kNone ? trees_[from.tree].where : desc(row).where;
+}
+
+std::string World::token(ModelRow row, Token which) const {
+  const Origin from = origin(row);
+  const scene::ModelDesc& model = desc(row);
+  const std::string& own = which == Token::kName ? model.name : model.alias;
+  const std::string& prototype = scene_->models[from.top].name;
+  if (from.tree == kNone) {
+    const auto given = given_.find(from.first);
+    if (given == given_.end()) return own;
+    return from.place == 0 ? given->second.name : scene::token_in(own, prototype, given->second.name);
+  }
+  const scene::TreeDesc& tree = trees_[from.tree];
+  if (from.place == 0) return which == Token::kName ? tree.name : tree.alias;
+  if (const auto renamed = scene_->renamed.find({from.tree, from.place}); renamed != scene_->renamed.end())
+    return which == Token::kName ? renamed->second.name : renamed->second.alias;
+  return scene::token_in(own, prototype, tree.name);
+}
+
+std::string World::name(ModelRow row) const {
+  return token(row, Token::kName);
+}
+
+std::string World::alias(ModelRow row) const {
+  return token(row, Token::kAlias);
+}
+
 void World::index_names() const {
   by_name_.clear();
+  by_alias_.clear();
+  odd_.clear();
+  const auto is_below = [](const std::string& token, const std::string& top) {
+    return scene::token_in(token, top, "").size() < token.size();
+  };
+  for (std::uint32_t row = 0, top = 0; row < scene_->models.size(); ++row) {
+    const scene::ModelDesc& part = scene_->models[row];
+    if (part.parent < 0) {
+      top = row;
+    } else if (const std::string& name = scene_->models[top].name;
+               !is_below(part.name, name) || !is_below(part.alias, name)) {
+      odd_.push_back(row);
+    }
+  }
   names_known_ = true;
-  names_shared_ = false;
-  for (std::uint32_t row = 0; row < models.size(); ++row)
-    if (models.id[row].value < scene_->models.size()) add_name(desc({row}).alias, models.id[row]);
   add_names(0);
 }
 
-/// Those of the models from row `first` on, which are the last.
+/// Those of the tops from row `first` on, which are the last.
 void World::add_names(std::uint32_t first) const {
-  for (std::uint32_t row = first; row < models.size(); ++row) add_name(name({row}), models.id[row]);
+  for (std::uint32_t row = first; row < models.size(); ++row) {
+    if (desc({row}).parent >= 0) continue;
+    const Origin from = origin({row});
+    by_name_.insert({token_of(from, Token::kName), from.first});
+    if (from.tree != ModelRow::kNone) by_alias_.insert({token_of(from, Token::kAlias), from.first});
+  }
 }
 
-void World::add_name(const std::string& name, ModelId id) const {
-  const auto [place, is_new] = by_name_.try_emplace(name, id);
-  if (is_new || place->second == id) return;
-  names_shared_ = true;
-  place->second = id;
-}
-
-/// Of a model that goes. Where names are shared another one may have it then, and all are looked up anew.
+/// Of a model that goes.
 void World::remove_names(ModelRow row) const {
-  if (names_shared_) names_known_ = false;
-  if (!names_known_) return;
-  by_name_.erase(name(row));
-  if (models.id[row.index].value < scene_->models.size()) by_name_.erase(desc(row).alias);
+  if (!names_known_ || desc(row).parent >= 0) return;
+  const Origin from = origin(row);
+  by_name_.erase({token_of(from, Token::kName), from.first});
+  if (from.tree != ModelRow::kNone) by_alias_.erase({token_of(from, Token::kAlias), from.first});
 }
 
+/// The token of the top of a tree, which keeps it as long as it is there.
+std::string_view World::token_of(const Origin& from, Token which) const {
+  if (from.tree != ModelRow::kNone)
+    return which == Token::kName ? trees_[from.tree].name : trees_[from.tree].alias;
+  const auto given = given_.find(from.first);
+  return given == given_.end() ? scene_->models[from.top].name : given->second.name;
+}
+
+ModelRow World::find(std::string_view token, Token which) const {
+  ModelRow found;
+  const auto take = [&](ModelId id) {
+    const ModelRow at = row(id);
+    if (at && (!found || at > found) && this->token(at, which) == token) found = at;
+  };
+  const auto each = [](const std::set<Named>& list, std::string_view wanted, const auto& visit) {
+    for (auto at = list.lower_bound({wanted, {0}}); at != list.end() && at->token == wanted; ++at)
+      visit(at->id);
+  };
+  each(which == Token::kName ? by_name_ : by_alias_, token, take);
+  for (std::size_t dot = token.find('.'); dot != std::string_view::npos; dot = token.find('.', dot + 1)) {
+    each(by_name_, token.substr(0, dot), [&](ModelId id) {
+      const std::uint32_t top = models.desc[row(id).index];
+      const std::string wanted = scene_->models[top].name + std::string(token.substr(dot));
+      for (std::uint32_t part = top + scene::tree_size(*scene_, top); --part > top;) {
+        const scene::ModelDesc& model = scene_->models[part];
+        if ((which == Token::kName ? model.name : model.alias) == wanted) take({id.value + part - top});
+      }
+    });
+  }
+  for (const auto& [place, renamed] : scene_->renamed)
+    if ((which == Token::kName ? renamed.name : renamed.alias) == token)
+      take({first_id_[place.first] + place.second});
+  for (const std::uint32_t odd : odd_) {
+    const scene::ModelDesc& model = scene_->models[odd];
+    if ((which == Token::kName ? model.name : model.alias) != token) continue;
+    for (std::uint32_t at = 0; at < models.size(); ++at)
+      if (models.desc[at] == odd) take(models.id[at]);
+  }
+  return found;
+}
+
+/// Given names win over default names, later ones over earlier ones.
 ModelRow World::find(std::string_view name) const {
   if (!names_known_) index_names();
-  const auto found = by_name_.find(name);
-  return found == by_name_.end() ? ModelRow{} : row(found->second);
+  const ModelRow given = find(name, Token::kName);
+  return given ? given : find(name, Token::kAlias);
+}
+
+template <typename Choose>
+std::uint64_t World::hash_of(std::uint32_t model, const Choose& is_in) const {
+  Hash hash;
+  add(hash, models.id[model]);
+  each_value_of(
+      *this, model,
+      [&](const auto& column, const auto& values, Range range) {
+        if (!is_in(column)) return;
+        if (static_cast<const void*>(&values) == &models.desc) return add(hash, like({model}));
+        for (std::uint32_t i = range.begin; i < range.end; ++i) add(hash, values[i]);
+      },
+      *this);
+  return hash.value();
 }
 
 std::uint64_t World::hash() const {
@@ -161,7 +261,7 @@ std::uint64_t World::hash() const {
   std::uint64_t sum = 0;
   for (std::uint32_t model = 0; model < models.size(); ++model) {
     const bool sensed = models.controllers[model] > 0;
-    sum += hash_of(*this, model, [sensed](const auto& column) {
+    sum += hash_of(model, [sensed](const auto& column) {
       return is_done(column.role) || (sensed && column.role == Role::kSensed);
     });
   }
@@ -175,9 +275,8 @@ std::uint64_t World::sensed_hash() const {
   hash.add(tick_);
   std::uint64_t sum = 0;
   for (std::uint32_t model = 0; model < models.size(); ++model)
-    sum += hash_of(*this, model, [](const auto& column) {
-      return column.role == Role::kSensed || column.role == Role::kUse;
-    });
+    sum += hash_of(
+        model, [](const auto& column) { return column.role == Role::kSensed || column.role == Role::kUse; });
   hash.add(sum);
   return hash.value();
 }
@@ -186,8 +285,13 @@ std::size_t World::bytes() const {
   std::size_t bytes = 0;
   each_column(
       [&](const auto&, const auto& values) {
-        bytes += values.capacity() * sizeof(values[0]);
-        for (const auto& value : values) bytes += bytes_of(value);
+        if constexpr (kIsShared<std::remove_cvref_t<decltype(values)>>) {
+          bytes += values.bytes();
+          values.each_kept([&](const auto& value) { bytes += bytes_of(value); });
+        } else {
+          bytes += values.capacity() * sizeof(values[0]);
+          for (const auto& value : values) bytes += bytes_of(value);
+        }
       },
       *this);
   return bytes;
@@ -248,7 +352,7 @@ bool set_odometry(World& world, PositionRow robot, const geom::Pose& X_OM) {
 
 bool set_pose(World& world, ModelRow model, const geom::Pose& X_PM) {
   if (!is_place(X_PM)) return false;
-  world.models.X_PM[model.index] = {X_PM.x, X_PM.y, X_PM.z, geom::normalize(X_PM.a)};
+  world.models.X_PM.own(model.index) = {X_PM.x, X_PM.y, X_PM.z, geom::normalize(X_PM.a)};
   place_tree(world, model);
   world.changes.add({Change::Kind::kPlace, world.id(model), {}, 0, world.models.mobility[model.index]});
   return true;
@@ -283,7 +387,7 @@ void set_fiducial_return(World& world, ModelRow model, std::int32_t id) {
 }
 
 void set_color(World& world, ModelRow model, const scene::Color& color) {
-  world.models.color[model.index] = color;
+  world.models.color.set(model.index, color);
   world.changes.add({Change::Kind::kSet, world.id(model), {}, 0, world.models.mobility[model.index]});
 }
 

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,13 +23,15 @@ namespace playhouse::world {
 
 class World : public Tables {
  public:
-  /// A model for each of the scene's, with ids from 0 in the scene's order. The scene must outlive the world.
+  /// The models of the scene's trees, with ids from 0 in that order. The scene must outlive the world.
   World(const scene::SceneDesc& scene, std::uint64_t seed);
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
   const scene::SceneDesc& scene() const { return *scene_; }
   const scene::ModelDesc& desc(ModelRow row) const { return scene_->models[models.desc[row.index]]; }
+  /// Where the files have it: its own line if it is a top of the scene's, else that of its prototype's.
+  scene::SourceLine where(ModelRow row) const;
   std::uint64_t seed() const { return seed_; }
   std::uint64_t tick() const { return tick_; }
   /// Simulated time, the number nearest to whole microseconds: 6.3, not 6.300000000000001. [s]
@@ -44,8 +48,8 @@ class World : public Tables {
   /// The model's name: the scene's, or, of a model that came during the run, what it was given with the rest
   /// of the scene's behind it ("r7.ranger:0").
   std::string name(ModelRow row) const;
-  /// What it would be called had nobody named it: "position:3".
-  std::string alias(ModelRow row) const { return desc(row).alias; }
+  /// What it would be called had nobody named it: "position:3"; of what came during the run as name() is.
+  std::string alias(ModelRow row) const;
   /// Look-up by name or default name; none if there is no such model. The last of equal names wins.
   ModelRow find(std::string_view name) const;
   /// Rows of what is attached to it, ascending; for range-based for.
@@ -75,20 +79,49 @@ class World : public Tables {
     std::string name;
     geom::Pose X_WM;  // where it came
   };
+  /// The tree that a model came in.
+  struct Origin {
+    std::uint32_t top = 0, place = 0;      // row of SceneDesc::models, and of the model behind it
+    ModelId first;                         // id of the top
+    std::uint32_t tree = ModelRow::kNone;  // row of trees_, of the scene's models
+  };
+  Origin origin(ModelRow row) const;
+  /// Row of trees_ of the one that holds the scene's model of this id, or kNone.
+  std::uint32_t tree_with(ModelId id) const;
+  /// Hash of the columns of one model that `is_in(column)` chooses, with the model's id.
+  template <typename Choose>
+  std::uint64_t hash_of(std::uint32_t model, const Choose& is_in) const;
+  /// Which of the two tokens that models have.
+  enum class Token : std::uint8_t { kName, kAlias };
+  std::string token(ModelRow row, Token which) const;
+  ModelRow find(std::string_view token, Token which) const;
+  /// Its id if the scene describes the model of that id so, else that of the first model described so: what
+  /// hash() knows of descriptions, however many models share one.
+  std::uint32_t like(ModelRow row) const;
   void index_names() const;
   void add_names(std::uint32_t first) const;
-  void add_name(const std::string& name, ModelId id) const;
   void remove_names(ModelRow row) const;
+  std::string_view token_of(const Origin& from, Token which) const;
 
   const scene::SceneDesc* scene_;
+  std::vector<scene::TreeDesc> made_;       // where the scene lists no trees
+  std::span<const scene::TreeDesc> trees_;  // of the scene
+  std::vector<std::uint32_t> first_id_;     // of each tree, and the first that is no more of the scene
+  std::vector<std::uint32_t> first_like_;   // id of the first model of each description of the scene
   std::uint64_t seed_;
   std::uint32_t next_id_ = 0;
   std::size_t corners_ = 0;  // of all bodies
   std::uint64_t population_ = 0;
   std::map<ModelId, Given> given_;
-  mutable std::map<std::string, ModelId, std::less<>> by_name_;
-  mutable bool names_known_ = false;   // by_name_ holds everyone; made when somebody asks
-  mutable bool names_shared_ = false;  // some of them are several models': by_name_ has the last
+  /// Tops by a token, in the order of tokens and then of ids.
+  struct Named {
+    std::string_view token;
+    ModelId id;
+    auto operator<=>(const Named&) const = default;
+  };
+  mutable std::set<Named> by_name_, by_alias_;
+  mutable std::vector<std::uint32_t> odd_;  // descriptions of parts whose tokens do not begin with the top's
+  mutable bool names_known_ = false;        // the sets hold everyone; made when somebody asks
 };
 
 class World::Children {
