@@ -259,10 +259,12 @@ void add_commands(CLI::App& app, Raw& raw) {
 
   CLI::App* bench = app.add_subcommand("bench", "measure: sonar, laser, cave or server");
   bench->footer(kBenchExamples);
-  bench->add_option("SCENARIO", raw.bench.scenario, "sonar, laser, cave or server")->required();
+  bench->add_option("SCENARIO", raw.bench.scenario, "sonar, laser, cave, load or server")->required();
   bench->add_option("--robots", raw.bench.robots, "how many (the scenario's own number)")
       ->check(check_robots);
-  bench->add_option("--duration", raw.bench.duration, "simulated seconds (the scenario's own); not of server")
+  bench
+      ->add_option("--duration", raw.bench.duration,
+                   "simulated seconds (the scenario's own); not of load, server")
       ->check(check_positive);
   bench->add_option("--seed", raw.bench.seed, "seed of all random numbers")
       ->check(check_count<std::uint64_t>)
@@ -385,6 +387,8 @@ Result<CommandLine> parse_command_line(std::span<const char* const> words) {
   }
   if (raw.bench.scenario == "server" && raw.bench.duration > 0)
     return Error{"", "--duration: bench server measures for a time of its own"};
+  if (raw.bench.scenario == "load" && raw.bench.duration > 0)
+    return Error{"", "--duration: bench load ends before the first tick"};
   return chosen(app, raw);
 }
 

@@ -145,6 +145,7 @@ TEST(CommandLine, what_means_nothing_is_refused) {
   EXPECT_THAT(fault({"bench", "laser", "--robots", "0"}), HasSubstr("from 1 to 100000"));
   EXPECT_THAT(fault({"bench", "cave", "--duration", "0"}), HasSubstr("above 0"));
   EXPECT_THAT(fault({"bench", "server", "--duration", "3"}), HasSubstr("--duration"));
+  EXPECT_THAT(fault({"bench", "load", "--duration", "3"}), HasSubstr("--duration"));
   EXPECT_THAT(fault({"watch", "localhost", "laser:0", "--count", "0"}), HasSubstr("from 1 to"));
   EXPECT_EQ(fault({"run", "w", "--port", "0", "--port", "1"}), "--port is given more than once");
 }
