@@ -1,4 +1,5 @@
-"""Lists of what is written per kind elsewhere, so that a kind adds a file and changes none: playhouse/stage/generated/."""
+"""Lists of what is written per kind elsewhere, so that a kind adds files and changes none: playhouse/stage/generated/ and
+playhouse/drivers/generated/."""
 
 from __future__ import annotations
 
@@ -6,11 +7,12 @@ from codegen.emit_kinds_cpp import BANNER
 from codegen.kinds import Kind, Kinds
 
 FOLDER = "playhouse/stage/generated"
+DRIVERS = "playhouse/drivers/generated"
 
 
 def emit(kinds: Kinds) -> dict[str, str]:
     """Path from the root of the tree -> content."""
-    return {f"{FOLDER}/senses.h": _senses(kinds)}
+    return {f"{FOLDER}/senses.h": _senses(kinds), f"{DRIVERS}/device_makers.h": _devices(kinds)}
 
 
 def measuring(kinds: Kinds) -> list[Kind]:
@@ -27,3 +29,17 @@ def _senses(kinds: Kinds) -> str:
     lines += ["", "inline void add_senses(Senses& senses, unsigned workers) {"]
     lines += [f"  senses.add(make_{k.name}_sense(workers));" for k in found]
     return "\n".join([*lines, "}", "", "}  // namespace playhouse::stage", ""])
+
+
+def _devices(kinds: Kinds) -> str:
+    found = {s.name: s.code for k in kinds.simulated() for s in k.interfaces}
+    lines = [BANNER.rstrip(), "#pragma once", "",
+             "/// The device of each interface that a simulated model can have; playhouse/drivers/simulated/NAME.cc defines it.", "",
+             "#include <cstdint>", "#include <memory>", "", '#include "playhouse/drivers/simulated/simulated_device.h"', "",
+             "namespace playhouse::drivers {", "", "/// `model` fits the interface (model_interfaces.h)."]
+    lines += [f"std::unique_ptr<SimulatedDevice> make_{name}_device(Simulation& simulation, world::ModelRow model);" for name in found]
+    lines += ["", "struct DeviceMaker {", "  std::uint16_t interf;",
+              "  std::unique_ptr<SimulatedDevice> (*make)(Simulation& simulation, world::ModelRow model);", "};",
+              "inline constexpr DeviceMaker kDeviceMakers[] = {"]
+    lines += [f"    {{{code}, make_{name}_device}}," for name, code in found.items()]
+    return "\n".join([*lines, "};", "", "}  // namespace playhouse::drivers", ""])

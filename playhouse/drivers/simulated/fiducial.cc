@@ -81,4 +81,8 @@ void Fiducial::emit(const world::World& world, std::vector<device::Publication>&
   publish(world, fid::kDataScan, data, out);
 }
 
+std::unique_ptr<SimulatedDevice> make_fiducial_device(Simulation& simulation, world::ModelRow model) {
+  return std::make_unique<Fiducial>(simulation, model);
+}
+
 }  // namespace playhouse::drivers

@@ -2,7 +2,7 @@
 
 /// A fiducial finder as interface fiducial (docs/drivers.md).
 
-#include "playhouse/drivers/simulated/simulated_device.h"
+#include "playhouse/drivers/generated/device_makers.h"
 
 namespace playhouse::drivers {
 

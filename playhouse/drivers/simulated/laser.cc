@@ -85,4 +85,8 @@ void Laser::emit(const world::World& world, std::vector<device::Publication>& ou
   publish(world, lsr::kDataScan, scan, out);
 }
 
+std::unique_ptr<SimulatedDevice> make_laser_device(Simulation& simulation, world::ModelRow model) {
+  return std::make_unique<Laser>(simulation, model);
+}
+
 }  // namespace playhouse::drivers

@@ -117,4 +117,8 @@ void Position2d::closed(world::World& world, world::ModelRow model) {
   world.positions.motor_on[world.models.part[model.index]] = 1;
 }
 
+std::unique_ptr<SimulatedDevice> make_position2d_device(Simulation& simulation, world::ModelRow model) {
+  return std::make_unique<Position2d>(simulation, model);
+}
+
 }  // namespace playhouse::drivers

@@ -2,7 +2,7 @@
 
 /// A robot's wheels as interface position2d: velocities, goals and odometry (docs/drivers.md).
 
-#include "playhouse/drivers/simulated/simulated_device.h"
+#include "playhouse/drivers/generated/device_makers.h"
 
 namespace playhouse::drivers {
 

@@ -87,4 +87,8 @@ void Ranger::emit(const world::World& world, std::vector<device::Publication>& o
   publish(world, rng::kDataIntns, intensities, out);
 }
 
+std::unique_ptr<SimulatedDevice> make_ranger_device(Simulation& simulation, world::ModelRow model) {
+  return std::make_unique<Ranger>(simulation, model);
+}
+
 }  // namespace playhouse::drivers

@@ -2,8 +2,8 @@
 
 /// A ranger as interface ranger: one scanner, or an array of transducers (docs/drivers.md).
 
+#include "playhouse/drivers/generated/device_makers.h"
 #include "playhouse/drivers/simulated/scan.h"
-#include "playhouse/drivers/simulated/simulated_device.h"
 
 namespace playhouse::drivers {
 

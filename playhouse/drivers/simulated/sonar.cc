@@ -51,4 +51,8 @@ void Sonar::emit(const world::World& world, std::vector<device::Publication>& ou
   publish(world, snr::kDataRanges, data, out);
 }
 
+std::unique_ptr<SimulatedDevice> make_sonar_device(Simulation& simulation, world::ModelRow model) {
+  return std::make_unique<Sonar>(simulation, model);
+}
+
 }  // namespace playhouse::drivers

@@ -2,8 +2,8 @@
 
 /// A ranger's array of transducers as interface sonar (docs/drivers.md).
 
+#include "playhouse/drivers/generated/device_makers.h"
 #include "playhouse/drivers/simulated/scan.h"
-#include "playhouse/drivers/simulated/simulated_device.h"
 
 namespace playhouse::drivers {
 
