@@ -74,7 +74,7 @@ struct Solids {
   std::vector<Vec2> center;          // in W                                                    [m]
   std::vector<double> z_min, z_max;  // in W                                                    [m]
   std::vector<Vec2> p;  // vertices in W, and kSpare more to read past the end           [m] (vertices)
-  static constexpr std::size_t kSpare = 4;
+  static constexpr std::size_t kSpare = 32;
 
   std::size_t size() const { return model.size(); }
   std::size_t moving() const { return size() - fixed; }

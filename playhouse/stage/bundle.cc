@@ -35,7 +35,7 @@ PLAYHOUSE_INLINE void put_rays(const Bundle& bundle, const Pose& X_WM, Rotation 
 
 /// Keeps the first of what is known and the edge, for the rays of a part, behind which there are none.
 PLAYHOUSE_INLINE void meet_edge(Vec2 a, Vec2 b, double row, const Rays::Part& part, Rays& rays) {
-  Four least = {0, 0, 0, 0};
+  FourTruths edge_on = {};
   for (std::size_t k = part.begin; k < part.end; k += kFour) {
     Four px, py, dx, dy, range, solid;
     load(px, rays.px + k);
@@ -44,14 +44,13 @@ PLAYHOUSE_INLINE void meet_edge(Vec2 a, Vec2 b, double row, const Rays::Part& pa
     load(dy, rays.dy + k);
     load(range, rays.range + k);
     load(solid, rays.solid + k);
-    Four t = Distance<Four, Four>(dx, dy, a.x - px, a.y - py, b.x - px, b.y - py).t;
-    least = t < least ? t : least;
-    t = t < 0 ? kMiss : t;
-    keep_first(t, Four{row, row, row, row}, range, solid);
+    const Distance<Four, Four> met(dx, dy, a.x - px, a.y - py, b.x - px, b.y - py);
+    edge_on |= met.edge_on;
+    keep_first(met.t, Four{row, row, row, row}, range, solid);
     store(rays.range + k, range);
     store(rays.solid + k, solid);
   }
-  if (std::min(std::min(least[0], least[1]), std::min(least[2], least[3])) == 0) return;
+  if (!any(edge_on)) return;
   for (std::size_t k = part.begin; k < part.end; ++k)
     keep_first(edge_hit(a - rays.p(k), b - rays.p(k), rays.d(k)), row, rays.range[k], rays.solid[k]);
 }
@@ -100,13 +99,40 @@ PLAYHOUSE_INLINE std::size_t find_bodies(const Bundle& bundle, const DiscIndex& 
   return count;
 }
 
-PLAYHOUSE_INLINE void meet(const Space& space, const Meeting* meetings, std::size_t count, Rays& rays) {
-  for (std::size_t i = 0; i < count; ++i) {
-    const DiscIndex::Disc& disc = space.index.discs()[meetings[i].place];
-    const std::uint32_t k = meetings[i].ray;
-    const Vec2* const polygon = space.solids.p.data() + disc.first_vertex;
-    const double t = body_hit_here(polygon, disc.vertices, disc.convex, rays.p(k), rays.d(k));
-    keep_first_alone(t, number_of(disc.row), rays.range[k], rays.solid[k]);
+/// A number of each of four rays.
+PLAYHOUSE_INLINE void load_rays(const double* column, const Meeting* four, Four& numbers) {
+  numbers = Four{column[four[0].ray], column[four[1].ray], column[four[2].ray], column[four[3].ray]};
+}
+
+/// Keeps the first of what is known about rays and the bodies that they may meet, four at a time; behind the
+/// last there is room for three.
+PLAYHOUSE_INLINE void meet(const Space& space, Meeting* meetings, std::size_t count, Rays& rays) {
+  for (std::size_t i = count; i % kFour != 0; ++i) meetings[i] = meetings[count - 1];
+  for (std::size_t i = 0; i < count; i += kFour) {
+    const Meeting* const four = meetings + i;
+    const DiscIndex::Disc* disc[kFour];
+    const Vec2* polygon[kFour];
+    FourInts convex, row;
+    for (std::size_t j = 0; j < kFour; ++j) {
+      disc[j] = space.index.discs() + four[j].place;
+      polygon[j] = space.solids.p.data() + disc[j]->first_vertex;
+      convex[j] = static_cast<std::int32_t>(disc[j]->convex);
+      row[j] = static_cast<std::int32_t>(disc[j]->row);
+    }
+    const Four corners = __builtin_convertvector(convex, Four), rows = __builtin_convertvector(row, Four);
+    const std::int32_t most = std::max(std::max(convex[0], convex[1]), std::max(convex[2], convex[3]));
+    Four px, py, dx, dy, t;
+    load_rays(rays.px, four, px);
+    load_rays(rays.py, four, py);
+    load_rays(rays.dx, four, dx);
+    load_rays(rays.dy, four, dy);
+    entries(polygon, corners, static_cast<std::size_t>(most), px, py, dx, dy, t);
+    if (any((t < 0) | (corners == 0)))
+      for (std::size_t j = 0; j < kFour; ++j)
+        t[j] = body_hit_here(polygon[j], disc[j]->vertices, convex[j] != 0, rays.p(four[j].ray),
+                             rays.d(four[j].ray));
+    for (std::size_t j = 0; j < kFour; ++j)
+      keep_first_alone(t[j], rows[j], rays.range[four[j].ray], rays.solid[four[j].ray]);
   }
 }
 
@@ -114,7 +140,7 @@ PLAYHOUSE_INLINE void meet(const Space& space, const Meeting* meetings, std::siz
 PLAYHOUSE_INLINE void meet_bodies(const Space& space, std::uint32_t own_root, const std::uint32_t* place,
                                   const std::uint16_t* near, std::size_t count, std::size_t first,
                                   bool heights, Rays& rays) {
-  Meeting meetings[kMeetings + Bundle::kRays];
+  Meeting meetings[kMeetings + Bundle::kRays + kFour];
   std::size_t met = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const DiscIndex::Disc& disc = space.index.discs()[place[i]];

@@ -24,8 +24,8 @@ class DiscIndex {
     std::uint32_t root;   // model row of the top of its tree
     // Of a solid, so that who looks at it need not look it up.
     std::uint32_t first_vertex = 0, vertices = 0;
+    std::uint32_t convex = 0;  // corners of a convex polygon that has few (polygon_hit.h), else 0
     Observers seen_by = 0;
-    bool convex = false;  // a convex polygon of few corners (polygon_hit.h)
   };
 
   DiscIndex() { populate(0, 0.25); }

@@ -192,25 +192,34 @@ PLAYHOUSE_INLINE void fill_up(std::size_t count, Lanes& lanes) {
   return first;
 }
 
-/// Keeps the first of what is known about ray k and the edges. Branch-free: hits are unpredictable.
-PLAYHOUSE_INLINE void meet(const Walls::Group& group, std::size_t k, Rays& rays) {
+/// Keeps the first of what is known about ray k and the edges, without those that it sees edge-on.
+/// Branch-free: hits are unpredictable.
+PLAYHOUSE_INLINE void meet(const Walls::Group& group, std::size_t k, FourTruths& edge_on, Rays& rays) {
   const double px = rays.px[k], py = rays.py[k];
   Four ax, ay, bx, by;
   load(ax, group.x);
   load(ay, group.y);
   load(bx, group.x + 1);
   load(by, group.y + 1);
-  ax -= px;
-  ay -= py;
-  bx -= px;
-  by -= py;
-  Four t = Distance<double, Four>(rays.dx[k], rays.dy[k], ax, ay, bx, by).t;
-  const Four across = __builtin_shufflevector(t, t, 2, 3, 0, 1);
-  t = t < across ? t : across;
+  const Distance<double, Four> met(rays.dx[k], rays.dy[k], ax - px, ay - py, bx - px, by - py);
+  edge_on |= met.edge_on;
+  const Four across = __builtin_shufflevector(met.t, met.t, 2, 3, 0, 1);
+  Four t = met.t < across ? met.t : across;
   const Four beside = __builtin_shufflevector(t, t, 1, 0, 3, 2);
   t = t < beside ? t : beside;
-  if (t[0] < 0) t = Four{edges_alone(group, rays.p(k), rays.d(k))};
   keep_first_alone(t[0], number_of(group.solid), rays.range[k], rays.solid[k]);
+}
+
+/// Calls meet(group, k) for the rays that are where edges are, and shortens them.
+template <typename Meet>
+PLAYHOUSE_INLINE void each_touch(const Walls& walls, Observers by, const Found& found, const Rays& rays,
+                                 Lanes& lanes, const Meet& meet) {
+  for (std::size_t i = 0; i < found.touches; ++i) {
+    const std::uint32_t lane = found.touch[i], k = lanes.ray[lane];
+    for (const Walls::Group& group : walls.in_cell(static_cast<std::size_t>(lanes.place[lane]) >> 2))
+      if (group.z_min <= rays.z[k] && rays.z[k] <= group.z_max && (group.seen_by & by) != 0) meet(group, k);
+    lanes.range[lane] = static_cast<float>(rays.range[k]);
+  }
 }
 
 PLAYHOUSE_INLINE void march_here(const Walls& walls, Observers by, Rays& rays) {
@@ -223,13 +232,14 @@ PLAYHOUSE_INLINE void march_here(const Walls& walls, Observers by, Rays& rays) {
   Found found;
   begin(walls, used, lanes, found);
   while (const std::size_t on = found.going_on()) {
-    for (std::size_t i = 0; i < found.touches; ++i) {
-      const std::uint32_t lane = found.touch[i], k = lanes.ray[lane];
-      for (const Walls::Group& group : walls.in_cell(static_cast<std::size_t>(lanes.place[lane]) >> 2))
-        if (group.z_min <= rays.z[k] && rays.z[k] <= group.z_max && (group.seen_by & by) != 0)
-          meet(group, k, rays);
-      lanes.range[lane] = static_cast<float>(rays.range[k]);
-    }
+    FourTruths edge_on = {};
+    each_touch(walls, by, found, rays, lanes,
+               [&](const Walls::Group& group, std::size_t k) { meet(group, k, edge_on, rays); });
+    if (any(edge_on))
+      each_touch(walls, by, found, rays, lanes, [&](const Walls::Group& group, std::size_t k) {
+        const double t = edges_alone(group, rays.p(k), rays.d(k));
+        keep_first_alone(t, number_of(group.solid), rays.range[k], rays.solid[k]);
+      });
     if (2 * on <= used) {
       close_up(on, used, lanes);
       used = on;

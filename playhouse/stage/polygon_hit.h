@@ -10,7 +10,7 @@
 
 namespace playhouse::stage {
 
-static_assert(Solids::kSpare >= kFour);
+static_assert(Solids::kSpare >= kConvexCorners);
 
 /// Four corners from `corner` on, relative to p: the first, the third, the second, the fourth, which spares
 /// the processor putting them in order.
@@ -39,13 +39,16 @@ struct Corners {
 PLAYHOUSE_INLINE double polygon_hit_here(const Vec2* polygon, std::size_t corners, Vec2 p, Vec2 d) {
   const Four number = Corners::kNumber;
   Four best = {kMiss, kMiss, kMiss, kMiss};
+  FourTruths edge_on = {};
   for (std::size_t i = 0; i < corners; i += kFour) {
     const Corners w0(polygon + i, p), w1(polygon + i + 1, p);
     const Distance<double, Four> met(d.x, d.y, w0.u, w0.v, w1.u, w1.v);
-    best = ((met.t < best) & (number < static_cast<double>(corners - i))) ? met.t : best;
+    const auto is_edge = number < static_cast<double>(corners - i);
+    edge_on |= met.edge_on & is_edge;
+    best = ((met.t < best) & is_edge) ? met.t : best;
   }
-  const double first = std::min(std::min(best[0], best[1]), std::min(best[2], best[3]));
-  return first < 0 ? polygon_hit_alone(polygon, corners, p, d) : first;
+  if (any(edge_on)) return polygon_hit_alone(polygon, corners, p, d);
+  return std::min(std::min(best[0], best[1]), std::min(best[2], best[3]));
 }
 
 /// Where the ray enters a convex polygon: below 0 if that is behind p or by an edge that is seen edge-on, not
@@ -55,7 +58,7 @@ PLAYHOUSE_INLINE double entry(const Vec2* polygon, std::size_t corners, Vec2 p, 
   Four areas = none, slopes = none;
   for (std::size_t i = 0; i < corners; i += kFour) {
     const Corners w0(polygon + i, p), w1(polygon + i + 1, p);
-    const Crossing<double, Four> ends(d.x, d.y, w0.u, w0.v, w1.u, w1.v);
+    const Crossing<Four> ends({d.x, d.y, w0.u, w0.v}, {d.x, d.y, w1.u, w1.v});
     Four area;
     cross(w0.u, w0.v, w1.u, w1.v, area);
     const auto enters = ends.enters & (number < static_cast<double>(corners - i));
@@ -66,6 +69,43 @@ PLAYHOUSE_INLINE double entry(const Vec2* polygon, std::size_t corners, Vec2 p, 
                slope = (slopes[0] + slopes[1]) + (slopes[2] + slopes[3]);
   const Four only = {slope}, t = Four{area} / only;  // branch-free: hits are unpredictable
   return (((only < 0) & (only > -kEdgeOn)) ? -1 : t)[0];
+}
+
+/// Corner i of four polygons, each relative to its p.
+PLAYHOUSE_INLINE void corners_at(const Vec2* const* polygon, std::size_t i, const Four& px, const Four& py,
+                                 Four& u, Four& v) {
+  Two a, b, c, d;
+  std::memcpy(&a, polygon[0] + i, sizeof a);
+  std::memcpy(&b, polygon[1] + i, sizeof b);
+  std::memcpy(&c, polygon[2] + i, sizeof c);
+  std::memcpy(&d, polygon[3] + i, sizeof d);
+  const Four ac = __builtin_shufflevector(a, c, 0, 1, 2, 3), bd = __builtin_shufflevector(b, d, 0, 1, 2, 3);
+  u = __builtin_shufflevector(ac, bd, 0, 4, 2, 6) - px;
+  v = __builtin_shufflevector(ac, bd, 1, 5, 3, 7) - py;
+}
+
+/// entry() for four rays, each with a polygon of its own of up to `most` corners.
+PLAYHOUSE_INLINE void entries(const Vec2* const* polygon, const Four& corners, std::size_t most,
+                              const Four& px, const Four& py, const Four& dx, const Four& dy, Four& t) {
+  const Four none = {0, 0, 0, 0};
+  Four areas = none, slopes = none, number = none, u0, v0;
+  corners_at(polygon, 0, px, py, u0, v0);
+  Side<Four> w0(dx, dy, u0, v0);
+  for (std::size_t i = 1; i <= most; ++i) {
+    Four u1, v1, area;
+    corners_at(polygon, i, px, py, u1, v1);
+    const Side<Four> w1(dx, dy, u1, v1);
+    const Crossing<Four> ends(w0, w1);
+    cross(u0, v0, u1, v1, area);
+    const auto enters = ends.enters & (number < corners);
+    areas += enters ? area : none;
+    slopes += enters ? ends.slope : none;
+    number += 1;
+    u0 = u1;
+    v0 = v1;
+    w0 = w1;
+  }
+  t = ((slopes < 0) & (slopes > -kEdgeOn)) ? -1 : areas / slopes;
 }
 
 /// Where the ray from p along d meets a body of a tree that moves; kMiss or not a number if it does not.

@@ -48,39 +48,46 @@ PLAYHOUSE_INLINE void cross(const First& x0, const First& y0, const Second& x1, 
   out = x0 * y1 - y0 * x1;
 }
 
-/// On which sides of a ray the ends of an edge are.
-template <typename Direction, typename Corner>
+/// On which side of a ray a corner is.
+template <typename Number>
+struct Side {
+  Number left;  // m; 0 counts as the right
+
+  Side() = default;
+  template <typename Direction, typename Corner>
+  PLAYHOUSE_INLINE Side(const Direction& dx, const Direction& dy, const Corner& x, const Corner& y) {
+    cross(dx, dy, x, y, left);
+  }
+};
+
+/// How a ray and an edge cross, by the sides of the ends of the edge.
+template <typename Number>
 struct Crossing {
-  using Number = decltype(Direction() * Corner());
-  Number left0, left1;                    // m to the left
   Number slope;                           // m from w0 to w1, to the left
   decltype(Number() > Number()) crosses;  // the ends are on different sides
   decltype(Number() > Number()) enters;   // into the outline of which the edge is a part, if that is solid
 
-  PLAYHOUSE_INLINE Crossing(const Direction& dx, const Direction& dy, const Corner& x0, const Corner& y0,
-                            const Corner& x1, const Corner& y1) {
-    cross(dx, dy, x0, y0, left0);
-    cross(dx, dy, x1, y1, left1);
-    slope = left1 - left0;
-    crosses = (left0 > 0) != (left1 > 0);
-    enters = (left0 > 0) & (left1 <= 0);
-  }
+  PLAYHOUSE_INLINE Crossing(const Side<Number>& w0, const Side<Number>& w1)
+      : slope(w1.left - w0.left),
+        crosses((w0.left > 0) ^ (w1.left > 0)),
+        enters((w0.left > 0) & (w1.left <= 0)) {}
 };
 
-/// The distance at which a ray meets an edge; below 0 if it sees it edge-on, then along_edge() has it.
+/// The distance at which a ray meets an edge.
 template <typename Direction, typename Corner>
 struct Distance {
   using Number = decltype(Direction() * Corner());
-  Number t;
+  Number t;                               // kMiss also where edge_on
+  decltype(Number() > Number()) edge_on;  // it meets the edge where along_edge() says
 
   PLAYHOUSE_INLINE Distance(const Direction& dx, const Direction& dy, const Corner& x0, const Corner& y0,
                             const Corner& x1, const Corner& y1) {
-    const Crossing<Direction, Corner> ends(dx, dy, x0, y0, x1, y1);
+    const Crossing<Number> ends({dx, dy, x0, y0}, {dx, dy, x1, y1});
     Number area;
     cross(x0, y0, x1, y1, area);
     t = area / ends.slope;
-    t = (ends.crosses & (t >= 0)) ? t : kMiss;
-    t = (ends.crosses & (ends.slope * ends.slope < kEdgeOn * kEdgeOn)) ? -1 : t;
+    edge_on = ends.crosses & (ends.slope * ends.slope < kEdgeOn * kEdgeOn);
+    t = ((ends.crosses ^ edge_on) & (t >= 0)) ? t : kMiss;
   }
 };
 
@@ -93,14 +100,14 @@ inline double along_edge(geom::Vec2 d, geom::Vec2 w0, geom::Vec2 w1) {
 /// One ray and one edge.
 inline double edge_hit(geom::Vec2 w0, geom::Vec2 w1, geom::Vec2 d) {
   const Distance<double, double> met(d.x, d.y, w0.x, w0.y, w1.x, w1.y);
-  return met.t < 0 ? along_edge(d, w0, w1) : met.t;
+  return met.edge_on ? along_edge(d, w0, w1) : met.t;
 }
 
 /// Keeps the first of what is known, a range and a solid, and a solid at distance t.
 template <typename Number>
 PLAYHOUSE_INLINE void keep_first(const Number& t, const Number& row, Number& range, Number& solid) {
   const auto first = (t < range) | ((t == range) & (row < solid));
-  range = first ? t : range;
+  range = t < range ? t : range;
   solid = first ? row : solid;
 }
 

@@ -27,7 +27,7 @@ using testing::sensor;
 double entry_alone(std::span<const Vec2> polygon, const Ray& ray) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec2 w0 = polygon[i] - ray.p, w1 = polygon[(i + 1) % polygon.size()] - ray.p;
-    const Crossing<double, double> ends(ray.d.x, ray.d.y, w0.x, w0.y, w1.x, w1.y);
+    const Crossing<double> ends({ray.d.x, ray.d.y, w0.x, w0.y}, {ray.d.x, ray.d.y, w1.x, w1.y});
     if (ends.enters) return ends.slope > -kEdgeOn ? -1 : geom::cross(w0, w1) / ends.slope;
   }
   return kMiss;

@@ -65,7 +65,7 @@ PLAYHOUSE_INLINE void project(const Row& row, Vec2 w0, Vec2 w1, double seen, std
     load(y, row.y + k);
     load(range, row.range + k);
     load(solid, row.solid + k);
-    const Crossing<Four, double> ends(x, y, w0.x, w0.y, w1.x, w1.y);
+    const Crossing<Four> ends({x, y, w0.x, w0.y}, {x, y, w1.x, w1.y});
     keep_first<Four>(ends.enters ? area / ends.slope : kMiss, Four{seen, seen, seen, seen}, range, solid);
     store(row.range + k, range);
     store(row.solid + k, solid);
@@ -168,7 +168,7 @@ PLAYHOUSE_INLINE void project_facing(const Row& row, const Vec2* __restrict poly
     load(solid, row.solid + k);
     for (std::size_t n = 0; n < count; ++n) {
       const std::size_t i = facing[n];
-      const Crossing<Four, double> ends(x, y, u0[i], v0[i], u1[i], v1[i]);
+      const Crossing<Four> ends({x, y, u0[i], v0[i]}, {x, y, u1[i], v1[i]});
       met_area = ends.enters ? area[i] : met_area;
       slope = ends.enters ? ends.slope : slope;
     }
@@ -261,7 +261,7 @@ void RangerSense::scan_bodies(const Space& space, const Pose& X_WS, Rotation rot
     const double from = scratch.bearing[at] - spread, to = scratch.bearing[at] + spread;
     const std::span<const Vec2> polygon(solids.p.data() + disc.first_vertex, disc.vertices);
     const auto seen = number_of(disc.row);
-    if (!disc.convex) {
+    if (disc.convex == 0) {
       project_edges(polygon, rotation, seen, row);
     } else if ((x < 1) & (row.half <= geom::kPi) & (from > -geom::kPi) & (to < geom::kPi)) {
       if (to >= -row.half && from <= row.half)

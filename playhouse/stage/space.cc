@@ -22,7 +22,7 @@ Hit cast(const Space& space, const Ray& ray) {
     const Vec2 to_disc = disc.center - ray.p;
     if (std::fabs(geom::cross(ray.d, to_disc)) > disc.radius + kMargin || !is_seen(disc.row)) return;
     const double t = in_vectors<body_hit_here>(solids.p.data() + disc.first_vertex, disc.vertices,
-                                               disc.convex, ray.p, ray.d);
+                                               disc.convex != 0, ray.p, ray.d);
     keep_first(t, number_of(disc.row), range, solid);
   });
   if (solid == kNoSolid) return {range, world::ModelRow::kNone};

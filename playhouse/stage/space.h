@@ -33,8 +33,8 @@ inline DiscIndex::Disc disc_of(const Solids& solids, std::size_t row) {
           solids.root[row],
           vertex,
           vertices,
-          solids.seen_by[row],
-          solids.convex[row] != 0 && vertices <= kConvexCorners};
+          solids.convex[row] != 0 && vertices <= kConvexCorners ? vertices : 0,
+          solids.seen_by[row]};
 }
 
 struct Ray {

@@ -44,7 +44,9 @@ inline constexpr auto in_vectors = Versions<kFunction>::call;
 /// do.
 inline constexpr std::size_t kFour = 4, kEight = 8;
 using Four = double __attribute__((vector_size(kFour * sizeof(double))));
+using Two = double __attribute__((vector_size(2 * sizeof(double))));
 using FourInts = std::int32_t __attribute__((vector_size(kFour * sizeof(std::int32_t))));
+using FourTruths = decltype(Four() < Four());
 using Eight = float __attribute__((vector_size(kEight * sizeof(float))));
 using EightInts = std::int32_t __attribute__((vector_size(kEight * sizeof(std::int32_t))));
 
@@ -57,6 +59,10 @@ template <typename Vector, typename Number>
 PLAYHOUSE_INLINE void store(Number* to, const Vector& v) {
   static_assert(std::is_same_v<std::remove_cvref_t<decltype(v[0])>, Number>);
   std::memcpy(to, &v, sizeof v);
+}
+
+PLAYHOUSE_INLINE bool any(const FourTruths& truths) {
+  return ((truths[0] | truths[1]) | (truths[2] | truths[3])) != 0;
 }
 
 }  // namespace playhouse::stage
