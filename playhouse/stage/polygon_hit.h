@@ -25,6 +25,10 @@ struct Corners {
     u = __builtin_shufflevector(first, second, 0, 4, 2, 6) - p.x;
     v = __builtin_shufflevector(first, second, 1, 5, 3, 7) - p.y;
   }
+  /// Puts numbers of the corners in the order of the polygon.
+  PLAYHOUSE_INLINE static void store_in_order(const Four& numbers, double* to) {
+    store(to, Four(__builtin_shufflevector(numbers, numbers, 0, 2, 1, 3)));
+  }
 };
 
 /// The first of all edges that the ray from p along d meets, one after the other.

@@ -4,6 +4,7 @@
 /// ones are dropped at a glance.
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "playhouse/stage/bearing.h"
@@ -132,47 +133,56 @@ PLAYHOUSE_INLINE void project_facing(const Row& row, const Vec2* __restrict poly
   for (std::size_t k = first; k <= last && hidden; ++k) hidden = row.range[k] <= nearest;
   if (hidden) return;
 
-  double u0[kConvexCorners], v0[kConvexCorners], u1[kConvexCorners], v1[kConvexCorners], area[kConvexCorners];
+  // Corners from where the scanner is and the areas of the edges from there, all of them twice.
+  double u[2 * kConvexCorners], v[2 * kConvexCorners], area[2 * kConvexCorners];
   const Four number = Corners::kNumber;
   const double in_line = kEdgeOn * farthest;
   Four least = Four{} + kMiss;
-  std::size_t sides = 0;
-  for (std::size_t i = 0; i < corners; i += kFour, sides += kFour) {
+  FourTruths facing = {}, edge = {1, 4, 2, 8};  // those that go clockwise about the scanner: bits of edges
+  for (std::size_t i = 0; i < corners; i += kFour, edge <<= kFour) {
     const Corners w0(polygon + i, row.p), w1(polygon + i + 1, row.p);
     Four all;
     cross(w0.u, w0.v, w1.u, w1.v, all);
     all = number < static_cast<double>(corners - i) ? all : kMiss;
-    store(u0 + i, w0.u);
-    store(v0 + i, w0.v);
-    store(u1 + i, w1.u);
-    store(v1 + i, w1.v);
-    store(area + i, all);
+    facing |= (all < 0) & edge;
     const Four squared = all * all;
     least = least < squared ? least : squared;
+    Corners::store_in_order(w0.u, u + i);
+    Corners::store_in_order(w0.v, v + i);
+    Corners::store_in_order(all, area + i);
   }
-  if (std::min(std::min(least[0], least[1]), std::min(least[2], least[3])) <= in_line * in_line) {
+  const auto faces = static_cast<std::uint32_t>((facing[0] | facing[1]) | (facing[2] | facing[3]));
+  // They follow each other, from one corner on.
+  const std::uint32_t begins = faces & ~(faces << 1 | faces >> (corners - 1));
+  if (!std::has_single_bit(begins) ||
+      std::min(std::min(least[0], least[1]), std::min(least[2], least[3])) <= in_line * in_line) {
     project_body(row, polygon, corners, seen, first, last);
     return;
   }
-  std::size_t facing[kConvexCorners], count = 0;  // edges that go clockwise about the scanner
-  for (std::size_t i = 0; i < sides; ++i) {
-    facing[count] = i;
-    count += area[i] < 0;
+  for (std::size_t i = 0; i < corners; i += kFour) {
+    std::memcpy(u + corners + i, u + i, sizeof(Four));
+    std::memcpy(v + corners + i, v + i, sizeof(Four));
+    std::memcpy(area + corners + i, area + i, sizeof(Four));
   }
+  const auto begin = static_cast<std::size_t>(std::countr_zero(begins)),
+             end = begin + static_cast<std::size_t>(std::popcount(faces));
   // A beam enters a convex body by one edge: one division serves all.
+  const Four none = {0, 0, 0, 0};
   for (std::size_t k = first; k <= last; k += kFour) {
-    Four x, y, range, solid, met_area = {0, 0, 0, 0}, slope = met_area;
+    Four x, y, range, solid, areas = none, slopes = none;
     load(x, row.x + k);
     load(y, row.y + k);
     load(range, row.range + k);
     load(solid, row.solid + k);
-    for (std::size_t n = 0; n < count; ++n) {
-      const std::size_t i = facing[n];
-      const Crossing<Four> ends({x, y, u0[i], v0[i]}, {x, y, u1[i], v1[i]});
-      met_area = ends.enters ? area[i] : met_area;
-      slope = ends.enters ? ends.slope : slope;
+    Side<Four> w0(x, y, u[begin], v[begin]);
+    for (std::size_t i = begin; i < end; ++i) {
+      const Side<Four> w1(x, y, u[i + 1], v[i + 1]);
+      const Crossing<Four> ends(w0, w1);
+      areas += ends.enters ? area[i] : none;
+      slopes += ends.enters ? ends.slope : none;
+      w0 = w1;
     }
-    keep_first<Four>(met_area / slope, Four{seen, seen, seen, seen}, range, solid);
+    keep_first<Four>(areas / slopes, Four{seen, seen, seen, seen}, range, solid);
     store(row.range + k, range);
     store(row.solid + k, solid);
   }
