@@ -227,6 +227,41 @@ TEST(Rays, meet_the_same_whichever_way_they_are_followed_anywhere) {
   }
 }
 
+TEST(Entries, of_four_rays_into_polygons_of_different_corners_are_those_of_each_alone) {
+  Rng rng(1);
+  std::size_t entered = 0;
+  for (int round = 0; round < 2000; ++round) {
+    std::vector<Vec2> polygons[kFour];
+    const Vec2* polygon[kFour];
+    std::size_t corners[kFour], most = 0;
+    Four numbers, px, py, dx, dy, t;
+    for (std::size_t j = 0; j < kFour; ++j) {
+      corners[j] = 3 + static_cast<std::size_t>(rng.uniform(0, kConvexCorners - 2.001));
+      most = std::max(most, corners[j]);
+      for (std::size_t i = 0; i <= corners[j]; ++i) {
+        const double angle =
+            geom::kTwoPi * static_cast<double>(i % corners[j]) / static_cast<double>(corners[j]);
+        polygons[j].push_back({geom::sincos(angle).cos, geom::sincos(angle).sin});
+      }
+      polygons[j].resize(corners[j] + 1 + Solids::kSpare, {rng.uniform(-2, 2), rng.uniform(-2, 2)});
+      polygon[j] = polygons[j].data();
+      const geom::SinCos d = geom::sincos(rng.uniform(-3, 3));
+      numbers[j] = static_cast<double>(corners[j]);
+      px[j] = rng.uniform(-3, 3);
+      py[j] = rng.uniform(-3, 3);
+      dx[j] = d.cos;
+      dy[j] = d.sin;
+    }
+    entries(polygon, numbers, most, px, py, dx, dy, t);
+    for (std::size_t j = 0; j < kFour; ++j) {
+      const double alone = entry(polygon[j], corners[j], {px[j], py[j]}, {dx[j], dy[j]});
+      ASSERT_TRUE(t[j] == alone || (std::isnan(t[j]) && std::isnan(alone))) << round;
+      entered += alone > 0;
+    }
+  }
+  EXPECT_GT(entered, 1000u);
+}
+
 TEST(EdgeHit, counts_a_corner_on_the_ray_as_being_on_its_right) {
   const Vec2 ahead{1, 0};
   EXPECT_EQ(edge_hit({2, 0}, {2, 1}, ahead), 2);       // the rest of the edge is on the left
