@@ -217,6 +217,45 @@ PLAYHOUSE_INLINE void find_distances(Rotation r, std::size_t count, double* __re
   }
 }
 
+/// Half the angle under which something is seen, by the ratio of its radius and its distance: not below
+/// asin(ratio), and kBearingError more.  [rad]
+template <typename Number>
+PLAYHOUSE_INLINE void find_spread(const Number& ratio, Number& spread) {
+  spread = ratio + 0.5708 * ratio * ratio * ratio + kBearingError;
+}
+
+/// Finds the beams that may meet each body, by its radius, distance and bearing: `last` is -1 where that is
+/// not easy to say, and the distance becomes kMiss where there are none. Four at a time, and up to three
+/// more.
+PLAYHOUSE_INLINE void find_beams(const Row& row, std::size_t count, const double* radius,
+                                 const double* bearing, double* distance, std::int32_t* first,
+                                 std::int32_t* last) {
+  const double end = static_cast<double>(row.last);
+  const double most = row.half <= geom::kPi ? geom::kPi : -kMiss;  // others may meet a body twice
+  for (std::size_t i = 0; i < count; i += kFour) {
+    Four size, middle, apart;
+    load(size, radius + i);
+    load(middle, bearing + i);
+    load(apart, distance + i);
+    const Four ratio = size / apart;
+    Four spread;
+    find_spread(ratio, spread);
+    const Four from = middle - spread, to = middle + spread;
+    const auto easy = (ratio < 1) & (from > -geom::kPi) & (to < most);
+    Four right = (from + row.half) * row.per_step, left = (to + row.half) * row.per_step;
+    right = right > 0 ? right : 0;
+    right = right < end ? right : end;
+    left = left > 0 ? left : 0;
+    left = left < end ? left : end;
+    left = __builtin_convertvector(__builtin_convertvector(left, FourInts), Four) + 1;
+    left = left < end ? left : end;
+    left = easy ? left : -1;
+    store(first + i, __builtin_convertvector(right, FourInts));
+    store(last + i, __builtin_convertvector(left, FourInts));
+    store<Four>(distance + i, (easy & ((to < -row.half) | (from > row.half))) ? kMiss : apart);
+  }
+}
+
 }  // namespace
 
 /// Puts the places of what may be seen into `order`, from near to far by rings; returns how many.
@@ -249,36 +288,39 @@ void RangerSense::scan_bodies(const Space& space, const Pose& X_WS, Rotation rot
     sector.behind = -radius_max;
   }
   const std::size_t near = scratch.gather(space.index, sector);
+  const DiscIndex::Disc* const discs = space.index.discs();
+  for (std::size_t i = 0; i < near; ++i) scratch.radius[i] = discs[scratch.place[i]].radius + kMargin;
   in_vectors<find_distances>(rotation, near, scratch.x.data(), scratch.y.data(), scratch.distance.data(),
                              scratch.bearing.data());
+  in_vectors<find_beams>(row, near, scratch.radius.data(), scratch.bearing.data(), scratch.distance.data(),
+                         scratch.first.data(), scratch.last.data());
   const std::size_t count = scratch.sort_by_distance(near, scan.range_max + radius_max);
 
   constexpr std::size_t kAhead = 3;
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint32_t at = scratch.order[i];
-    const DiscIndex::Disc& disc = space.index.discs()[scratch.place[at]];
+    const DiscIndex::Disc& disc = discs[scratch.place[at]];
     if (i + kAhead < count) {
-      const Vec2* const soon =
-          solids.p.data() + space.index.discs()[scratch.place[scratch.order[i + kAhead]]].first_vertex;
+      const Vec2* const soon = solids.p.data() + discs[scratch.place[scratch.order[i + kAhead]]].first_vertex;
       __builtin_prefetch(soon);
       __builtin_prefetch(soon + 4);
       __builtin_prefetch(soon + 8);
     }
     if (!view.sees(disc)) continue;
-    const double distance = scratch.distance[at], radius = disc.radius + kMargin;
-    const double x = radius / distance;
-    const double spread = x + 0.5708 * x * x * x + kBearingError;  // not below asin(x)
-    const double from = scratch.bearing[at] - spread, to = scratch.bearing[at] + spread;
+    const double distance = scratch.distance[at], radius = scratch.radius[at];
     const std::span<const Vec2> polygon(solids.p.data() + disc.first_vertex, disc.vertices);
     const auto seen = number_of(disc.row);
     if (disc.convex == 0) {
       project_edges(polygon, rotation, seen, row);
-    } else if ((x < 1) & (row.half <= geom::kPi) & (from > -geom::kPi) & (to < geom::kPi)) {
-      if (to >= -row.half && from <= row.half)
-        in_vectors<project_facing>(row, polygon.data(), polygon.size(), seen, distance - radius,
-                                   distance + radius, row.beam_right_of(from), row.beam_left_of(to));
-    } else if (x < 1) {
-      each_turn(row, from, to, [&](std::size_t first, std::size_t last) {
+    } else if (scratch.last[at] >= 0) {
+      in_vectors<project_facing>(row, polygon.data(), polygon.size(), seen, distance - radius,
+                                 distance + radius, static_cast<std::size_t>(scratch.first[at]),
+                                 static_cast<std::size_t>(scratch.last[at]));
+    } else if (radius < distance) {
+      const double bearing = scratch.bearing[at];
+      double spread;
+      find_spread(radius / distance, spread);
+      each_turn(row, bearing - spread, bearing + spread, [&](std::size_t first, std::size_t last) {
         in_vectors<project_body>(row, polygon.data(), polygon.size(), seen, first, last);
       });
     } else {

@@ -55,11 +55,11 @@ void RangerSense::populate(const world::World& world, const Solids& solids) {
 
 void RangerSense::Scratch::make_room(std::size_t beams, const Solids& solids) {
   for (std::vector<double>* column : {&range, &solid, &beam_x, &beam_y}) column->resize(beams + Scan::kSpare);
-  const std::size_t bodies = solids.moving() + 1;
-  for (std::vector<double>* column : {&x, &y, &distance, &bearing}) column->resize(bodies);
+  const std::size_t bodies = solids.moving() + kFour;  // four at a time
+  for (std::vector<double>* column : {&x, &y, &distance, &bearing, &radius}) column->resize(bodies);
   place.resize(bodies);
   order.resize(bodies);
-  ring.resize(bodies);
+  for (std::vector<std::int32_t>* column : {&ring, &first, &last}) column->resize(bodies);
   met_by.resize(bodies);
   stamp.assign(solids.first_vertex[solids.fixed], 0);
   scans = 0;

@@ -37,11 +37,11 @@ class RangerSense final : public SensePhase {
     std::size_t first_beam = 0;          // of the ranger that is measured
     Rays rays;                           // still to go through the walls
     // Moving solids near the ranger: centres from it along W's axes, then along its own; places in the index.
-    std::vector<double> x, y, distance, bearing;  // m, m, m, rad
+    std::vector<double> x, y, distance, bearing, radius;  // m, m, m, rad, m
     std::vector<std::uint32_t> place, order;
-    std::vector<std::int32_t> ring;
-    std::vector<std::uint16_t> met_by;  // bit k: ray k of a bundle may meet it
-    std::vector<std::uint64_t> stamp;   // last scan that saw a wall edge (edges)
+    std::vector<std::int32_t> ring, first, last;  // the last two: beams
+    std::vector<std::uint16_t> met_by;            // bit k: ray k of a bundle may meet it
+    std::vector<std::uint64_t> stamp;             // last scan that saw a wall edge (edges)
     std::uint64_t scans = 0;
 
     void make_room(std::size_t beams, const Solids& solids);
