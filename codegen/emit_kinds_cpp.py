@@ -19,7 +19,7 @@ BANNER = "// Generated from kinds/ by codegen (python3 -m codegen). Do not edit.
 TYPES = {
     "flag": "bool", "integer": "int", "count": "std::uint32_t", "number": "double", "length": "double",
     "angle": "double", "text": "std::string", "texts": "std::vector<std::string>", "pose": "geom::Pose",
-    "size": "geom::Size", "point": "geom::Vec2", "twist": "geom::Twist", "color": "Color",
+    "size": "geom::Size", "point": "geom::Vec2", "twist": "geom::Twist", "color": "Color", "colors": "std::vector<Color>",
 }
 # Properties::NAME(word, what the member has) for these.
 READERS = {"flag": "flag", "integer": "integer", "number": "number", "length": "length", "angle": "angle", "text": "text",
@@ -218,6 +218,8 @@ def _read(word: Word) -> list[str]:
         return [f"{to} = properties.{READERS[word.type]}({key}, {to});"]
     if word.type == "texts":
         return [f"{to} = read_texts(properties, {key});"]
+    if word.type == "colors":
+        return [f"{to} = read_colors(properties, {key});"]
     if word.type == "color":
         return [f"{to} = properties.color({to}, row);"]
     if word.type == "pose":
@@ -253,6 +255,9 @@ def _read_tuple(word: Word) -> list[str]:
         chain = [f"{word.ascending_from}", *(f"{word.name}[{i}]" for i in range(len(word.parts)))]
         good = " && ".join(f"{a} <= {b}" for a, b in zip(chain, chain[1:]))
         lines.append(f"require({good}, properties, {_text(word.name)}, {_text('needs ' + limits_text(word))});")
+    if word.max is not None:
+        good = " && ".join(f"{word.name}[{i}] >= {word.min} && {word.name}[{i}] <= {word.max}" for i in range(len(word.parts)))
+        lines.append(f"require({good}, properties, {_text(word.name)}, {_text('needs numbers ' + limits_text(word))});")
     for i, part in enumerate(word.parts):
         value = f"{word.name}[{i}]"
         value = f"geom::radians({value})" if part.unit == "deg" and part.scale == "N" else value

@@ -13,7 +13,7 @@ USES = ("read", "later")  # words without an entry of their own are `silent` and
 # length and angle, N is a plain number.
 SHAPES = {
     "flag": ("", "N"), "integer": ("", "N"), "count": ("", "N"), "number": ("", "N"), "length": ("", "L"),
-    "angle": ("", "A"), "text": ("", ""), "texts": ("", ""), "choice": ("", ""), "color": ("", ""),
+    "angle": ("", "A"), "text": ("", ""), "texts": ("", ""), "choice": ("", ""), "color": ("", ""), "colors": ("", ""),
     "pose": ("x y z heading", "LLLA"), "size": ("x y z", "LLL"), "point": ("x y", "NN"), "twist": ("x y z heading", "LLLA"),
     "bounds": ("xmin xmax ymin ymax zmin zmax amin amax", "LLLLLLAA"), "rgba": ("red green blue alpha", "NNNN"),
     "tuple": (None, None),
@@ -195,7 +195,7 @@ def _unit(where: str, out: Word, simulated: bool) -> None:
 def _default(where: str, out: Word, simulated: bool) -> None:
     value = out.default
     if value is None:
-        told = out.default_text or out.optional or out.type == "texts"
+        told = out.default_text or out.optional or out.type in ("texts", "colors")
         if simulated and out.has_member and not told:
             raise SchemaError(f"{where}: default is missing (default_text, where it is no value)")
         return
@@ -230,7 +230,11 @@ def _within(out: Word, value: float) -> bool:
 def _limits(where: str, out: Word) -> None:
     for key in ("min", "above", "max"):
         if getattr(out, key) is not None:
-            _only_of(where, out, key, NUMBERS)
+            _only_of(where, out, key, NUMBERS | {"tuple"})
+    if out.type == "tuple" and (out.above, out.min is None) != (None, out.max is None):
+        raise SchemaError(f"{where}: the numbers of a tuple have both a min and a max")
+    if out.type == "tuple":
+        return
     if out.above not in (None, 0) or (out.min not in (None, 0) and out.type != "count"):
         raise SchemaError(f"{where}: a limit other than 0 is for a count, which has no unit")
     if out.max is not None and (out.type != "count" or out.min is None):

@@ -6,6 +6,7 @@
 
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
+#include "playhouse/scene/colors.h"
 
 namespace playhouse::scene {
 namespace {
@@ -66,6 +67,20 @@ std::vector<std::string> read_texts(const Properties& properties, std::string_vi
   std::vector<std::string> texts = properties.texts(key);
   std::erase(texts, "");
   return texts;
+}
+
+std::vector<Color> read_colors(const Properties& properties, std::string_view key) {
+  std::vector<Color> colors;
+  for (const std::string& name : read_texts(properties, key)) {
+    if (const std::optional<Color> known = color_by_name(name)) {
+      colors.push_back(*known);
+    } else {
+      properties.state().warnings.add(Warning::kColor, properties.where(key),
+                                      "unknown color " + in_quotes(name) + ", it is left out",
+                                      [&name] { return color_hint(name); });
+    }
+  }
+  return colors;
 }
 
 geom::Vec2 read_point(const Properties& properties, std::string_view key, geom::Vec2 otherwise) {

@@ -36,6 +36,9 @@ std::size_t read_choice(const Properties& properties, std::string_view key,
 /// All texts of a tuple but empty ones.
 std::vector<std::string> read_texts(const Properties& properties, std::string_view key);
 
+/// The colors of all names of a tuple; those of unknown names are left out with a warning.
+std::vector<Color> read_colors(const Properties& properties, std::string_view key);
+
 /// [x y], as they are.
 geom::Vec2 read_point(const Properties& properties, std::string_view key, geom::Vec2 otherwise);
 

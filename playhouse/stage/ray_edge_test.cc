@@ -37,7 +37,8 @@ double entry_alone(std::span<const Vec2> polygon, const Ray& ray) {
 Hit look(const Solids& solids, const Ray& ray) {
   Hit hit{ray.range, world::ModelRow::kNone};
   for (std::uint32_t row = 0; row < solids.size(); ++row) {
-    if ((solids.seen_by[row] & ray.by) == 0 || solids.root[row] == ray.root || !at_height(solids, row, ray.z))
+    if ((solids.seen_by[row] & ray.by) == 0 || solids.root[row] == ray.root ||
+        !at_height(solids, row, ray.z_low, ray.z_high))
       continue;
     const std::span<const Vec2> polygon = solids.polygon(row);
     double t = -1;
@@ -87,7 +88,7 @@ class Paths {
       const RangerKind& kind = kinds.kinds[kinds.of_ranger[ranger]];
       const std::uint32_t first = world_.sensors.first_beam[world_.rangers.first_sensor[ranger]];
       const auto ray = [&](Vec2 p, Vec2 d, double z, double range) {
-        return Ray{p, d, X_WM.z + z, range, bit(Observer::kRanger), world_.models.root[model]};
+        return Ray{p, d, X_WM.z + z, X_WM.z + z, range, bit(Observer::kRanger), world_.models.root[model]};
       };
       for (const Scan& scan : kind.scans) {
         const Pose X_WS = geom::compose(X_WM, scan.X_MS);

@@ -11,7 +11,7 @@ bool in_sight(const Space& space, Vec2 from, double z, Vec2 to, double distance,
               std::uint32_t target) {
   if (distance <= 0) return true;
   const Vec2 d = (1.0 / distance) * (to - from);
-  const Hit hit = cast(space, {from, d, z, distance, bit(Observer::kFiducial), own, target});
+  const Hit hit = cast(space, {from, d, z, z, distance, bit(Observer::kFiducial), own, target});
   return hit.solid == world::ModelRow::kNone;
 }
 

@@ -171,8 +171,8 @@ void RangerSense::run_jitter(const Space& space, const View& view, const Jitter&
                              Scratch& scratch) {
   const Pose X_WS = geom::compose(view.X_WM, jitter.X_MS);
   const Rotation ahead = Rotation::of(X_WS.a + bearing);
-  const Hit hit = cast(
-      space, {X_WS.xy(), {ahead.c, ahead.s}, view.X_WM.z + jitter.z, jitter.range_max, View::kBy, view.root});
+  const double z = view.X_WM.z + jitter.z;
+  const Hit hit = cast(space, {X_WS.xy(), {ahead.c, ahead.s}, z, z, jitter.range_max, View::kBy, view.root});
   scratch.range[scratch.first_beam + jitter.beam] = hit.range;
   scratch.solid[scratch.first_beam + jitter.beam] =
       hit.solid == world::ModelRow::kNone ? kNoSolid : number_of(hit.solid);

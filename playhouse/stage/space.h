@@ -39,7 +39,8 @@ inline DiscIndex::Disc disc_of(const Solids& solids, std::size_t row) {
 
 struct Ray {
   Vec2 p, d;               // from p towards the unit vector d, in W
-  double z = 0;            // m
+  double z_low = 0;        // m; what is at any height up to z_high is met
+  double z_high = 0;       // m
   double range = 0;        // m
   Observers by = 0;        // whoever looks: solids that none of them sees are passed through
   std::uint32_t root = 0;  // so are models of this tree
@@ -51,8 +52,11 @@ struct Hit {
   std::uint32_t solid = world::ModelRow::kNone;  // row of Solids, or kNone
 };
 
+inline bool at_height(const Solids& solids, std::size_t row, double z_low, double z_high) {
+  return solids.z_min[row] <= z_high && z_low <= solids.z_max[row];
+}
 inline bool at_height(const Solids& solids, std::size_t row, double z) {
-  return solids.z_min[row] <= z && z <= solids.z_max[row];
+  return at_height(solids, row, z, z);
 }
 
 /// The first solid that the ray meets, by the rule of ray_edge.h.
