@@ -10,14 +10,23 @@
 #include "playhouse/drivers/simulated/device_factory.h"
 #include "playhouse/drivers/simulated/model_interfaces.h"
 #include "playhouse/drivers/simulated/simulated_driver.h"
+#include "playhouse/scene/kinds.h"
 #include "playhouse/wire/generated/simulation.h"
 
 namespace playhouse::drivers {
 namespace {
 
-/// Interfaces that Stage's driver had and this one has not yet: such a device is left out with a warning.
-constexpr std::array<std::string_view, 8> kNotYet = {"blobfinder", "gripper", "bumper",     "actarray",
-                                                     "camera",     "speech",  "graphics2d", "graphics3d"};
+/// Interfaces that Stage's driver has for any model, and this one not yet.
+constexpr std::array<std::string_view, 3> kOfAnyModel = {"speech", "graphics2d", "graphics3d"};
+
+/// Those that it has besides are of kinds that are not simulated yet; such a device is left out with a warning.
+bool is_for_later(std::string_view interf) {
+  const auto has_it = [=](const scene::Kind& kind) {
+    return std::ranges::find(kind.interfaces, interf, &scene::KindInterface::name) != kind.interfaces.end();
+  };
+  return std::ranges::find(kOfAnyModel, interf) != kOfAnyModel.end() ||
+         std::ranges::any_of(scene::kinds(), has_it);
+}
 
 Result<void> open_world(const scene::CfgSection& section, Site& site) {
   section.text("plugin",
@@ -76,7 +85,7 @@ Result<void> add_device(const scene::CfgSection& section, const scene::DeviceAdd
   const Result<device::Address> address = site.resolve(provided);
   if (!address) return Error{section.at("provides"), address.error().text};
   if (!is_simulated(address->interf)) {
-    if (std::ranges::find(kNotYet, provided.interf) == kNotYet.end()) {
+    if (!is_for_later(provided.interf)) {
       return Error{section.at("provides"),
                    fmt::format("driver \"stage\" has no interface {}", in_quotes(provided.interf))};
     }
