@@ -160,9 +160,13 @@ PLAYHOUSE_INLINE void project_facing(const Row& row, const Vec2* __restrict poly
     return;
   }
   for (std::size_t i = 0; i < corners; i += kFour) {
-    std::memcpy(u + corners + i, u + i, sizeof(Four));
-    std::memcpy(v + corners + i, v + i, sizeof(Four));
-    std::memcpy(area + corners + i, area + i, sizeof(Four));
+    Four us, vs, areas;
+    load(us, u + i);
+    load(vs, v + i);
+    load(areas, area + i);
+    store(u + corners + i, us);
+    store(v + corners + i, vs);
+    store(area + corners + i, areas);
   }
   const auto begin = static_cast<std::size_t>(std::countr_zero(begins)),
              end = begin + static_cast<std::size_t>(std::popcount(faces));
