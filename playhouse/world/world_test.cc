@@ -13,6 +13,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "playhouse/scene/kinds.h"
 #include "playhouse/world/columns.h"
 #include "playhouse/world/state.h"
 #include "playhouse/world/values.h"
@@ -211,10 +212,20 @@ T& first_of(SharedColumn<T>& values) {
   return values.own(0);
 }
 
-/// small_scene() with a fiducial finder on the robot, which sees one thing.
+/// small_scene() with a model of every further kind on the robot, of which each sees one thing.
 class EveryColumn : public ::testing::Test {
  protected:
-  EveryColumn() { world.fiducials.hits[0].emplace_back(); }
+  EveryColumn() { see_one_thing(world); }
+
+  static void see_one_thing(World& world) {
+    each_column(
+        [](const auto& column, auto& values) {
+          using Value = typename std::remove_cvref_t<decltype(values)>::value_type;
+          if constexpr (kIsList<Value> && !std::is_same_v<Value, std::string>)
+            if (column.role == Role::kSensed) values[0].emplace_back();
+        },
+        world);
+  }
 
   /// The values of a column, whichever table it is of.
   template <typename Table, typename Values>
@@ -231,14 +242,25 @@ class EveryColumn : public ::testing::Test {
 
   static scene::SceneDesc make_scene() {
     scene::SceneDesc scene = small_scene();
-    scene::ModelDesc finder;
-    finder.kind = scene::ModelKind::kFiducial;
-    finder.parent = 0;
-    scene.models.insert(scene.models.begin() + 2, finder);
+    auto place = scene.models.begin() + 2;
+    for (const scene::Kind& kind : scene::kinds()) {
+      const bool is_there = scene::ModelKind::kPlain == kind.kind ||
+                            kind.kind == scene::ModelKind::kPosition ||
+                            kind.kind == scene::ModelKind::kRanger;
+      if (kind.entity != scene::EntityForm::kModel || !kind.simulated || is_there) continue;
+      scene::ModelDesc model;
+      model.kind = kind.kind;
+      model.parent = 0;
+      place = scene.models.insert(place, model) + 1;
+    }
     return scene;
   }
+  /// Controllers read every part of the robot.
+  static void control_parts(World& w) {
+    for (std::uint32_t row = 1; row < w.models.size(); ++row)
+      if (w.models.parent[row] == 0) subscribe_controller(w, {row});
+  }
 
-  static constexpr ModelRow kRanger{1}, kFinder{2};
   const scene::SceneDesc scene = make_scene();
   World world{scene, 1};
 };
@@ -273,7 +295,7 @@ TEST_F(EveryColumn, is_seen_by_the_hash_that_its_role_names) {
         world);
   };
   expect_seen(false);
-  for (const ModelRow model : {kRanger, kFinder}) subscribe_controller(world, model);
+  control_parts(world);
   expect_seen(true);
   const std::uint64_t before = world.hash();
   world.tick_ = 1;
@@ -294,13 +316,13 @@ TEST_F(EveryColumn, says_its_unit_and_frame_where_it_has_one) {
 /// For every column and every part of its first value: save, load and comparison keep what the role says.
 TEST_F(EveryColumn, is_saved_loaded_and_compared_as_its_role_says) {
   const auto prepare = [](World& w) {
-    for (const ModelRow model : {kRanger, kFinder}) subscribe_controller(w, model);
+    control_parts(w);
     w.tick_ = 5;
   };
   prepare(world);
   World original(scene, 1);
   prepare(original);
-  original.fiducials.hits[0].emplace_back();
+  see_one_thing(original);
   each_column(
       [&](const auto& column, auto& values) {
         if (column.role == Role::kPopulation) return;  // population_test.cc

@@ -1,5 +1,6 @@
 #include "playhouse/drivers/simulated/auto_map.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <set>
@@ -7,6 +8,7 @@
 #include "playhouse/drivers/simulated/device_factory.h"
 #include "playhouse/drivers/simulated/model_interfaces.h"
 #include "playhouse/drivers/testing/still_engine.h"
+#include "playhouse/scene/kinds.h"
 #include "playhouse/wire/messages.h"
 
 namespace playhouse::drivers {
@@ -87,8 +89,10 @@ position( name "b" fiducial( name "f" ) laser( name "l" ) laser( name "m" ) sona
 }
 
 TEST(AutoMap, every_interface_of_what_is_simulated_has_a_device) {
-  testing::StillSimulation still(std::string(kMacros) +
-                                 "position( laser( ) sonars( ) fiducial( ) ) model( )");
+  std::string text = std::string(kMacros) + "position( laser( ) sonars( ) )";
+  for (const scene::Kind& kind : scene::kinds())
+    if (kind.entity == scene::EntityForm::kModel && kind.simulated) text += fmt::format(" {}( )", kind.name);
+  testing::StillSimulation still(text);
   AutoMap map;
   std::set<std::uint16_t> made, simulated;
   for (const MappedDevice& device : map.of_world(still.world())) {

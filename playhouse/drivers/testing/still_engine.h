@@ -13,6 +13,7 @@
 
 #include "playhouse/drivers/simulated/simulation.h"
 #include "playhouse/scene/world_loader.h"
+#include "playhouse/world/columns.h"
 
 namespace playhouse::drivers::testing {
 
@@ -29,8 +30,10 @@ class StillEngine final : public world::Engine {
   explicit StillEngine(const scene::SceneDesc& scene) : world_(scene, 1) {}
   void step() override {
     ++world_.tick_;
-    for (std::uint64_t& tick : world_.rangers.measured_tick) tick = world_.tick_;
-    for (std::uint64_t& tick : world_.fiducials.measured_tick) tick = world_.tick_;
+    world::each_kind_table([&]<typename Table>(Table world::Tables::*table) {
+      if constexpr (requires(Table rows) { rows.measured_tick; })
+        for (std::uint64_t& tick : (world_.*table).measured_tick) tick = world_.tick_;
+    });
   }
   world::World& world() override { return world_; }
   std::uint64_t rays() const override { return 0; }
