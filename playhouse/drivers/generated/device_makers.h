@@ -16,6 +16,7 @@ std::unique_ptr<SimulatedDevice> make_ranger_device(Simulation& simulation, worl
 std::unique_ptr<SimulatedDevice> make_laser_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_sonar_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_fiducial_device(Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_blobfinder_device(Simulation& simulation, world::ModelRow model);
 
 struct DeviceMaker {
   std::uint16_t interf;
@@ -27,6 +28,7 @@ inline constexpr DeviceMaker kDeviceMakers[] = {
     {6, make_laser_device},
     {5, make_sonar_device},
     {10, make_fiducial_device},
+    {7, make_blobfinder_device},
 };
 
 }  // namespace playhouse::drivers

@@ -11,6 +11,7 @@
 #include "playhouse/drivers/simulated/device_factory.h"
 #include "playhouse/drivers/simulated/simulated_driver.h"
 #include "playhouse/drivers/testing/still_engine.h"
+#include "playhouse/wire/generated/blobfinder.h"
 #include "playhouse/wire/generated/fiducial.h"
 #include "playhouse/wire/generated/laser.h"
 #include "playhouse/wire/generated/position2d.h"
@@ -35,6 +36,7 @@ position( name "r0" pose [1 2 0 90] size [0.44 0.38 0.22] origin [-0.04 0 0 0] f
     sensor( pose [0.2 0.1 0 90] range [0 5] fov 15 samples 2 )
     sensor( pose [0.2 -0.1 0 -90] range [0 5] fov 15 ) )
   fiducial( name "finder" range_max 6 fov 90 )
+  blobfinder( name "camera" colors_count 2 colors [ "blue" "red" ] image [100 40] )
 )
 )";
 
@@ -311,6 +313,25 @@ TEST_F(SonarDevice, publishes_one_range_per_transducer_and_where_they_are) {
   ASSERT_EQ(geom.poses.size(), 2u);
   EXPECT_NEAR(geom.poses[1].py, -0.1, 1e-12);
   EXPECT_NEAR(geom.poses[1].pyaw, -pi / 2, 1e-9);
+}
+
+TEST_F(Device, a_blob_becomes_a_box_of_pixels_in_its_color) {
+  open(wire::blobfinder::kCode, "r0.camera");
+  still_.world().blobfinders.blobs[0] = {{{1, 0, 0.5f, 0.2f}, 1, 10, 19, 15, 24, 2.5}};
+  still_.run(1);
+  const auto data = last<wire::blobfinder::Data>(wire::blobfinder::kDataBlobs);
+  EXPECT_EQ(data.width, 100u);
+  EXPECT_EQ(data.height, 40u);
+  ASSERT_EQ(data.blobs.size(), 1u);
+  const wire::blobfinder::Blob& blob = data.blobs[0];
+  EXPECT_EQ(blob.id, 1u);
+  EXPECT_EQ(blob.color, 0xFF0080u);
+  EXPECT_EQ(blob.area, 100u);
+  EXPECT_EQ(blob.x, 14u);
+  EXPECT_EQ(blob.y, 19u);
+  EXPECT_EQ(blob.left, 10u);
+  EXPECT_EQ(blob.bottom, 24u);
+  EXPECT_EQ(blob.range, 2.5f);
 }
 
 TEST_F(FiducialDevice, a_hit_becomes_a_pose_in_the_finders_frame) {

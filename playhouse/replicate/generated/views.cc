@@ -34,12 +34,25 @@ bool capture_fiducial(const world::World& world, std::uint32_t row, std::vector<
   return true;
 }
 
+bool capture_blobfinder(const world::World& world, std::uint32_t row, std::vector<std::int32_t>& out) {
+  if (world.blobfinders.measured_tick[row] == 0) return false;
+  for (const auto& item : world.blobfinders.blobs[row]) {
+    out.push_back(static_cast<std::int32_t>(quantize_color(item.color)));
+    out.push_back(static_cast<std::int32_t>(item.left));
+    out.push_back(static_cast<std::int32_t>(item.right));
+    out.push_back(quantize(item.range, 1000));
+  }
+  return true;
+}
+
 constexpr Code kCodesOfPosition[] = {Code::kZigzag, Code::kZigzag, Code::kZigzag, Code::kZigzag, Code::kZigzag, Code::kTurn};
 constexpr Code kCodesOfFiducial[] = {Code::kVarint, Code::kZigzag, Code::kVarint, Code::kTurn, Code::kTurn};
+constexpr Code kCodesOfBlobfinder[] = {Code::kRgba, Code::kVarint, Code::kVarint, Code::kVarint};
 
-constexpr View kViews[2] = {
+constexpr View kViews[3] = {
     {scene::ModelKind::kPosition, When::kSelected, false, kCodesOfPosition, capture_position},
     {scene::ModelKind::kFiducial, When::kShown, true, kCodesOfFiducial, capture_fiducial},
+    {scene::ModelKind::kBlobfinder, When::kShown, true, kCodesOfBlobfinder, capture_blobfinder},
 };
 
 }  // namespace
@@ -64,6 +77,7 @@ bool measures(scene::ModelKind kind) {
   switch (kind) {
     case scene::ModelKind::kRanger:
     case scene::ModelKind::kFiducial:
+    case scene::ModelKind::kBlobfinder:
       return true;
     default:
       return false;
@@ -98,6 +112,13 @@ void tell_fiducial(const scene::ModelDesc& model, std::string& text) {
   fmt::format_to(std::back_inserter(text), ",\"fov\":{}", number(model.fiducial->fov));
 }
 
+void tell_blobfinder(const scene::ModelDesc& model, std::string& text) {
+  if (!model.blobfinder) return;
+  fmt::format_to(std::back_inserter(text), ",\"fov\":{}", number(model.blobfinder->fov));
+  fmt::format_to(std::back_inserter(text), ",\"pan\":{}", number(model.blobfinder->pan));
+  text += ",\"image\":[" + number(model.blobfinder->width) + ',' + number(model.blobfinder->height) + "]";
+}
+
 }  // namespace
 
 void tell_kind(const scene::ModelDesc& model, std::string& text) {
@@ -110,6 +131,9 @@ void tell_kind(const scene::ModelDesc& model, std::string& text) {
       break;
     case scene::ModelKind::kFiducial:
       tell_fiducial(model, text);
+      break;
+    case scene::ModelKind::kBlobfinder:
+      tell_blobfinder(model, text);
       break;
     default:
       break;
@@ -126,6 +150,8 @@ std::string_view kind_name(scene::ModelKind kind) {
       return "ranger";
     case scene::ModelKind::kFiducial:
       return "fiducial";
+    case scene::ModelKind::kBlobfinder:
+      return "blobfinder";
   }
   return "";
 }

@@ -20,6 +20,7 @@ enum class ModelKind : std::uint8_t {
   kPosition = 1,
   kRanger = 2,
   kFiducial = 3,
+  kBlobfinder = 4,
 };
 
 /// A plain body; its words are those of every model, whatever its kind.
@@ -106,6 +107,25 @@ struct FiducialDesc {
   friend bool operator==(const FiducialDesc&, const FiducialDesc&) = default;
 };
 
+/// A camera that finds patches of a colour.
+struct BlobfinderDesc {
+  /// How many of the colors it looks for; 0: all that it names, and any color if it names none.
+  std::uint32_t colors_count = 0;
+  /// The names of the colors that it looks for.
+  std::vector<Color> colors;
+  /// The size of the image. [px]
+  double width = 80;
+  double height = 60;
+  /// How far it sees. [m]
+  double range = 12;
+  /// The field of view, half to each side. [rad]
+  double fov = geom::radians(60);
+  /// How far it is turned to the left. [rad]
+  double pan = 0;
+
+  friend bool operator==(const BlobfinderDesc&, const BlobfinderDesc&) = default;
+};
+
 /// One transducer or scanner of a ranger.
 struct RangerSensorDesc {
   /// Where the sensor is in the ranger. [frame X_BS, m, m, m, rad]
@@ -171,6 +191,7 @@ struct KindDescs {
   std::optional<PositionDesc> position;  // kPosition
   std::vector<RangerSensorDesc> sensors;  // kRanger
   std::optional<FiducialDesc> fiducial;  // kFiducial
+  std::optional<BlobfinderDesc> blobfinder;  // kBlobfinder
 
   friend bool operator==(const KindDescs&, const KindDescs&) = default;
 };

@@ -107,6 +107,24 @@ constexpr KindInterface kInterfacesOfFiducial[1] = {
     {"fiducial", 10, Index::kCount, Need::kNothing, Need::kNothing},
 };
 
+constexpr Word kWordsOfBlobfinder[11] = {
+    {.name = "colors_count", .use = Use::kRead, .type = "count", .otherwise = "0", .limits = "from 0 to 256", .doc = "How many of the colors it looks for; 0: all that it names, and any color if it names none."},
+    {.name = "colors", .use = Use::kRead, .type = "colors", .doc = "The names of the colors that it looks for."},
+    {.name = "image", .use = Use::kRead, .type = "tuple", .form = "[width height]", .unit = "px", .otherwise = "[80 60]", .limits = "from 1 to 4096", .doc = "The size of the image."},
+    {.name = "range", .use = Use::kRead, .type = "number", .unit = "m", .otherwise = "12", .limits = "not negative", .doc = "How far it sees."},
+    {.name = "fov", .use = Use::kRead, .type = "angle", .unit = "deg", .otherwise = "60", .limits = "not negative", .doc = "The field of view, half to each side."},
+    {.name = "pan", .use = Use::kRead, .type = "angle", .unit = "deg", .otherwise = "0", .doc = "How far it is turned to the left."},
+    {.name = "channel_count", .use = Use::kOld, .instead = "write colors_count"},
+    {.name = "channels", .use = Use::kOld, .instead = "write colors"},
+    {.name = "channels_count", .use = Use::kOld, .instead = "write colors_count"},
+    {.name = "range_max", .use = Use::kOld, .instead = "write range"},
+    {.name = "ptz", .use = Use::kOld},
+};
+
+constexpr KindInterface kInterfacesOfBlobfinder[1] = {
+    {"blobfinder", 7, Index::kCount, Need::kNothing, Need::kNothing},
+};
+
 constexpr Word kWordsOfActuator[6] = {
     {.name = "type", .use = Use::kSilent, .type = "choice", .form = "\"linear\" | \"rotational\"", .otherwise = "\"linear\"", .doc = "How it moves. \"linear\": it slides; \"rotational\": it turns."},
     {.name = "axis", .use = Use::kSilent, .type = "tuple", .form = "[x y z]", .otherwise = "[0 0 0]", .doc = "The direction in which it slides."},
@@ -128,24 +146,6 @@ constexpr Word kWordsOfBlinkenlight[3] = {
 
 constexpr KindInterface kInterfacesOfBlinkenlight[1] = {
     {"blinkenlight", 33, Index::kCount, Need::kNothing, Need::kNothing},
-};
-
-constexpr Word kWordsOfBlobfinder[11] = {
-    {.name = "colors_count", .use = Use::kSilent, .type = "count", .otherwise = "0", .limits = "not negative", .doc = "How many colors it looks for; 0: any."},
-    {.name = "colors", .use = Use::kSilent, .type = "texts", .doc = "The names of the colors that it looks for."},
-    {.name = "image", .use = Use::kSilent, .type = "tuple", .form = "[width height]", .unit = "px", .otherwise = "[80 60]", .doc = "The size of the image."},
-    {.name = "range", .use = Use::kSilent, .type = "number", .unit = "m", .otherwise = "12", .doc = "How far it sees."},
-    {.name = "fov", .use = Use::kSilent, .type = "angle", .unit = "deg", .otherwise = "60", .doc = "The field of view, half to each side."},
-    {.name = "pan", .use = Use::kSilent, .type = "angle", .unit = "deg", .otherwise = "0", .doc = "How far it is turned to the left."},
-    {.name = "channel_count", .use = Use::kOld, .instead = "write colors_count"},
-    {.name = "channels", .use = Use::kOld, .instead = "write colors"},
-    {.name = "channels_count", .use = Use::kOld, .instead = "write colors_count"},
-    {.name = "range_max", .use = Use::kOld, .instead = "write range"},
-    {.name = "ptz", .use = Use::kOld},
-};
-
-constexpr KindInterface kInterfacesOfBlobfinder[1] = {
-    {"blobfinder", 7, Index::kCount, Need::kNothing, Need::kNothing},
 };
 
 constexpr Word kWordsOfBumper[3] = {
@@ -292,9 +292,9 @@ constexpr Kind kKinds[15] = {
     {.name = "position", .doc = "A robot that drives in the plane.", .entity = EntityForm::kModel, .table = "positions", .kind = ModelKind::kPosition, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfPosition, .interfaces = kInterfacesOfPosition},
     {.name = "ranger", .doc = "Range finders of any kind: a laser has one sensor with many samples, a ring of sonars many with one.", .entity = EntityForm::kModel, .table = "rangers", .kind = ModelKind::kRanger, .simulated = true, .solid = false, .size = {0.15, 0.15, 0.2}, .color = {0, 0, 0.5f, 1}, .words = kWordsOfRanger, .interfaces = kInterfacesOfRanger},
     {.name = "fiducial", .doc = "A finder of marks: sees models with a fiducial_return and tells which they are and where.", .entity = EntityForm::kModel, .table = "fiducials", .kind = ModelKind::kFiducial, .simulated = true, .solid = false, .size = {0, 0, 0}, .color = {1, 0, 0, 1}, .words = kWordsOfFiducial, .interfaces = kInterfacesOfFiducial},
+    {.name = "blobfinder", .doc = "A camera that finds patches of a colour.", .entity = EntityForm::kModel, .table = "blobfinders", .kind = ModelKind::kBlobfinder, .simulated = true, .solid = false, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfBlobfinder, .interfaces = kInterfacesOfBlobfinder},
     {.name = "actuator", .doc = "A joint that slides or turns what it carries.", .entity = EntityForm::kModel, .simulated = false, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfActuator, .interfaces = kInterfacesOfActuator},
     {.name = "blinkenlight", .doc = "A lamp that can blink.", .entity = EntityForm::kModel, .simulated = false, .solid = true, .size = {0.02, 0.02, 0.02}, .color = {0, 1, 0, 1}, .words = kWordsOfBlinkenlight, .interfaces = kInterfacesOfBlinkenlight},
-    {.name = "blobfinder", .doc = "A camera that finds patches of a colour.", .entity = EntityForm::kModel, .simulated = false, .solid = false, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfBlobfinder, .interfaces = kInterfacesOfBlobfinder},
     {.name = "bumper", .doc = "Switches that feel a touch.", .entity = EntityForm::kModel, .simulated = false, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfBumper, .interfaces = kInterfacesOfBumper},
     {.name = "camera", .doc = "A camera that takes images of the scene.", .entity = EntityForm::kModel, .simulated = false, .solid = true, .size = {0.1, 0.07, 0.05}, .color = {0, 0, 0, 1}, .words = kWordsOfCamera, .interfaces = kInterfacesOfCamera},
     {.name = "gripper", .doc = "Two paddles that close around a thing and carry it.", .entity = EntityForm::kModel, .simulated = false, .solid = true, .size = {0.2, 0.3, 0.2}, .color = {0.3f, 0.3f, 0.3f, 1}, .words = kWordsOfGripper, .interfaces = kInterfacesOfGripper},

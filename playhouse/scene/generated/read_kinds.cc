@@ -33,6 +33,21 @@ void read(const Properties& properties, FiducialDesc& to) {
   to.ignore_zloc = properties.flag("ignore_zloc", to.ignore_zloc);
 }
 
+void read(const Properties& properties, BlobfinderDesc& to) {
+  to.colors_count = read_count(properties, "colors_count", to.colors_count, 0, 256);
+  to.colors = read_colors(properties, "colors");
+  double image[2] = {to.width, to.height};
+  properties.tuple("image", "NN", image, "[width height]");
+  require(image[0] >= 1 && image[0] <= 4096 && image[1] >= 1 && image[1] <= 4096, properties, "image", "needs numbers from 1 to 4096");
+  to.width = image[0];
+  to.height = image[1];
+  to.range = properties.number("range", to.range);
+  require(to.range >= 0, properties, "range", "must not be negative");
+  to.fov = properties.angle("fov", to.fov);
+  require(to.fov >= 0, properties, "fov", "must not be negative");
+  to.pan = properties.angle("pan", to.pan);
+}
+
 }  // namespace
 
 void read(const Properties& properties, std::size_t row, PlainDesc& to) {
@@ -108,6 +123,9 @@ void read_kind(const Properties& properties, ModelKind kind, KindDescs& to) {
     case ModelKind::kFiducial:
       read(properties, to.fiducial.emplace());
       break;
+    case ModelKind::kBlobfinder:
+      read(properties, to.blobfinder.emplace());
+      break;
     case ModelKind::kPlain:
     case ModelKind::kRanger:
       break;
@@ -120,6 +138,8 @@ bool is_described(ModelKind kind, const KindDescs& by) {
       return by.position.has_value();
     case ModelKind::kFiducial:
       return by.fiducial.has_value();
+    case ModelKind::kBlobfinder:
+      return by.blobfinder.has_value();
     default:
       return true;
   }

@@ -12,10 +12,12 @@ namespace playhouse::stage {
 /// `workers` is how many threads may measure at once.
 std::unique_ptr<SensePhase> make_ranger_sense(unsigned workers);
 std::unique_ptr<SensePhase> make_fiducial_sense(unsigned workers);
+std::unique_ptr<SensePhase> make_blobfinder_sense(unsigned workers);
 
 inline void add_senses(Senses& senses, unsigned workers) {
   senses.add(make_ranger_sense(workers));
   senses.add(make_fiducial_sense(workers));
+  senses.add(make_blobfinder_sense(workers));
 }
 
 }  // namespace playhouse::stage

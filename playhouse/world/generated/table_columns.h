@@ -43,6 +43,13 @@ inline constexpr auto kColumns<Fiducials> = std::tuple{
     Column{"fiducials.measured_tick", Role::kSensed, "", "", "sense", &Fiducials::measured_tick},
 };
 
+template <>
+inline constexpr auto kColumns<Blobfinders> = std::tuple{
+    Column{"blobfinders.model", Role::kDerived, "", "", "", &Blobfinders::model},
+    Column{"blobfinders.blobs", Role::kSensed, "", "", "sense", &Blobfinders::blobs},
+    Column{"blobfinders.measured_tick", Role::kSensed, "", "", "sense", &Blobfinders::measured_tick},
+};
+
 /// The kind whose models have a row each; of parts' tables there is none.
 template <typename Table>
 inline constexpr auto kKindOf = nullptr;
@@ -52,10 +59,12 @@ template <>
 inline constexpr scene::ModelKind kKindOf<Rangers> = scene::ModelKind::kRanger;
 template <>
 inline constexpr scene::ModelKind kKindOf<Fiducials> = scene::ModelKind::kFiducial;
+template <>
+inline constexpr scene::ModelKind kKindOf<Blobfinders> = scene::ModelKind::kBlobfinder;
 
-inline constexpr std::tuple kTables{&Tables::models, &Tables::positions, &Tables::rangers, &Tables::sensors, &Tables::fiducials};
+inline constexpr std::tuple kTables{&Tables::models, &Tables::positions, &Tables::rangers, &Tables::sensors, &Tables::fiducials, &Tables::blobfinders};
 
 /// Those of kinds: a row for each model of the kind, in the order of the models.
-inline constexpr std::tuple kKindTables{&Tables::positions, &Tables::rangers, &Tables::fiducials};
+inline constexpr std::tuple kKindTables{&Tables::positions, &Tables::rangers, &Tables::fiducials, &Tables::blobfinders};
 
 }  // namespace playhouse::world

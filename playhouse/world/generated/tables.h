@@ -16,6 +16,7 @@ using PositionRow = Row<struct PositionTable>;
 using RangerRow = Row<struct RangerTable>;
 using SensorRow = Row<struct SensorTable>;
 using FiducialRow = Row<struct FiducialTable>;
+using BlobfinderRow = Row<struct BlobfinderTable>;
 
 /// A robot that drives in the plane.
 struct Positions {
@@ -82,6 +83,38 @@ struct Fiducials {
   std::size_t size() const { return model.size(); }
 };
 
+/// A patch of one color. Pixels count from the top left corner of the image.
+struct Blob {
+  scene::Color color;  // As it is seen; its alpha says nothing.
+  std::uint32_t channel = 0;  // The place of the color among those that are looked for; 0 where any is.
+  std::uint32_t left = 0;  // Its first column. [px]
+  std::uint32_t right = 0;  // Its last column. [px]
+  std::uint32_t top = 0;  // Its first row. [px]
+  std::uint32_t bottom = 0;  // Its last row. [px]
+  double range = 0;  // The mean over its columns. [m]
+  friend bool operator==(const Blob&, const Blob&) = default;
+};
+
+/// Calls visit(part) for every part.
+template <typename Visit>
+void each_part(Blob& value, const Visit& visit) {
+  auto& [color, channel, left, right, top, bottom, range] = value;
+  visit(color), visit(channel), visit(left), visit(right), visit(top), visit(bottom), visit(range);
+}
+template <typename Visit>
+void each_part(const Blob& value, const Visit& visit) {
+  const auto& [color, channel, left, right, top, bottom, range] = value;
+  visit(color), visit(channel), visit(left), visit(right), visit(top), visit(bottom), visit(range);
+}
+
+/// A camera that finds patches of a colour.
+struct Blobfinders {
+  std::vector<ModelRow> model;  // The model that sees.
+  std::vector<std::vector<Blob>> blobs;  // What it sees, from right to left.
+  std::vector<std::uint64_t> measured_tick;  // Tick of the newest image; 0: none yet.
+  std::size_t size() const { return model.size(); }
+};
+
 /// The state, in columns; columns.h lists them all, with what each is to a run.
 struct Tables {
   Models models;
@@ -89,6 +122,7 @@ struct Tables {
   Rangers rangers;
   Sensors sensors;
   Fiducials fiducials;
+  Blobfinders blobfinders;
 };
 
 }  // namespace playhouse::world

@@ -2,7 +2,7 @@
 import type { Pose, Rgba } from '../scene';
 
 /** What a model is. */
-export type Kind = 'plain' | 'position' | 'ranger' | 'fiducial';
+export type Kind = 'plain' | 'position' | 'ranger' | 'fiducial' | 'blobfinder';
 
 /** Bits of a model's state; those of a kind count for models of that kind. */
 export const kBits = {
@@ -29,10 +29,19 @@ export interface FiducialView {
   heading: number; // rad, in (-pi, pi]
 }
 
+/** A camera that finds patches of a colour. SI units and radians. */
+export interface BlobfinderView {
+  color: number;
+  left: number;
+  right: number;
+  range: number; // m
+}
+
 /** Per kind, what comes of a model while somebody looks. */
 export interface Views {
   position: PositionView;
   fiducial: FiducialView[];
+  blobfinder: BlobfinderView[];
 }
 
 export type Code = 'varint' | 'zigzag' | 'turn' | 'rgba';
@@ -47,6 +56,7 @@ export interface ViewFormat {
 export const kViews: readonly ViewFormat[] = [
   { kind: 'position', list: false, fields: [['vx', 'zigzag', 0.001], ['vy', 'zigzag', 0.001], ['va', 'zigzag', 0.001], ['ox', 'zigzag', 0.001], ['oy', 'zigzag', 0.001], ['oa', 'turn', 1]] },
   { kind: 'fiducial', list: true, fields: [['target', 'varint', 1], ['id', 'zigzag', 1], ['range', 'varint', 0.001], ['bearing', 'turn', 1], ['heading', 'turn', 1]] },
+  { kind: 'blobfinder', list: true, fields: [['color', 'rgba', 1], ['left', 'varint', 1], ['right', 'varint', 1], ['range', 'varint', 0.001]] },
 ];
 
 /** One transducer or scanner of a ranger. */
@@ -65,4 +75,6 @@ export interface KindStart {
   sensors?: Sensor[]; // ranger
   range?: number; // m
   fov?: number; // rad
+  pan?: number; // rad
+  image?: [number, number]; // px
 }
