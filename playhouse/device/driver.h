@@ -63,7 +63,7 @@ class Replier {
 struct Publication {
   DeviceId device;
   std::uint8_t subtype = 0;     // of a DATA message
-  double timestamp = 0;         // s, strictly increasing per device and subtype
+  double timestamp = 0;         // s; one before the last of the device and subtype: time has gone back
   std::vector<std::byte> body;  // encoded once
 };
 

@@ -50,12 +50,14 @@ void Fanout::publish(const device::Publication& publication, device::Address add
 }
 
 double Fanout::next_timestamp(Channel& channel, const device::Publication& publication, double now) {
-  double timestamp = std::isfinite(publication.timestamp) ? publication.timestamp : now;
-  const auto [last, first] = channel.last_timestamp.try_emplace(publication.subtype, timestamp);
-  if (!first && timestamp <= last->second) {
-    timestamp = std::nextafter(last->second, std::numeric_limits<double>::infinity());
-  }
-  return last->second = timestamp;
+  const double told = std::isfinite(publication.timestamp) ? publication.timestamp : now;
+  const auto [entry, first] = channel.last.try_emplace(publication.subtype, Timestamps{told, told});
+  Timestamps& last = entry->second;
+  if (first) return told;
+  const bool went_back = told < last.told;
+  last.told = told;
+  if (went_back || told > last.sent) return last.sent = told;
+  return last.sent = std::nextafter(last.sent, std::numeric_limits<double>::infinity());
 }
 
 }  // namespace playhouse::server

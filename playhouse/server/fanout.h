@@ -37,16 +37,20 @@ class Fanout {
   std::size_t size() const { return channels_.size(); }
 
   /// Encodes the message if anybody reads the device, and delivers it in the order of joining. A timestamp
-  /// that does not increase is raised by the least step, because clients take equal ones for old data; one
-  /// that is no number becomes `now`. Data over limits::kBodyBytes goes to nobody and is logged once.
+  /// that repeats is raised by the least step, because clients take equal ones for old data; a lower one is
+  /// that of a time that has gone back, and one that is no number becomes `now`. Data over
+  /// limits::kBodyBytes goes to nobody and is logged once.
   void publish(const device::Publication& publication, device::Address address, double now);
 
   std::uint64_t messages_encoded() const { return encoded_; }
 
  private:
+  struct Timestamps {
+    double told = 0, sent = 0;
+  };
   struct Channel {
     std::vector<Reader*> readers;
-    std::map<std::uint8_t, double> last_timestamp;  // by subtype
+    std::map<std::uint8_t, Timestamps> last;  // by subtype
   };
   double next_timestamp(Channel& channel, const device::Publication& publication, double now);
 

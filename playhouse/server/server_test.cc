@@ -398,15 +398,26 @@ TEST_F(ServerTest, purges_the_data_of_a_closed_device) {
   EXPECT_EQ(outline(client.ask(open_request(kWheels, 0, 2))), "ACK 3");
 }
 
-TEST_F(ServerTest, raises_timestamps_that_do_not_increase) {
+TEST_F(ServerTest, raises_timestamps_that_repeat) {
   TestClient client(network, kPort);
   client.ask(open_request(kWheels, 0));
-  for (const double time : {5.0, 5.0, 4.0, 6.0}) publish(wheels_id, time);
+  for (const double time : {5.0, 5.0, 5.0, 6.0}) publish(wheels_id, time);
   const auto data = client.read();
   ASSERT_EQ(data.size(), 4u);
   for (std::size_t i = 1; i < data.size(); ++i)
     EXPECT_GT(data[i].header.timestamp, data[i - 1].header.timestamp);
   EXPECT_EQ(data[3].header.timestamp, 6.0);
+}
+
+TEST_F(ServerTest, lets_timestamps_go_back_with_the_time_of_the_run) {
+  TestClient client(network, kPort);
+  client.ask(open_request(kWheels, 0));
+  for (const double time : {5.0, 5.0, 4.0, 4.0, 4.5}) publish(wheels_id, time);
+  const auto data = client.read();
+  ASSERT_EQ(data.size(), 5u);
+  EXPECT_EQ(data[2].header.timestamp, 4.0);
+  EXPECT_GT(data[3].header.timestamp, 4.0);
+  EXPECT_EQ(data[4].header.timestamp, 4.5);
 }
 
 TEST_F(ServerTest, encodes_a_message_once_for_all_its_readers) {
