@@ -49,16 +49,6 @@ void get(Unpacker& in, Number& number) {
   }
 }
 
-template <typename T>
-void put_value(Packer& out, const T& value) {
-  if constexpr (kIsList<T>) {
-    out.varint(value.size());
-    for (const auto& element : value) put_value(out, element);
-  } else {
-    each_number(value, [&](auto number) { put(out, number); });
-  }
-}
-
 /// Headings are normalised, or what a scene made in code says.  [rad]
 constexpr double kMostTurn = 1e6;
 
@@ -72,6 +62,19 @@ bool is_good(const T& value) {
     each_number(value, [&](auto number) {
       if constexpr (std::is_floating_point_v<decltype(number)>) good = good && std::isfinite(number);
     });
+  return good;
+}
+
+/// False: the value is none that could be read again.
+template <typename T>
+bool put_value(Packer& out, const T& value) {
+  bool good = is_good(value);
+  if constexpr (kIsList<T>) {
+    out.varint(value.size());
+    for (const auto& element : value) good = put_value(out, element) && good;
+  } else {
+    each_number(value, [&](auto number) { put(out, number); });
+  }
   return good;
 }
 
@@ -91,10 +94,13 @@ bool get_value(Unpacker& in, T& value) {
 }
 
 template <typename Column, typename Values>
-void put_column(Packer& out, const Column& column, const Values& values) {
+Result<void> put_column(Packer& out, const Column& column, const Values& values) {
   out.text(column.name);
   out.varint(values.size());
-  for (std::size_t row = 0; row < values.size(); ++row) put_value(out, values[row]);
+  bool good = true;
+  for (std::size_t row = 0; row < values.size(); ++row) good = put_value(out, values[row]) && good;
+  if (good) return {};
+  return Error{{}, fmt::format("{} has a value that is none, or a place too far away", column.name)};
 }
 
 Error damaged(std::string_view what) {
@@ -341,11 +347,13 @@ Result<void> save_state(const World& world, std::vector<std::byte>& bytes) {
     put_value(out, entry.name);
     put_value(out, entry.X_WM);
   }
+  Result<void> put;
   each_column(
       [&](const auto& column, const auto& values) {
-        if (is_saved(column.role)) put_column(out, column, values);
+        if (put && is_saved(column.role)) put = put_column(out, column, values);
       },
       world);
+  if (!put) return put;
   out.varint(world.deciders.size());
   for (const std::unique_ptr<Decider>& decider : world.deciders) {
     out.text(decider->name());
