@@ -54,6 +54,11 @@ inline constexpr std::uint32_t kViewerFramesInFlight = 4;         // sent and no
 inline constexpr double kViewerDriveSeconds = 0.5;                // a velocity from a page holds so long unless renewed
 inline constexpr std::size_t kSnapshotBeams = 1u << 18;           // of all sensors shown to all viewers
 
+// The last minutes of a run that somebody watches (drivers/simulated/history.h).
+inline constexpr double kHistorySeconds = 600;                    // simulated, back from the newest instant
+inline constexpr double kHistoryPeriodSeconds = 1;                // simulated, from one instant to the next
+inline constexpr std::size_t kHistoryBytes = 128u << 20;          // of all states
+
 // Stage engine.
 inline constexpr unsigned kMotionSteps = 1024;                    // collision tests along one robot's way in one tick
 

@@ -55,15 +55,21 @@ Result<void> Site::open_world(const std::string& path) {
   if (!simulation) return simulation.error();
   simulation_ = std::move(*simulation);
   simulation_->publish_to(data_flow_);
-  simulation_->add_follower([this](const world::World&, const world::Change& change) { follow(change); });
+  simulation_->add_follower(
+      [this](const world::World& world, const world::Change& change) { follow(world, change); });
   return {};
 }
 
-void Site::follow(const world::Change& change) {
+void Site::follow(const world::World& world, const world::Change& change) {
+  using Kind = world::Change::Kind;
   const Directory& directory = simulation_->directory();
-  if (change.kind == world::Change::Kind::kReload) return retire(directory.devices());
-  if (change.kind != world::Change::Kind::kDespawn) return;
   std::vector<device::Address> gone;
+  if (change.kind == Kind::kReload) {
+    for (const device::Address& address : directory.devices())
+      if (!world.row(directory.model_of(address))) gone.push_back(address);
+    return gone.empty() ? void() : retire(std::move(gone));
+  }
+  if (change.kind != Kind::kDespawn) return;
   for (std::uint32_t part = 0; part < change.count; ++part) {
     const auto devices = directory.devices_of({change.model.value + part});
     gone.insert(gone.end(), devices.begin(), devices.end());

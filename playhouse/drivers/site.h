@@ -100,7 +100,7 @@ class Site {
   Result<void> check_provided(const User& user) const;
   Result<std::vector<const User*>> in_order_of_data() const;
   Error circle_error(std::span<const std::size_t> circle) const;
-  void follow(const world::Change& change);
+  void follow(const world::World& world, const world::Change& change);
   void take_out(device::Address address);
 
   Surroundings& surroundings_;

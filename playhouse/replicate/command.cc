@@ -14,8 +14,8 @@ namespace {
 
 namespace json = boost::json;
 
-constexpr std::array<std::string_view, 12> kWords = {"pause", "resume", "step",   "speed",  "drag", "drive",
-                                                     "copy",  "add",    "remove", "select", "look", "ack"};
+constexpr std::array<std::string_view, 13> kWords = {"pause", "resume", "step",   "speed",  "rewind", "drag", "drive",
+                                                     "copy",  "add",    "remove", "select", "look",   "ack"};
 
 /// Reads the members of one object; the first fault sticks. Done with nothing left over.
 class Members {
@@ -37,11 +37,9 @@ class Members {
     return 0;
   }
 
-  std::uint32_t count(std::string_view key) {
-    const double value = number(key, 0, 4294967294.0);
-    if (value != std::floor(value)) fault(in_quotes(key) + " must be a whole number");
-    return static_cast<std::uint32_t>(value);
-  }
+  std::uint32_t count(std::string_view key) { return static_cast<std::uint32_t>(whole(key, 4294967294.0)); }
+
+  std::uint64_t tick(std::string_view key) { return static_cast<std::uint64_t>(whole(key, kTickMost)); }
 
   world::ModelId model(std::string_view key) { return {count(key)}; }
 
@@ -70,6 +68,12 @@ class Members {
   }
 
  private:
+  double whole(std::string_view key, double most) {
+    const double value = number(key, 0, most);
+    if (value != std::floor(value)) fault(in_quotes(key) + " must be a whole number");
+    return value;
+  }
+
   const json::value* find(std::string_view key) {
     const json::value* value = object_.if_contains(key);
     if (value) ++read_;
@@ -136,6 +140,7 @@ Result<Command> read(const json::object& object) {
   if (what == "resume") return in.finish(Resume{});
   if (what == "step") return in.finish(Step{});
   if (what == "speed") return in.finish(SetSpeed{in.number("times_real_time", 0, kSpeedMost)});
+  if (what == "rewind") return in.finish(Rewind{in.tick("tick")});
   if (what == "drag") return in.finish(drag(in));
   if (what == "drive") return in.finish(drive(in));
   if (what == "copy") return in.finish(copy(in));

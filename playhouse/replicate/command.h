@@ -21,6 +21,9 @@ struct Step {};
 struct SetSpeed {
   double times_real_time = 1;  // 0: as fast as possible
 };
+struct Rewind {
+  std::uint64_t tick = 0;  // the instant nearest to it is meant
+};
 struct Drag {
   world::ModelId model;  // the receiver checks that it exists and may be dragged
   double x = 0, y = 0;   // m, W
@@ -59,9 +62,10 @@ struct Acknowledge {
 };
 
 using Command =
-    std::variant<Pause, Resume, Step, SetSpeed, Drag, Drive, Copy, Add, Remove, Select, Look, Acknowledge>;
+    std::variant<Pause, Resume, Step, SetSpeed, Rewind, Drag, Drive, Copy, Add, Remove, Select, Look, Acknowledge>;
 
 inline constexpr double kSpeedMost = 1000;  // times real time
+inline constexpr double kTickMost = 9007199254740992.0;  // whole numbers are exact up to here
 inline constexpr double kPlaceMost = 1e6;   // m, of a coordinate from a viewer
 inline constexpr double kDriveMost = 100;   // m/s or rad/s, of a velocity from a viewer
 

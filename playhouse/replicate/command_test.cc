@@ -13,6 +13,7 @@ TEST(Command, every_command_is_read) {
   EXPECT_TRUE(std::holds_alternative<Step>(*parse_command(R"({"do":"step"})")));
   EXPECT_EQ(std::get<SetSpeed>(*parse_command(R"({"do":"speed","times_real_time":2.5})")).times_real_time,
             2.5);
+  EXPECT_EQ(std::get<Rewind>(*parse_command(R"({"do":"rewind","tick":12345678901})")).tick, 12345678901u);
   const auto drag = std::get<Drag>(*parse_command(R"({"do":"drag","model":3,"x":1,"y":-2.5,"a":0.5})"));
   EXPECT_EQ(drag.model.value, 3u);
   EXPECT_EQ(drag.y, -2.5);

@@ -174,7 +174,7 @@ TEST(ChangesText, tells_who_went_and_who_came_and_whose_parent_is_another) {
   ASSERT_EQ(changes.at("models").as_array().size(), 1u);
   EXPECT_EQ(changes.at("models").at(0).at("name").as_string(), "load");
   EXPECT_EQ(changes.at("models").at(0).at("id").as_int64(), load->value);
-  EXPECT_EQ(changes_text(*after, *after), "{\"gone\":[],\n\"models\":[]}\n");
+  EXPECT_EQ(changes_text(*after, *after), "");
   ASSERT_TRUE(world::attach(small.world, *load, SmallWorld::id(1), {0.3, 0, 0, 0}).ok());
   const auto carried = boost::json::parse(changes_text(*after, *small.layout({}, after.get())));
   EXPECT_EQ(carried.at("gone").at(0).as_int64(), load->value);

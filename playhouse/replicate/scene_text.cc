@@ -1,6 +1,7 @@
 #include "playhouse/replicate/scene_text.h"
 
 #include <iterator>
+#include <utility>
 
 #include "playhouse/replicate/json_text.h"
 
@@ -36,6 +37,18 @@ std::string scene_text(const scene::SceneDesc& scene, const Prototypes& prototyp
       list(prototypes.addable(), [](const Addable& robot) { return quoted(robot.name); }), models);
 }
 
+std::string history_text(const world::Past& past) {
+  if (past.ticks.empty()) return fmt::format("{{\"history\":{{\"none\":{}}}}}\n", quoted(past.why_none));
+  std::string steps;
+  for (std::size_t i = 1, times = 0; i < past.ticks.size(); ++i) {
+    const std::uint64_t gap = past.ticks[i] - past.ticks[i - 1];
+    ++times;
+    if (i + 1 < past.ticks.size() && past.ticks[i + 1] - past.ticks[i] == gap) continue;
+    fmt::format_to(std::back_inserter(steps), "{}[{},{}]", steps.empty() ? "" : ",", gap, std::exchange(times, 0));
+  }
+  return fmt::format("{{\"history\":{{\"first\":{},\"steps\":[{}]}}}}\n", past.ticks.front(), steps);
+}
+
 std::string changes_text(const Layout& from, const Layout& to) {
   std::string gone, models;
   compare(
@@ -44,6 +57,7 @@ std::string changes_text(const Layout& from, const Layout& to) {
         fmt::format_to(std::back_inserter(gone), "{}{}", gone.empty() ? "" : ",", from.id[row].value);
       },
       [](std::uint32_t, std::uint32_t) {}, [&](std::uint32_t row) { add_model(to, row, models); });
+  if (gone.empty() && models.empty()) return {};
   return fmt::format("{{\"gone\":[{}],\n\"models\":[{}]}}\n", gone, models);
 }
 

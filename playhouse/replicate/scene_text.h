@@ -3,6 +3,7 @@
 #include <string>
 
 #include "playhouse/replicate/layout.h"
+#include "playhouse/world/control.h"
 
 namespace playhouse::replicate {
 
@@ -12,8 +13,11 @@ namespace playhouse::replicate {
 std::string scene_text(const scene::SceneDesc& scene, const Prototypes& prototypes, const Layout& layout);
 
 /// What a viewer that holds one population must be told to hold another one: who has gone, and models that
-/// came or have another parent, with their start state. Both layouts are of one run.
+/// came or have another parent, with their start state. Both layouts are of one run. Empty: nothing.
 std::string changes_text(const Layout& from, const Layout& to);
+
+/// The instants that a viewer may go back to, or why there are none.
+std::string history_text(const world::Past& past);
 
 /// Calls gone(row of `from`), stays(row of `from`, row of `to`) and came(row of `to`) in the order of ids; a model
 /// with another parent goes and comes.

@@ -9,7 +9,8 @@ std::shared_ptr<const std::string> ChangesTexts::text(const std::shared_ptr<cons
   if (from != from_ || to != to_) {
     from_ = from;
     to_ = to;
-    text_ = std::make_shared<const std::string>(changes_text(*from, *to));
+    std::string text = changes_text(*from, *to);
+    text_ = text.empty() ? nullptr : std::make_shared<const std::string>(std::move(text));
   }
   return text_;
 }

@@ -18,7 +18,8 @@ struct NextFrame {
   bool packet = false;                         // there is one
 };
 
-/// changes_text() of the last two populations that somebody asked for: viewers mostly ask for the same.
+/// changes_text() of the last two populations that somebody asked for: viewers mostly ask for the same. None
+/// where they are the same models.
 class ChangesTexts {
  public:
   std::shared_ptr<const std::string> text(const std::shared_ptr<const Layout>& from,

@@ -12,12 +12,12 @@ void DrivenRobots::drive(const replicate::Drive& drive, Driver driver) {
   }
   Held& held = held_[robot];
   held.driver = driver;
-  if (!held.open) {
-    held.open = control_.post(
-        [robot](world::World& world) {
-          if (const world::ModelRow model = world.row(robot)) world::subscribe(world, model);
-        },
-        robot);
+  if (!held.use) {
+    auto use = std::make_shared<world::Use>();
+    const auto open = [use, robot, &control = control_](world::World& world) {
+      use->begin(world, control, robot);
+    };
+    if (control_.post(open, robot)) held.use = std::move(use);
   }
   control_.drive(robot, drive.velocity);
   hold_until_deadline(robot, held);
@@ -39,10 +39,8 @@ void DrivenRobots::hold_until_deadline(world::ModelId robot, Held& held) {
 void DrivenRobots::let_go(world::ModelId robot) {
   Held& held = held_[robot];
   control_.drive(robot, {});
-  const auto close = [robot](world::World& world) {
-    if (const world::ModelRow model = world.row(robot)) world::unsubscribe(world, model);
-  };
-  if (held.open && !control_.post(close, robot)) return hold_until_deadline(robot, held);
+  const auto close = [use = held.use, &control = control_](world::World& world) { use->end(world, control); };
+  if (held.use && !control_.post(close, robot)) return hold_until_deadline(robot, held);
   held_.erase(robot);
 }
 

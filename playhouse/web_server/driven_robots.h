@@ -32,7 +32,7 @@ class DrivenRobots {
  private:
   struct Held {
     Driver driver = nullptr;
-    bool open = false;  // the world knows; else its queue was full
+    std::shared_ptr<world::Use> use;  // the tick thread's once it is posted; none: its queue was full
     std::unique_ptr<net::Timer> deadline;
   };
 

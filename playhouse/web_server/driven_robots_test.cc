@@ -31,6 +31,10 @@ class AtOnce final : public world::Control {
     change(world_);
     return true;
   }
+  void record(bool) override {}
+  std::shared_ptr<const world::Past> past() const override { return std::make_shared<world::Past>(); }
+  void rewind(std::uint64_t) override {}
+  std::uint64_t life(world::ModelId) const override { return 0; }
   bool full = false;
 
  private:

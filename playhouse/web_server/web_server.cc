@@ -28,6 +28,9 @@
 namespace playhouse::web_server {
 namespace {
 
+/// Pages hear no more often which instants there are.
+constexpr std::chrono::seconds kPastPeriod{1};
+
 constexpr std::string_view kNoPage =
     "This program was built without its web page. Build it (cd web && npm ci && npm run build), then build "
     "the "
@@ -70,21 +73,16 @@ std::string machine_name() {
 }
 
 /// Models that a selection lets measure: those that did when it was made, so that each is let go again.
-using Measuring = std::vector<world::ModelId>;
+using Measuring = std::vector<world::Use>;
 
-void subscribe_measuring(world::World& world, world::ModelId robot, Measuring& measuring) {
+void subscribe_measuring(world::World& world, const world::Control& control, world::ModelId robot,
+                         Measuring& measuring) {
   const world::ModelRow top = world.row(robot);
   if (!top) return;
   for (std::uint32_t row = 0; row < world.models.size(); ++row) {
     if (world.models.root[row] != top.index || !replicate::measures(world.models.kind[row])) continue;
-    measuring.push_back(world.id({row}));
-    world::subscribe(world, {row});
+    measuring.emplace_back().begin(world, control, world.id({row}));
   }
-}
-
-void unsubscribe_measuring(world::World& world, const Measuring& measuring) {
-  for (const world::ModelId id : measuring)
-    if (const world::ModelRow model = world.row(id)) world::unsubscribe(world, model);
 }
 
 }  // namespace
@@ -103,6 +101,7 @@ class WebServer::Impl final : public net::HttpService,
         prototypes_(scene_),
         newest_(std::make_shared<const replicate::Layout>(world, prototypes_, devices)),
         driven_(loop, control),
+        ids_given_(newest_->ids_given),
         devices_(std::move(devices)),
         layout_(newest_) {}
 
@@ -158,9 +157,22 @@ class WebServer::Impl final : public net::HttpService,
       const std::lock_guard lock(mutex_);
       if (std::exchange(fresh_, false)) std::swap(ready_, front_);
     }
+    ids_given_ = std::max(ids_given_, front_.layout->ids_given);
+    look_at_past();
     offer();
     if (std::exchange(newest_, front_.layout) != front_.layout)
       interest_changed();  // somebody who was selected may be gone
+  }
+
+  /// At most once a second.
+  void look_at_past() {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - past_time_ < kPastPeriod) return;
+    auto past = control_.past();
+    if (past == past_ || (past->ticks.empty() && past->why_none.empty())) return;
+    past_ = std::move(past);
+    past_time_ = now;
+    history_text_ = std::make_shared<const std::string>(replicate::history_text(*past_));
   }
 
   void offer() {
@@ -221,6 +233,7 @@ class WebServer::Impl final : public net::HttpService,
     viewers_.push_back(std::make_unique<WebViewer>(std::move(socket), newest_, *this));
     log::info("web: {} watches ({} now)", viewers_.back()->peer(), viewers_.size());
     watched_ = viewers_.size();
+    if (watched_ == 1) control_.record(true);
     viewers_.back()->start(scene_text());
   }
 
@@ -233,6 +246,7 @@ class WebServer::Impl final : public net::HttpService,
     if (std::holds_alternative<replicate::Step>(command)) control_.step_once();
     if (const auto* speed = std::get_if<replicate::SetSpeed>(&command))
       control_.set_speed(speed->times_real_time);
+    if (const auto* rewind = std::get_if<replicate::Rewind>(&command)) return this->rewind(*rewind);
     if (const auto* drag = std::get_if<replicate::Drag>(&command)) return move(*drag);
     if (const auto* drive = std::get_if<replicate::Drive>(&command)) return this->drive(*drive, from);
     if (const auto* copy = std::get_if<replicate::Copy>(&command)) return this->copy(*copy, from);
@@ -300,8 +314,16 @@ class WebServer::Impl final : public net::HttpService,
   /// one that never was.
   Result<std::optional<std::uint32_t>> row_of(world::ModelId model) const {
     const replicate::Layout& layout = *newest_;
-    if (model.value >= layout.ids_given) return Error{"", "no such model"};
+    if (model.value >= ids_given_) return Error{"", "no such model"};
     return layout.row(model);
+  }
+
+  Result<void> rewind(const replicate::Rewind& rewind) {
+    const auto past = control_.past();
+    if (!past->why_none.empty()) return Error{"", "this run cannot go back: " + past->why_none};
+    if (past->ticks.empty()) return Error{"", "no moment of this run is kept yet"};
+    control_.rewind(rewind.tick);
+    return {};
   }
 
   Result<void> move(const replicate::Drag& drag) {
@@ -405,6 +427,7 @@ class WebServer::Impl final : public net::HttpService,
     driven_.left(&viewer);
     std::erase_if(viewers_, [&](const auto& other) { return other.get() == &viewer; });
     watched_ = viewers_.size();
+    if (watched_ == 0) control_.record(false);
     interest_changed();
   }
 
@@ -418,6 +441,7 @@ class WebServer::Impl final : public net::HttpService,
   }
 
   replicate::ChangesTexts& changes_texts() override { return changes_texts_; }
+  std::shared_ptr<const std::string> history() override { return history_text_; }
 
   /// What all viewers look at, for the next capture; and what they selected, for the sensors.
   void interest_changed() {
@@ -448,7 +472,9 @@ class WebServer::Impl final : public net::HttpService,
     std::erase_if(subscribed_, [&](const auto& held) {
       if (selected_.contains(held.first)) return false;
       const bool posted = control_.post(
-          [models = held.second](world::World& world) { unsubscribe_measuring(world, *models); });
+          [models = held.second, &control = control_](world::World& world) {
+            for (world::Use& use : *models) use.end(world, control);
+          });
       if (!posted) done = false;
       return posted;
     });
@@ -459,8 +485,10 @@ class WebServer::Impl final : public net::HttpService,
 
   bool subscribe(world::ModelId robot) {
     auto models = std::make_shared<Measuring>();  // the tick thread's once it is posted
-    if (!control_.post([robot, models](world::World& world) { subscribe_measuring(world, robot, *models); }))
-      return false;
+    const bool posted = control_.post([robot, models, &control = control_](world::World& world) {
+      subscribe_measuring(world, control, robot, *models);
+    });
+    if (!posted) return false;
     subscribed_[robot] = std::move(models);
     return true;
   }
@@ -484,6 +512,10 @@ class WebServer::Impl final : public net::HttpService,
   std::shared_ptr<const replicate::Layout> scene_layout_;  // of scene_text_
   std::shared_ptr<const std::string> scene_text_;
   replicate::ChangesTexts changes_texts_;
+  std::uint32_t ids_given_;  // most ever: a run that went back had given more
+  std::shared_ptr<const world::Past> past_;
+  std::chrono::steady_clock::time_point past_time_;
+  std::shared_ptr<const std::string> history_text_;  // of past_
   WebStatus status_;
   std::uint64_t hosts_refused_ = 0, origins_refused_ = 0;
 

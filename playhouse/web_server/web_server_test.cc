@@ -40,6 +40,17 @@ class Notes final : public world::Control {
       if (const world::PositionRow row = world.position(robot)) world::command_velocity(world, row, velocity);
     });
   }
+  void record(bool on) override { recording = on; }
+  void rewind(std::uint64_t tick) override { note("rewind " + std::to_string(tick)); }
+  std::shared_ptr<const world::Past> past() const override {
+    const std::lock_guard lock(mutex_);
+    return past_;
+  }
+  void set_past(world::Past past) {
+    const std::lock_guard lock(mutex_);
+    past_ = std::make_shared<const world::Past>(std::move(past));
+  }
+  std::uint64_t life(world::ModelId) const override { return 0; }
   bool post(std::function<void(world::World&)> change, world::ModelId = {}) override {
     const std::lock_guard lock(mutex_);
     if (full_) {
@@ -80,8 +91,14 @@ class Notes final : public world::Control {
     const std::lock_guard lock(mutex_);
     all_ += what + ";";
   }
-  std::mutex mutex_;
+
+ public:
+  std::atomic<bool> recording = false;
+
+ private:
+  mutable std::mutex mutex_;
   std::string all_;
+  std::shared_ptr<const world::Past> past_ = std::make_shared<const world::Past>();
   std::vector<std::function<void(world::World&)>> changes_;
   bool full_ = false;
   int refused_ = 0;
@@ -246,6 +263,16 @@ TEST_F(WebServerTest, a_viewer_gets_the_scene_and_then_packets_that_make_the_wor
   EXPECT_GT(replica.tick, 0u);
 }
 
+/// The next text message, as a page reads it; "" at the end. Packets before it are acknowledged.
+std::string next_text(WebClient& viewer, const std::function<void()>& turning) {
+  for (;;) {
+    std::string message = viewer.message(turning);
+    if (message.empty() || message[0] == 1) return message;
+    const int frame = message[3];  // after the opcode, the version and the flags; below 128 here
+    viewer.send_text("{\"do\":\"ack\",\"frame\":" + std::to_string(frame) + "}");
+  }
+}
+
 TEST_F(WebServerTest, commands_reach_the_simulation) {
   WebClient viewer(port_);
   ASSERT_TRUE(viewer.upgrade());
@@ -254,6 +281,38 @@ TEST_F(WebServerTest, commands_reach_the_simulation) {
   viewer.send_text(R"({"do":"speed","times_real_time":2.5})");
   viewer.send_text(R"({"do":"resume"})");
   EXPECT_TRUE(turn_until([this] { return notes_.all() == "pause;step;speed 2.5;resume;"; })) << notes_.all();
+}
+
+TEST_F(WebServerTest, viewers_hear_which_instants_there_are_and_go_back_to_them) {
+  EXPECT_FALSE(notes_.recording);
+  {
+    WebClient viewer(port_);
+    ASSERT_TRUE(viewer.upgrade());
+    EXPECT_THAT(viewer.message(), HasSubstr(R"("name":"small")"));
+    EXPECT_TRUE(notes_.recording);
+    viewer.send_text(R"({"do":"rewind","tick":20})");
+    EXPECT_THAT(next_text(viewer, turning()), HasSubstr("no moment of this run is kept yet"));
+    notes_.set_past({{5, 10, 20, 30, 37}, ""});
+    EXPECT_THAT(next_text(viewer, turning()), EndsWith("{\"history\":{\"first\":5,\"steps\":[[5,1],[10,2],[7,1]]}}\n"));
+    viewer.send_text(R"({"do":"rewind","tick":20})");
+    EXPECT_TRUE(turn_until([this] { return notes_.all() == "rewind 20;"; })) << notes_.all();
+    WebClient other(port_);
+    ASSERT_TRUE(other.upgrade());
+    other.message();
+    EXPECT_THAT(next_text(other, turning()), HasSubstr(R"("first":5,)"));
+  }
+  EXPECT_TRUE(turn_until([this] { return !notes_.recording; })) << "nobody watches any more";
+}
+
+TEST_F(WebServerTest, viewers_hear_why_a_run_cannot_go_back) {
+  notes_.set_past({{}, "controller shy cannot be saved"});
+  WebClient viewer(port_);
+  ASSERT_TRUE(viewer.upgrade());
+  viewer.message();
+  EXPECT_THAT(next_text(viewer, turning()), EndsWith("{\"history\":{\"none\":\"controller shy cannot be saved\"}}\n"));
+  viewer.send_text(R"({"do":"rewind","tick":20})");
+  EXPECT_THAT(next_text(viewer, turning()), HasSubstr("cannot go back: controller shy cannot be saved"));
+  EXPECT_EQ(notes_.all(), "");
 }
 
 TEST_F(WebServerTest, a_flood_of_commands_waits_for_its_turns_and_nobody_else_does) {
@@ -288,16 +347,6 @@ TEST_F(WebServerTest, a_robot_is_dragged_and_a_wall_is_not) {
   }
   EXPECT_NE(text.find("may not be moved"), std::string::npos);
   EXPECT_EQ(small_.world.models.X_PM[0].x, 0);
-}
-
-/// The next text message, as a page reads it; "" at the end. Packets before it are acknowledged.
-std::string next_text(WebClient& viewer, const std::function<void()>& turning) {
-  for (;;) {
-    std::string message = viewer.message(turning);
-    if (message.empty() || message[0] == 1) return message;
-    const int frame = message[3];  // after the opcode, the version and the flags; below 128 here
-    viewer.send_text("{\"do\":\"ack\",\"frame\":" + std::to_string(frame) + "}");
-  }
 }
 
 TEST_F(WebServerTest, robots_are_added_copied_and_removed_and_viewers_follow) {

@@ -70,6 +70,8 @@ void WebViewer::send_frame() {
   const replicate::NextFrame next = viewer_.next_frame(*newest_, emit, owner_.changes_texts(), *frame_);
   if (!next.packet) return;
   frame_time_ = now;
+  if (const auto history = owner_.history(); history != told_history_)
+    socket_->send_text(told_history_ = history);
   if (next.changes) socket_->send_text(next.changes);
   owner_.sent_frame(frame_->size());
   socket_->send_binary(frame_);

@@ -29,6 +29,8 @@ class WebViewerOwner {
   virtual void refused(const WebViewer& from, const std::string& why) = 0;
   virtual void sent_frame(std::size_t bytes) = 0;
   virtual replicate::ChangesTexts& changes_texts() = 0;
+  /// What to tell of the instants to go back to; none: nothing yet.
+  virtual std::shared_ptr<const std::string> history() = 0;
   /// Wants to be offered the newest snapshot again after kFramePeriod, also if it is the same one.
   virtual void waits() = 0;
   /// May destroy the viewer.
@@ -75,6 +77,7 @@ class WebViewer final : public net::WebSocketEvents {
   replicate::Viewer viewer_;
   WebViewerOwner& owner_;
   const replicate::Snapshot* newest_ = nullptr;
+  std::shared_ptr<const std::string> told_history_;
   // With the socket while a frame is under way, else ours alone and reused.
   std::shared_ptr<std::vector<std::byte>> frame_ = std::make_shared<std::vector<std::byte>>();
   std::chrono::steady_clock::time_point frame_time_;

@@ -1,6 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "playhouse/world/world.h"
 
@@ -11,6 +16,12 @@ struct Pace {
   bool paused = false;
   double speed = 1;             // wanted, times real time; 0: as fast as possible
   double real_time_factor = 0;  // measured over the last second
+};
+
+/// Instants of a run whose states are kept.
+struct Past {
+  std::vector<std::uint64_t> ticks;  // ascending
+  std::string why_none;              // that no state can be taken, as one line; else empty
 };
 
 /// Control over a running simulation, for viewers and devices. Every function may be called from any thread
@@ -30,6 +41,40 @@ class Control {
   /// nothing happens. `robot`, if any, is whom the change concerns: what it was told before is carried out
   /// before.
   virtual bool post(std::function<void(World&)> change, ModelId robot = {}) = 0;
+
+  /// From now on states are kept, or no more; those that are there stay.
+  virtual void record(bool on) = 0;
+  /// The states that are kept. Never null.
+  virtual std::shared_ptr<const Past> past() const = 0;
+  /// The world becomes that of the kept instant nearest to the tick, earlier or later than now, and goes on from
+  /// there: a kReload in its changes. Does nothing while no state is kept.
+  virtual void rewind(std::uint64_t tick) = 0;
+  /// Another number whenever the model came back by rewind(): who used it before does so no more. Tick thread.
+  virtual std::uint64_t life(ModelId model) const = 0;
+};
+
+/// One subscription of a model, which ends with the model, also where that comes back. Tick thread.
+class Use {
+ public:
+  /// Does nothing if there is no such model.
+  void begin(World& world, const Control& control, ModelId model) {
+    const ModelRow row = world.row(model);
+    if (!row) return;
+    subscribe(world, row);
+    model_ = model;
+    life_ = control.life(model);
+  }
+  /// The model; none if it has gone, or the use never began.
+  ModelRow end(World& world, const Control& control) {
+    const ModelRow row = life_ && *life_ == control.life(model_) ? world.row(model_) : ModelRow{};
+    life_.reset();
+    if (row) unsubscribe(world, row);
+    return row;
+  }
+
+ private:
+  ModelId model_;
+  std::optional<std::uint64_t> life_;  // in which it began; none: it has not
 };
 
 }  // namespace playhouse::world

@@ -2,11 +2,14 @@
 
 /// AutoDevices: the devices of a world when nobody wrote a .cfg file: those of AutoMap, of a driver "stage".
 /// Models that come during the run get theirs before anybody is shown the world with them; devices of models
-/// that go retire as all do (Site). Addresses are decided on the tick thread, in the order of the changes.
+/// that go retire as all do (Site), and have the same addresses again should they come back (kReload).
+/// Addresses are decided on the tick thread, in the order of the changes.
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <span>
+#include <vector>
 
 #include "playhouse/base/result.h"
 #include "playhouse/drivers/simulated/auto_map.h"
@@ -32,13 +35,19 @@ class AutoDevices {
  private:
   void follow(const world::World& world, const world::Change& change);
   void come(const world::World& world, std::span<const world::ModelRow> tops);
+  void come_back(const world::World& world);
+  void make(const world::World& world, std::span<const MappedDevice> devices);
+  void remember(const world::World& world, std::span<const MappedDevice> devices);
   void warn_of_left_out();
 
   Site& site_;
   Simulation& simulation_;
   const std::uint16_t port_;
   SimulatedDriver driver_;
-  AutoMap map_;  // tick thread, once it runs
+  // Tick thread, once it runs.
+  AutoMap map_;
+  /// Of every model that ever was: as many as AutoMap has indices.
+  std::map<world::ModelId, std::vector<MappedDevice>> given_;
   bool warned_ = false;
 };
 

@@ -163,16 +163,65 @@ TEST_F(AutoDevicesTest, opened_while_their_robot_goes_end_as_all_do) {
   EXPECT_EQ(simulation().source_count(), 0u);
 }
 
-TEST_F(AutoDevicesTest, of_a_world_that_became_another_are_all_new) {
+TEST_F(AutoDevicesTest, stay_when_the_run_is_taken_back_and_those_of_whom_came_since_retire) {
   const std::size_t before = devices();
-  std::vector<std::byte> start;
-  ASSERT_TRUE(world::save_state(simulation().world(), start));
-  come(kA);
-  post([&](world::World& world) { EXPECT_TRUE(world::load_state(world, start)); });
-  site.run(0);
+  simulation().record(true);
+  site.run(1);
+  const std::uint64_t instant = simulation().past()->ticks.front();
+  const world::ModelId robot = come(kA);
+  ASSERT_TRUE(site.hold(site.id({6665, p2d::kCode, 0})));
+  ASSERT_TRUE(site.hold(site.id({6665, p2d::kCode, 4})));
+  site.run(10);
+  testing::go_back(simulation(), instant);
+  site.hear();
+  EXPECT_EQ(simulation().world().tick(), instant);
   EXPECT_EQ(devices(), before);
-  EXPECT_THAT(names({kA}), ElementsAre("position2d:5"));
-  EXPECT_TRUE(site.site().find({6665, 31, 0}).has_value()) << "the world itself is still there";
+  EXPECT_THAT(names(robot), IsEmpty());
+  EXPECT_THAT(names({kA}), ElementsAre("position2d:0"));
+  EXPECT_EQ(site.held[site.id({6665, p2d::kCode, 0}).row].size(), 1u) << "who has it open goes on";
+  site.run(0);
+  EXPECT_EQ(simulation().source_count(), 1u);
+  EXPECT_THAT(names(come(kA)), ElementsAre("position2d:5")) << "and numbers are used once";
+}
+
+TEST_F(AutoDevicesTest, of_robots_that_come_back_have_their_addresses_again) {
+  const world::ModelId robot = come(kA);
+  simulation().record(true);
+  site.run(1);
+  const std::uint64_t instant = simulation().past()->ticks.front();
+  ASSERT_TRUE(site.hold(site.id({6665, p2d::kCode, 4})));
+  ASSERT_TRUE(site.hold(site.id({6665, p2d::kCode, 0})));
+  go(robot);
+  go({kA});
+  site.run(10);
+  testing::go_back(simulation(), instant);
+  site.hear();
+  EXPECT_THAT(names(robot), ElementsAre("position2d:4"));
+  EXPECT_THAT(names({kA}), ElementsAre("position2d:0"));
+  const device::DeviceId wheels = site.id({6665, p2d::kCode, 4});
+  ASSERT_TRUE(site.hold(wheels));
+  site.run(1);
+  EXPECT_EQ(site.recorder.published.back().device, wheels);
+}
+
+TEST_F(AutoDevicesTest, that_close_late_take_no_use_from_a_robot_that_came_back) {
+  const world::ModelId robot = come(kA);
+  const device::DeviceId wheels = site.id({6665, p2d::kCode, 4});
+  simulation().record(true);
+  site.run(1);
+  ASSERT_TRUE(site.hold(wheels));
+  site.run(10);
+  const std::uint64_t instant = simulation().past()->ticks.back();
+  ASSERT_GE(instant, 10u);
+  // It goes and comes back, and only then the io thread hears of it.
+  ASSERT_TRUE(simulation().post([=](world::World& world) { EXPECT_TRUE(world::despawn(world, robot)); }));
+  testing::go_back(simulation(), instant);
+  world::World& world = simulation().engine().world();
+  ASSERT_TRUE(world.row(robot));
+  world::subscribe(world, world.row(robot));
+  site.run(0);  // retires, closes
+  site.run(0);
+  EXPECT_EQ(world.models.subscribers[world.row(robot).index], 1u);
 }
 
 }  // namespace

@@ -40,6 +40,11 @@ class SimulatedDevice : public Source {
   /// The robot whose commands must keep their order with opening and closing; none for sensors.
   virtual world::ModelId robot() const { return {}; }
   void set_id(device::DeviceId id) { id_ = id; }
+  /// Tick thread: the device is open, or no more.
+  void begin(world::World& world) { use_.begin(world, simulation_, model_); }
+  void end(world::World& world) {
+    if (const world::ModelRow model = use_.end(world, simulation_)) closed(world, model);
+  }
 
   // Any thread. Only messages of served() arrive.
   virtual std::span<const Served> served() const = 0;
@@ -90,6 +95,7 @@ class SimulatedDevice : public Source {
   Simulation& simulation_;
   world::ModelId model_;
   device::DeviceId id_;
+  world::Use use_;
 };
 
 }  // namespace playhouse::drivers

@@ -34,7 +34,7 @@ Result<void> SimulatedDriver::start(device::DeviceId id) {
   PLAYHOUSE_ASSERT(device != nullptr);
   const auto open = [device, &simulation = simulation_](world::World& world) {
     simulation.add_source(device);
-    if (const world::ModelRow model = world.row(device->model())) world::subscribe(world, model);
+    device->begin(world);
   };
   // A device opened as the run ends is no failure: its client is told of the end next.
   if (!simulation_.post(open, device->robot()) && !simulation_.discarded())
@@ -48,10 +48,7 @@ void SimulatedDriver::stop(device::DeviceId id) {
   simulation_.post_always(
       [device, &simulation = simulation_](world::World& world) {
         simulation.remove_source(*device);
-        const world::ModelRow model = world.row(device->model());
-        if (!model) return;
-        world::unsubscribe(world, model);
-        device->closed(world, model);
+        device->end(world);
       },
       device->robot());
 }

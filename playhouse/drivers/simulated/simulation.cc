@@ -5,7 +5,9 @@
 #include <cmath>
 #include <utility>
 
-#include "playhouse/base/assert.h"
+#include "playhouse/base/log.h"
+#include "playhouse/world/population.h"
+#include "playhouse/world/state.h"
 
 namespace playhouse::drivers {
 namespace {
@@ -62,9 +64,11 @@ Simulation::Simulation(std::unique_ptr<world::Engine> engine, Options options)
       time_(engine_->world().time()),
       clock_(options.clock ? std::move(options.clock) : wall_now),
       pacer_(engine_->world().scene().interval),
+      history_(engine_->world().scene().interval, clock_),
       followed_(engine_->world().changes.end()) {
   wanted_.speed = std::max(0.0, options.speed);
   wanted_.paused = options.paused;
+  past_ = history_.past();
 }
 
 void Simulation::run() {
@@ -74,6 +78,7 @@ void Simulation::run() {
     if (woken_.exchange(false)) {
       take_wanted();
       take_inbox();
+      if (now_.instant) go_back(*std::exchange(now_.instant, std::nullopt));
     }
     if (now_.stop || world.tick() >= end_tick_) return;
     if (wait_for_tick()) tick();
@@ -98,6 +103,7 @@ bool Simulation::wait_for_tick() {
 }
 
 void Simulation::tick() {
+  history_.drop_after(engine_->world().tick());
   engine_->step();
   if (now_.steps > 0) --now_.steps;
   pacer_.ticked(clock_());
@@ -106,6 +112,8 @@ void Simulation::tick() {
   const world::World& world = engine_->world();
   time_.store(world.time(), std::memory_order_relaxed);
   follow_changes();
+  if (now_.recording) history_.record(world);
+  show_past();
   if (!sources_.empty()) {
     batch_.clear();
     for (const std::shared_ptr<Source>& source : sources_) source->emit(world, batch_);
@@ -135,7 +143,10 @@ void Simulation::take_wanted() {
     now_.steps =
         now_.paused ? std::min(steps, kSteps) : 0;  // a world that runs takes them without being asked
     wanted_.pace_changed = false;
+    wanted_.instant.reset();
   }
+  if (now_.recording && history_.empty()) history_.record(engine_->world());
+  show_past();
   if (!now_.pace_changed) return;
   pacer_.change(clock_(), now_.speed, now_.paused);
   tell_listeners();
@@ -149,12 +160,59 @@ void Simulation::take_inbox() {
     if (const auto* command = std::get_if<PositionCommand>(&entry)) {
       apply(world, *command);
     } else {
-      std::get<Change>(entry)(world);
+      carry_out(std::get<Change>(entry));
       follow_changes();
     }
   }
   taken_.clear();
   tell_listeners();
+}
+
+/// Who comes after the run was taken back is nobody who came before: ids go on from where they were. The
+/// count itself is part of the state, so it stays as it is until somebody comes.
+void Simulation::carry_out(const Change& change) {
+  world::World& world = engine_->world();
+  std::uint32_t& next_id = world::Population(world).next_id();
+  const std::uint32_t before = next_id;
+  const std::uint32_t raised = next_id = std::max(before, ids_given_);
+  change(world);
+  if (next_id == raised) next_id = before;
+}
+
+void Simulation::go_back(std::uint64_t tick) {
+  world::World& world = engine_->world();
+  if (history_.empty()) return;
+  history_.take(world);  // so that there is a way back
+  const std::vector<world::ModelId> before = world.models.id;
+  ids_given_ = std::max(ids_given_, world::Population::next_id(world));
+  load(tick);
+  for (const world::ModelId model : world.models.id)
+    if (!std::ranges::binary_search(before, model)) ++lives_[model];
+  time_.store(world.time(), std::memory_order_relaxed);
+  pacer_.start(clock_(), now_.speed, now_.paused);
+  show_past();
+  follow_changes();
+  tell_listeners();
+}
+
+/// A controller that does not take back what it said leaves the world where it is, and is heard no more.
+void Simulation::load(std::uint64_t tick) {
+  world::World& world = engine_->world();
+  const std::uint64_t now = world.tick();
+  const Result<void> loaded = world::load_state(world, history_.nearest(tick));
+  if (loaded) return;
+  log::error("the run cannot be taken back: the state {}", loaded.error().text);
+  if (!world::load_state(world, history_.nearest(now)))
+    log::error("its controllers go on with what they remember");
+  history_.give_up("the state " + loaded.error().text);
+}
+
+/// Lets any thread know which instants there are.
+void Simulation::show_past() {
+  std::shared_ptr<const world::Past> past = history_.past();
+  if (past == past_) return;  // no other thread writes it
+  const std::lock_guard lock(mutex_);
+  past_ = std::move(past);
 }
 
 void Simulation::wake() {
@@ -225,6 +283,24 @@ bool Simulation::post_to_all(Change change) {
 void Simulation::post_always(Change change, world::ModelId robot) {
   inbox_.post_always(std::move(change), robot);
   wake();
+}
+
+void Simulation::record(bool on) {
+  want([=](Wanted& wanted) { wanted.recording = on; });
+}
+
+std::shared_ptr<const world::Past> Simulation::past() const {
+  const std::lock_guard lock(mutex_);
+  return past_;
+}
+
+void Simulation::rewind(std::uint64_t tick) {
+  want([=](Wanted& wanted) { wanted.instant = tick; });
+}
+
+std::uint64_t Simulation::life(world::ModelId model) const {
+  const auto found = lives_.find(model);
+  return found == lives_.end() ? 0 : found->second;
 }
 
 void Simulation::command(const PositionCommand& command) {

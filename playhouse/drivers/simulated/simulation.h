@@ -9,12 +9,15 @@
 #include <condition_variable>
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "playhouse/device/driver.h"
 #include "playhouse/drivers/simulated/directory.h"
+#include "playhouse/drivers/simulated/history.h"
 #include "playhouse/drivers/simulated/inbox.h"
 #include "playhouse/drivers/simulated/pacer.h"
 #include "playhouse/world/control.h"
@@ -73,6 +76,10 @@ class Simulation final : public world::Control {
   void set_speed(double times_real_time) override;
   void drive(world::ModelId robot, const geom::Twist& velocity) override;
   bool post(Change change, world::ModelId robot = {}) override;
+  void record(bool on) override;
+  std::shared_ptr<const world::Past> past() const override;
+  void rewind(std::uint64_t tick) override;
+  std::uint64_t life(world::ModelId model) const override;
 
   // For devices; any thread.
   void command(const PositionCommand& command);
@@ -99,6 +106,8 @@ class Simulation final : public world::Control {
     bool stop = false;
     bool pace_changed = true;
     int steps = 0;  // single steps to do although paused
+    bool recording = false;
+    std::optional<std::uint64_t> instant;  // to go back to
   };
 
   void wake();
@@ -106,6 +115,10 @@ class Simulation final : public world::Control {
   void want(Edit edit);
   void take_wanted();
   void take_inbox();
+  void carry_out(const Change& change);
+  void go_back(std::uint64_t tick);
+  void load(std::uint64_t tick);
+  void show_past();
   bool wait_for_tick();
   void tick();
   void follow_changes();
@@ -120,10 +133,11 @@ class Simulation final : public world::Control {
 
   // Shared between threads.
   Inbox inbox_;
-  mutable std::mutex mutex_;  // guards wanted_ and, with changed_, the sleep of the tick thread
+  mutable std::mutex mutex_;  // guards wanted_, past_ and, with changed_, the sleep of the tick thread
   std::condition_variable changed_;
   std::atomic<bool> woken_ = true;  // something was asked for that the tick thread has not looked at
   Wanted wanted_;
+  std::shared_ptr<const world::Past> past_;
   std::atomic<double> time_ = 0;
   std::atomic<double> factor_ = 0;
 
@@ -131,6 +145,9 @@ class Simulation final : public world::Control {
   Wanted now_;
   std::function<double()> clock_;
   Pacer pacer_;
+  History history_;
+  std::map<world::ModelId, std::uint64_t> lives_;  // of models that came back
+  std::uint32_t ids_given_ = 0;  // before the run was taken back: none of them is given to another model
   std::vector<Inbox::Entry> taken_;
   std::uint64_t followed_;  // changes that the followers know
   std::vector<std::shared_ptr<Source>> sources_;

@@ -194,5 +194,117 @@ TEST(Simulation, what_still_waits_at_the_end_is_refused) {
   EXPECT_FALSE(still.recorder.answers.at(8).ack);
 }
 
+TEST(Simulation, goes_back_to_an_instant_and_another_way_from_there) {
+  StillSimulation still(kRobot);
+  using Ticks = std::vector<std::uint64_t>;
+  still.run(5);
+  EXPECT_TRUE(still.simulation.past()->ticks.empty()) << "nobody asked for it";
+  still.simulation.record(true);
+  still.run(30);
+  EXPECT_EQ(still.simulation.past()->ticks, (Ticks{5, 10, 20, 30}));
+  testing::go_back(still.simulation, 10);
+  EXPECT_EQ(still.world().tick(), 10u);
+  EXPECT_DOUBLE_EQ(still.simulation.time(), 1.0);
+  EXPECT_EQ(still.simulation.past()->ticks, (Ticks{5, 10, 20, 30, 35})) << "with the moment that was left";
+  testing::go_back(still.simulation, 35);
+  EXPECT_EQ(still.world().tick(), 35u) << "and back again";
+  testing::go_back(still.simulation, 20, 3);
+  EXPECT_EQ(still.world().tick(), 23u);
+  EXPECT_EQ(still.simulation.past()->ticks, (Ticks{5, 10, 20})) << "what comes later is another now";
+}
+
+TEST(Simulation, does_not_go_back_where_nothing_is_kept) {
+  StillSimulation still(kRobot);
+  still.simulation.rewind(0);
+  still.run(3);
+  EXPECT_EQ(still.world().tick(), 3u);
+}
+
+TEST(Simulation, tells_followers_and_then_listeners_that_the_world_is_another) {
+  StillSimulation still(kRobot);
+  still.simulation.record(true);
+  still.run(20);
+  std::string told;
+  still.simulation.add_follower([&](const world::World& world, const world::Change& change) {
+    if (change.kind == world::Change::Kind::kReload) told += "reloaded " + std::to_string(world.tick()) + ", ";
+  });
+  still.simulation.add_listener(
+      [&](const world::World& world, const world::Pace&) { told += std::to_string(world.tick()) + ", "; });
+  testing::go_back(still.simulation, 10);
+  EXPECT_EQ(told, "20, reloaded 10, 10, ") << "the pace is shown first";
+}
+
+TEST(Simulation, who_uses_a_model_goes_on_with_it_unless_it_came_back) {
+  StillSimulation still(kRobot);
+  still.simulation.record(true);
+  still.run(10);
+  world::Use stays, ends;
+  world::ModelId late;
+  still.simulation.post([&](world::World& world) {
+    late = *world::spawn(world, 0, {});
+    stays.begin(world, still.simulation, {0});
+  });
+  still.run(10);
+  still.simulation.post([&](world::World& world) { ends.begin(world, still.simulation, late); });
+  still.run(1);
+  const auto users = [&](world::ModelId model) {
+    return still.world().models.subscribers[still.world().row(model).index];
+  };
+  EXPECT_EQ(users(late), 1u);
+  testing::go_back(still.simulation, 10);
+  EXPECT_FALSE(still.world().row(late));
+  EXPECT_EQ(users({0}), 1u) << "who uses it is of now";
+  testing::go_back(still.simulation, 20);
+  ASSERT_TRUE(still.world().row(late));
+  EXPECT_EQ(users(late), 0u);
+  EXPECT_EQ(users({0}), 1u);
+  EXPECT_FALSE(ends.end(still.world(), still.simulation));
+  EXPECT_TRUE(stays.end(still.world(), still.simulation));
+  EXPECT_EQ(users({0}), 0u);
+}
+
+TEST(Simulation, gives_no_id_a_second_time_after_it_went_back) {
+  StillSimulation still(kRobot);
+  world::ModelId first, second;
+  still.simulation.record(true);
+  still.run(1);
+  const std::uint64_t hash = still.world().hash();
+  still.simulation.post([&](world::World& world) { first = *world::spawn(world, 0, {}); });
+  still.run(3);
+  testing::go_back(still.simulation, 1);
+  still.simulation.post([](world::World&) {});
+  still.run(0);
+  EXPECT_EQ(still.world().hash(), hash) << "nobody came yet";
+  still.simulation.post([&](world::World& world) { second = *world::spawn(world, 0, {}); });
+  still.run(0);
+  EXPECT_GT(second, first);
+}
+
+TEST(Simulation, is_paced_anew_after_it_went_back) {
+  const scene::SceneDesc scene = testing::scene_of(kRobot);
+  std::atomic<double> now = 0;
+  Simulation simulation(std::make_unique<StillEngine>(scene),
+                        {.speed = 1, .clock = [&] { return now.load(); }});
+  simulation.record(true);
+  std::thread ticks([&] { simulation.run(); });
+  const auto carry_out = [&] {
+    for (int time = 0; time < 2; ++time) {
+      std::atomic<bool> done = false;
+      simulation.post([&](world::World&) { done = true; });
+      while (!done) std::this_thread::yield();
+    }
+  };
+  for (int k = 1; k <= 15; ++k) {
+    now = k * 0.101;
+    carry_out();
+  }
+  simulation.rewind(10);
+  carry_out();
+  carry_out();
+  simulation.stop();
+  ticks.join();
+  EXPECT_LE(simulation.world().tick(), 11u) << "the first is due at once, and nothing is caught up";
+}
+
 }  // namespace
 }  // namespace playhouse::drivers

@@ -56,6 +56,10 @@ class MemorySite final : public Surroundings {
   void run(int ticks) {
     site_.simulation()->extend(static_cast<std::uint64_t>(ticks));
     site_.simulation()->run();
+    hear();
+  }
+  /// Does what was posted to the io thread.
+  void hear() {
     for (const std::function<void()>& task : std::exchange(posted_, {})) task();
   }
 
@@ -89,7 +93,10 @@ class MemorySite final : public Surroundings {
     opened.push_back(path);
     scene_ = scene_of(world_text_);
     return std::make_unique<Simulation>(std::make_unique<StillEngine>(scene_),
-                                        Simulation::Options{.speed = 0, .paused = false, .duration = 0});
+                                        Simulation::Options{.speed = 0,
+                                                            .paused = false,
+                                                            .duration = 0,
+                                                            .clock = no_time_passes});
   }
 
   Recorder recorder;

@@ -61,10 +61,24 @@ class Recorder final : public device::Outlet, public device::Publisher {
   int batches = 0;
 };
 
+/// A wall clock for runs that wait for nothing.
+inline double no_time_passes() {
+  return 0;
+}
+
+/// Takes the run to the instant of a tick, earlier or later than now, and so many ticks on from there.
+inline void go_back(Simulation& simulation, std::uint64_t instant, std::uint64_t ticks = 0) {
+  simulation.rewind(instant);
+  simulation.extend(instant + ticks - simulation.world().tick());  // counts from now, so it wraps round
+  simulation.run();
+}
+
 /// A world, its simulation, and single steps of it.
 struct StillSimulation {
   explicit StillSimulation(const std::string& text)
-      : scene(scene_of(text)), simulation(std::make_unique<StillEngine>(scene), {.speed = 0, .duration = 0}) {
+      : scene(scene_of(text)),
+        simulation(std::make_unique<StillEngine>(scene),
+                   {.speed = 0, .duration = 0, .clock = no_time_passes}) {
     simulation.publish_to(recorder);
   }
   /// Does what was posted, then so many ticks.

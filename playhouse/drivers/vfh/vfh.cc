@@ -81,6 +81,12 @@ void Vfh::stop(device::DeviceId) {
   state_.reset();
 }
 
+void Vfh::rewound() {
+  thread_.clear();
+  const std::lock_guard lock(mutex_);
+  state_.reset();
+}
+
 device::Taken Vfh::command(const device::Message& message) {
   if (!client_.is_open()) return device::Taken::kNo;  // a goal must not wait for whoever opens it next
   if (message.subtype != p2d::kCmdPos) {
@@ -187,14 +193,17 @@ Result<std::unique_ptr<device::Driver>> make_vfh(const scene::CfgSection& sectio
   const Result<device::DeviceId> id = site.add_device(shown, *driver);
   if (!id) return Error{section.at("provides"), id.error().text};
   driver->set_device(*id);
-  const auto connected = [&site, shown, robot, &thread = driver->thread()]() -> Result<void> {
+  const auto connected = [&site, shown, robot, &vfh = *driver]() -> Result<void> {
     Simulation* const simulation = site.simulation();
     if (simulation == nullptr) return {};
     Directory& directory = simulation->directory();
     directory.add(directory.model_of(robot), shown);
-    thread.follow_ticks(simulation->world().tick(), kDelay);
+    vfh.thread().follow_ticks(simulation->world().tick(), kDelay);
+    simulation->add_follower([&vfh](const world::World&, const world::Change& change) {
+      if (change.kind == world::Change::Kind::kReload) vfh.rewound();
+    });
     simulation->add_listener(
-        [&thread](const world::World& world, const world::Pace&) { thread.ticked(world.tick()); });
+        [&vfh](const world::World& world, const world::Pace&) { vfh.thread().ticked(world.tick()); });
     return {};
   };
   site.add_user({driver.get(), &driver->client(), *provided, *required, section.at("requires"), connected});

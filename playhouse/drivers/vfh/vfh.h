@@ -37,6 +37,8 @@ class Vfh final : public device::Driver {
   Result<void> start(device::DeviceId device) override;
   void stop(device::DeviceId device) override;
   void retired(device::DeviceId) override { stop(device_); }
+  /// The world is that of another time: what was computed counts no more, the goal stays. Tick thread.
+  void rewound();
   device::Taken command(const device::Message& message) override;
   void request(const device::Message& message, device::Replier replier) override;
   bool capable(device::DeviceId device, std::uint8_t type, std::uint8_t subtype) const override;
