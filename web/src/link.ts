@@ -1,6 +1,6 @@
 import type { Command } from './protocol/commands';
 import { Replica } from './protocol/replica';
-import { parseText, withChanges, type Changes, type Scene } from './protocol/scene';
+import { parseText, withChanges, type Changes, type History, type Scene } from './protocol/scene';
 
 export type LinkState = 'connecting' | 'live' | 'silent' | 'lost';
 
@@ -9,6 +9,7 @@ export interface LinkEvents {
   /** The same world with another population. */
   population(scene: Scene, replica: Replica): void;
   packet(): void;
+  history(history: History): void;
   notice(text: string): void;
   state(state: LinkState): void;
 }
@@ -70,6 +71,7 @@ export class Link {
   private receiveText(text: string): void {
     const message = parseText(text);
     if ('notice' in message) return this.events.notice(message.notice);
+    if ('history' in message) return this.events.history(message.history);
     if ('changes' in message) return this.follow(message.changes);
     this.tries = 0;
     this.unacknowledged = 0;

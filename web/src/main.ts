@@ -51,6 +51,7 @@ class Page {
     scene: (scene, replica) => this.showScene(scene, replica),
     population: (scene, replica) => this.showPopulation(scene, replica),
     packet: () => this.showPacket(),
+    history: (history) => this.clock.follow(history),
     notice: (text) => this.showNotice(text),
     state: (state) => this.showLink(state),
   });
@@ -65,7 +66,11 @@ class Page {
     add: (robot) => this.add(robot),
     help: () => this.help.showModal(),
   });
-  private readonly clock = new Clock(byId('clock'));
+  private readonly clock = new Clock(byId('clock'), {
+    rewind: (tick) => this.link.send({ do: 'rewind', tick }),
+    pause: () => this.link.send({ do: 'pause' }),
+    goOn: () => this.link.send({ do: 'resume' }),
+  });
   private readonly robots = new RobotList(byId('robots'), (row) => {
     this.select(row);
     this.goTo(row);
@@ -142,6 +147,7 @@ class Page {
     this.replica = replica;
     this.looked = '';
     this.awaited = 0;
+    this.clock.follow({ ticks: [] });
     this.view.show(scene, replica);
     this.toolbar.showWorld(scene.name);
     this.toolbar.showTilted(this.view.rig.pitch > 0.02);
@@ -195,6 +201,7 @@ class Page {
     if (!this.live) this.letGo();
     if (state === 'lost') this.driver.forget();
     this.toolbar.showLink(state, kLinkTexts[state]);
+    this.clock.showLink(this.live);
     const banner = byId('lost');
     banner.hidden = state === 'live' || state === 'connecting';
     banner.textContent = kLinkTexts[state];

@@ -16,6 +16,18 @@ const scene: Scene = {
 };
 
 describe('Motion', () => {
+  it('jumps when the run goes back', () => {
+    const replica = new Replica(scene);
+    const motion = new Motion(scene, replica);
+    replica.tick = 9;
+    motion.aim(1000);
+    replica.tick = 2;
+    replica.x[0] = 500;
+    motion.aim(1100);
+    motion.update(1100);
+    expect(motion.x[0]).toBe(0.5);
+  });
+
   it('draws between the last two known poses and arrives', () => {
     const replica = new Replica(scene);
     const motion = new Motion(scene, replica);

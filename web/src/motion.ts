@@ -63,6 +63,7 @@ export class Motion {
   aim(now: number): void {
     const drawn = this.fraction(now);
     for (let i = 0; i < this.from.length; i += 4) this.advance(i, drawn);
+    const wentBack = this.replica.tick < this.lastTick;
     if (this.replica.tick !== this.lastTick) {
       const passed = Math.min(Math.max(now - this.since, kPeriodMs.least), kPeriodMs.most);
       this.periodMs += 0.2 * (passed - this.periodMs);
@@ -70,6 +71,7 @@ export class Motion {
     }
     this.since = now;
     this.readTargets();
+    if (wentBack) this.from.set(this.to);
     for (let i = 0; i < this.from.length; i += 4) this.dropJump(i);
     this.settled = false;
   }

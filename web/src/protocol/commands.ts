@@ -4,6 +4,7 @@ export type Command =
   | { do: 'resume' }
   | { do: 'step' }
   | { do: 'speed'; times_real_time: number }
+  | { do: 'rewind'; tick: number }
   | { do: 'drag'; model: number; x: number; y: number; a: number }
   | { do: 'drive'; model: number; forward: number; sideways: number; turn: number }
   | { do: 'copy'; model: number; x: number; y: number; a: number }

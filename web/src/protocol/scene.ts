@@ -69,14 +69,27 @@ export interface Changes {
 
 type SceneText = Omit<Scene, 'models'> & { models: ModelText[] };
 
-/** A text message: the scene, changes of its population, or a line for the person who watches. */
-export function parseText(text: string): { scene: Scene } | { changes: Changes } | { notice: string } {
+/** The ticks of the instants that the run can go back to, ascending; or why there are none. */
+export type History = { ticks: number[] } | { none: string };
+
+type HistoryText = { first: number; steps: [gap: number, times: number][] } | { none: string };
+
+/** A text message: the scene, changes of its population, instants to go back to, or a line for the person who watches. */
+export function parseText(text: string): { scene: Scene } | { changes: Changes } | { history: History } | { notice: string } {
   const message: unknown = JSON.parse(text);
   if (typeof message !== 'object' || message === null) throw new Error('not a message of this program');
   if ('notice' in message && typeof message.notice === 'string') return { notice: message.notice };
+  if ('history' in message) return { history: historyOf(message.history as HistoryText) };
   if ('gone' in message) return { changes: message as Changes };
   if ('protocol' in message && message.protocol === 2) return { scene: sceneOf(message as SceneText) };
   throw new Error('this page is older or newer than the program: reload it');
+}
+
+function historyOf(text: HistoryText): History {
+  if ('none' in text) return text;
+  const ticks = [text.first];
+  for (const [gap, times] of text.steps) for (let k = 0; k < times; ++k) ticks.push(ticks[ticks.length - 1] + gap);
+  return { ticks };
 }
 
 export function sceneOf(text: SceneText): Scene {

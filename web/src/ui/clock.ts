@@ -1,15 +1,30 @@
 import type { Replica } from '../protocol/replica';
+import type { History } from '../protocol/scene';
 import { el, setText } from './dom';
+import { Past, type PastEvents } from './past';
+import { clockText } from './texts';
 
-/** Simulated time, and how fast it passes. */
+/** Simulated time, how fast it passes, and the way back. */
 export class Clock {
   private readonly time = el('span', { class: 'time', 'data-testid': 'time' });
   private readonly factor = el('span', { class: 'factor', 'data-testid': 'factor' });
   private readonly tick = el('span', { class: 'tick', 'data-testid': 'tick' });
   private readonly mode = el('span', { class: 'mode', 'data-testid': 'mode' });
 
-  constructor(bar: HTMLElement) {
-    bar.append(this.time, this.factor, this.tick, this.mode);
+  private readonly past: Past;
+
+  constructor(bar: HTMLElement, events: PastEvents) {
+    this.past = new Past(events, this.time);
+    bar.append(this.time, this.past.slider, el('span', { class: 'pace' }, this.factor, this.mode), this.tick);
+  }
+
+  /** Which instants the run can go back to. */
+  follow(history: History): void {
+    this.past.follow(history);
+  }
+
+  showLink(live: boolean): void {
+    this.past.showLink(live);
   }
 
   show(replica: Replica, interval: number): void {
@@ -18,6 +33,7 @@ export class Clock {
     setText(this.tick, `tick ${replica.tick}`);
     setText(this.mode, modeText(replica));
     this.factor.hidden = replica.paused;
+    this.past.show(replica, interval);
   }
 }
 
@@ -25,15 +41,6 @@ function modeText(replica: Replica): string {
   if (replica.paused) return 'paused';
   if (replica.rowsWait) return 'catching up';
   return replica.beamsFull ? 'some sensors not shown' : '';
-}
-
-/** 3723.4 s as "1:02:03.4". */
-export function clockText(seconds: number): string {
-  const tenths = Math.round(seconds * 10);
-  const h = Math.floor(tenths / 36000);
-  const m = Math.floor((tenths / 600) % 60);
-  const s = ((tenths % 600) / 10).toFixed(1).padStart(4, '0');
-  return h > 0 ? `${h}:${String(m).padStart(2, '0')}:${s}` : `${m}:${s}`;
 }
 
 export function factorText(factor: number): string {

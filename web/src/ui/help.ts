@@ -23,6 +23,7 @@ const kHands: [string, string][] = [
   ['Right drag, Shift drag', 'turn and tilt'],
   ['Click', 'select a robot: its devices are shown live'],
   ['Double click', 'go there'],
+  ['Slider beside the time', 'back to a moment of the last minutes, and on from there'],
 ];
 
 export function fillHelp(dialog: HTMLDialogElement): void {

@@ -1,10 +1,13 @@
 import type { HeldKeys } from '../drive/hands';
 
+const kSliderKeys = ['Home', 'End', 'PageUp', 'PageDown'];
+
 /** Whether keys are somebody else's: text is typed, a choice is made, a dialog is open. */
 function isTaken(event: KeyboardEvent): boolean {
   const { target, key } = event;
   if (document.querySelector('dialog[open]') || event.ctrlKey || event.metaKey || event.altKey) return true;
   if (target instanceof HTMLSelectElement) return key.startsWith('Arrow');
+  if (target instanceof HTMLInputElement && target.type === 'range') return key.startsWith('Arrow') || kSliderKeys.includes(key);
   return target instanceof HTMLInputElement && target.type !== 'checkbox';
 }
 

@@ -12,3 +12,12 @@ export function degrees(radians: number): string {
 export function shortName(name: string): string {
   return name.slice(name.lastIndexOf('.') + 1);
 }
+
+/** 3723.4 s as "1:02:03.4". */
+export function clockText(seconds: number): string {
+  const tenths = Math.round(seconds * 10);
+  const h = Math.floor(tenths / 36000);
+  const m = Math.floor((tenths / 600) % 60);
+  const s = ((tenths % 600) / 10).toFixed(1).padStart(4, '0');
+  return h > 0 ? `${h}:${String(m).padStart(2, '0')}:${s}` : `${m}:${s}`;
+}

@@ -13,6 +13,7 @@ interface Trail {
   row: number;
   length: number;
   points: number[]; // x, y, ...
+  ticks: number[]; // when it was there
 }
 
 /** Where robots have been: a ribbon on the floor that fades. */
@@ -27,22 +28,31 @@ export class Trails {
     private readonly replica: Replica,
     before: Trails | null = null,
   ) {
-    const known = new Map(before?.trails.map(({ row, points }) => [before.replica.scene.models[row].id, points]));
+    const known = new Map(before?.trails.map((trail) => [before.replica.scene.models[trail.row].id, trail]));
     scene.models.forEach((model, row) => {
       if (model.parent >= 0 || model.kind !== 'position' || this.trails.length >= kRobotsMost) return;
-      this.trails.push({ row, length: Math.min(Math.max(model.trail ?? 20, 20), kLengthMost), points: known.get(model.id) ?? [] });
+      const { points, ticks } = known.get(model.id) ?? { points: [], ticks: [] };
+      this.trails.push({ row, length: Math.min(Math.max(model.trail ?? 20, 20), kLengthMost), points, ticks });
     });
   }
 
   /** Takes down where everyone is; call for every packet. */
   record(): void {
-    for (const { row, length, points } of this.trails) {
+    const { tick } = this.replica;
+    for (const { row, length, points, ticks } of this.trails) {
+      // A run that went back has not been there yet.
+      while (ticks.length > 0 && ticks[ticks.length - 1] > tick) ticks.pop();
+      points.length = 2 * ticks.length;
       const [x, y] = [this.replica.x[row] / 1000, this.replica.y[row] / 1000];
       const far = points.length === 0 ? Infinity : Math.hypot(x - points[points.length - 2], y - points[points.length - 1]);
       if (far < kSpacing) continue;
-      if (far > kJump) points.length = 0;
+      if (far > kJump) points.length = ticks.length = 0;
       points.push(x, y);
-      if (points.length > length * 2) points.splice(0, points.length - length * 2);
+      ticks.push(tick);
+      if (ticks.length <= length) continue;
+      points.shift();
+      points.shift();
+      ticks.shift();
     }
   }
 
