@@ -1,5 +1,5 @@
-// Runs that are taken back: what comes after an instant is the same to the bit as the first time, whoever came
-// and went, and however many workers there are. Out of scope here: which instants there are
+// Runs that are taken back: what comes after an instant is the same to the bit as the first time, whoever
+// came and went, and however many workers there are. Out of scope here: which instants there are
 // (drivers/simulated/history_test.cc) and what happens to devices (drivers/simulated/auto_devices_test.cc).
 
 #include <gtest/gtest.h>
@@ -29,9 +29,8 @@ class Rewound {
                                  [](const std::string&) {}),
                     {.speed = 0, .duration = 0, .clock = drivers::testing::no_time_passes}) {
     simulation_.record(true);
-    simulation_.add_listener([this](const world::World& world, const world::Pace&) {
-      hash_of_tick[world.tick()] = world.hash();
-    });
+    simulation_.add_listener(
+        [this](const world::World& world, const world::Pace&) { hash_of_tick[world.tick()] = world.hash(); });
   }
   void run_to(std::uint64_t tick) {
     simulation_.extend(tick - world().tick());

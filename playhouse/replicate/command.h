@@ -61,13 +61,13 @@ struct Acknowledge {
   std::uint32_t frame = 0;
 };
 
-using Command =
-    std::variant<Pause, Resume, Step, SetSpeed, Rewind, Drag, Drive, Copy, Add, Remove, Select, Look, Acknowledge>;
+using Command = std::variant<Pause, Resume, Step, SetSpeed, Rewind, Drag, Drive, Copy, Add, Remove, Select,
+                             Look, Acknowledge>;
 
-inline constexpr double kSpeedMost = 1000;  // times real time
+inline constexpr double kSpeedMost = 1000;               // times real time
 inline constexpr double kTickMost = 9007199254740992.0;  // whole numbers are exact up to here
-inline constexpr double kPlaceMost = 1e6;   // m, of a coordinate from a viewer
-inline constexpr double kDriveMost = 100;   // m/s or rad/s, of a velocity from a viewer
+inline constexpr double kPlaceMost = 1e6;                // m, of a coordinate from a viewer
+inline constexpr double kDriveMost = 100;                // m/s or rad/s, of a velocity from a viewer
 
 Result<Command> parse_command(std::string_view text);
 

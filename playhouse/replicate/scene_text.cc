@@ -44,7 +44,8 @@ std::string history_text(const world::Past& past) {
     const std::uint64_t gap = past.ticks[i] - past.ticks[i - 1];
     ++times;
     if (i + 1 < past.ticks.size() && past.ticks[i + 1] - past.ticks[i] == gap) continue;
-    fmt::format_to(std::back_inserter(steps), "{}[{},{}]", steps.empty() ? "" : ",", gap, std::exchange(times, 0));
+    fmt::format_to(std::back_inserter(steps), "{}[{},{}]", steps.empty() ? "" : ",", gap,
+                   std::exchange(times, 0));
   }
   return fmt::format("{{\"history\":{{\"first\":{},\"steps\":[{}]}}}}\n", past.ticks.front(), steps);
 }

@@ -471,10 +471,9 @@ class WebServer::Impl final : public net::HttpService,
       if (!subscribed_.contains(robot) && !subscribe(robot)) done = false;
     std::erase_if(subscribed_, [&](const auto& held) {
       if (selected_.contains(held.first)) return false;
-      const bool posted = control_.post(
-          [models = held.second, &control = control_](world::World& world) {
-            for (world::Use& use : *models) use.end(world, control);
-          });
+      const bool posted = control_.post([models = held.second, &control = control_](world::World& world) {
+        for (world::Use& use : *models) use.end(world, control);
+      });
       if (!posted) done = false;
       return posted;
     });

@@ -293,7 +293,8 @@ TEST_F(WebServerTest, viewers_hear_which_instants_there_are_and_go_back_to_them)
     viewer.send_text(R"({"do":"rewind","tick":20})");
     EXPECT_THAT(next_text(viewer, turning()), HasSubstr("no moment of this run is kept yet"));
     notes_.set_past({{5, 10, 20, 30, 37}, ""});
-    EXPECT_THAT(next_text(viewer, turning()), EndsWith("{\"history\":{\"first\":5,\"steps\":[[5,1],[10,2],[7,1]]}}\n"));
+    EXPECT_THAT(next_text(viewer, turning()),
+                EndsWith("{\"history\":{\"first\":5,\"steps\":[[5,1],[10,2],[7,1]]}}\n"));
     viewer.send_text(R"({"do":"rewind","tick":20})");
     EXPECT_TRUE(turn_until([this] { return notes_.all() == "rewind 20;"; })) << notes_.all();
     WebClient other(port_);
@@ -309,7 +310,8 @@ TEST_F(WebServerTest, viewers_hear_why_a_run_cannot_go_back) {
   WebClient viewer(port_);
   ASSERT_TRUE(viewer.upgrade());
   viewer.message();
-  EXPECT_THAT(next_text(viewer, turning()), EndsWith("{\"history\":{\"none\":\"controller shy cannot be saved\"}}\n"));
+  EXPECT_THAT(next_text(viewer, turning()),
+              EndsWith("{\"history\":{\"none\":\"controller shy cannot be saved\"}}\n"));
   viewer.send_text(R"({"do":"rewind","tick":20})");
   EXPECT_THAT(next_text(viewer, turning()), HasSubstr("cannot go back: controller shy cannot be saved"));
   EXPECT_EQ(notes_.all(), "");

@@ -26,7 +26,7 @@ struct Change {
     kDetach,   // `model` was part of `other` and is a top now
     kPlace,    // `model` was put elsewhere in its parent
     kSet,      // a property of `model` was set
-    kReload,   // another state of the same run was loaded: anything may be another, but ids name whom they did
+    kReload,  // another state of the same run was loaded: anything may be another, but ids name whom they did
   };
   Kind kind;
   ModelId model, other;

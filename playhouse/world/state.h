@@ -16,8 +16,8 @@
 
 namespace playhouse::world {
 
-/// Appends the state to `out`. Fails, with the controller's name, where one cannot say what it remembers, and on
-/// values that could not be read again: a robot that has left every scene behind.
+/// Appends the state to `out`. Fails, with the controller's name, where one cannot say what it remembers, and
+/// on values that could not be read again: a robot that has left every scene behind.
 Result<void> save_state(const World& world, std::vector<std::byte>& out);
 
 /// Makes the world the one that was saved: one of the same scene and seed, with the same controllers. Models

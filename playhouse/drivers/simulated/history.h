@@ -30,8 +30,8 @@ class History {
   void take(const world::World& world);
 
   bool empty() const { return instants_.empty(); }
-  /// The state of the instant nearest to a tick, the earlier one of two; valid until the next change. There is
-  /// one.
+  /// The state of the instant nearest to a tick, the earlier one of two; valid until the next change. There
+  /// is one.
   std::span<const std::byte> nearest(std::uint64_t tick) const;
   /// Forgets what lies after a tick: the run goes another way from there.
   void drop_after(std::uint64_t tick);
@@ -54,8 +54,8 @@ class History {
   const std::size_t most_bytes_;
   std::vector<Instant> instants_;  // by tick
   std::size_t bytes_ = 0;
-  double rest_until_ = 0;    // wall clock: what the last one took, times a hundred, has passed
-  std::string why_none_;     // empty: states can be taken
+  double rest_until_ = 0;  // wall clock: what the last one took, times a hundred, has passed
+  std::string why_none_;   // empty: states can be taken
   bool given_up_ = false;
   std::shared_ptr<const world::Past> past_;  // null: to be made
 };

@@ -226,7 +226,8 @@ TEST(Simulation, tells_followers_and_then_listeners_that_the_world_is_another) {
   still.run(20);
   std::string told;
   still.simulation.add_follower([&](const world::World& world, const world::Change& change) {
-    if (change.kind == world::Change::Kind::kReload) told += "reloaded " + std::to_string(world.tick()) + ", ";
+    if (change.kind == world::Change::Kind::kReload)
+      told += "reloaded " + std::to_string(world.tick()) + ", ";
   });
   still.simulation.add_listener(
       [&](const world::World& world, const world::Pace&) { told += std::to_string(world.tick()) + ", "; });

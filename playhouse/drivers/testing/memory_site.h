@@ -92,11 +92,9 @@ class MemorySite final : public Surroundings {
   Result<std::unique_ptr<Simulation>> open_world(const std::string& path) override {
     opened.push_back(path);
     scene_ = scene_of(world_text_);
-    return std::make_unique<Simulation>(std::make_unique<StillEngine>(scene_),
-                                        Simulation::Options{.speed = 0,
-                                                            .paused = false,
-                                                            .duration = 0,
-                                                            .clock = no_time_passes});
+    return std::make_unique<Simulation>(
+        std::make_unique<StillEngine>(scene_),
+        Simulation::Options{.speed = 0, .paused = false, .duration = 0, .clock = no_time_passes});
   }
 
   Recorder recorder;
