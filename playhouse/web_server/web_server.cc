@@ -360,8 +360,14 @@ class WebServer::Impl final : public net::HttpService,
       if (!model) return;
       const std::uint32_t top = world.models.root[model.index];
       const geom::Pose X_WM{copy.x, copy.y, world.models.X_PM[top].z, copy.a};
-      const auto came = world::spawn(world, world.models.desc[top], X_WM);
-      if (!came) tell(came.error().text);
+      const auto came =
+          world::spawn(world, world.models.desc[top], X_WM, world::fresh_name(world, world.name({top})));
+      if (!came) return tell(came.error().text);
+      // What models that share a prototype have for themselves.
+      const world::ModelRow row = world.row(*came), original = world.row(copy.model);
+      const std::uint32_t like = world.models.root[original.index];
+      world::set_color(world, row, world.models.color[like]);
+      world::set_fiducial_return(world, row, world.models.fiducial_return[like]);
     });
   }
 

@@ -362,9 +362,11 @@ TEST_F(WebServerTest, robots_are_added_copied_and_removed_and_viewers_follow) {
     EXPECT_THAT(next_text(*each, turning()),
                 AllOf(HasSubstr(R"({"gone":[],)"), HasSubstr(R"({"id":14,)"), HasSubstr(R"("name":"r0~2")"),
                       HasSubstr(R"({"id":15,)"), HasSubstr(R"("parent":14,)")));
+  world::set_color(small_.world, {14}, {0, 1, 0, 1});
   viewer.send_text(R"({"do":"copy","model":15,"x":5,"y":5,"a":1})");
   EXPECT_THAT(next_text(viewer, turning()), AllOf(HasSubstr(R"({"id":18,)"), HasSubstr(R"("name":"r0~3")")));
-  EXPECT_TRUE(world::is_place(small_.world.models.X_PM[18]));
+  EXPECT_EQ(small_.world.models.color[18], (scene::Color{0, 1, 0, 1}));
+  EXPECT_EQ(small_.world.models.fiducial_return[18], small_.world.models.fiducial_return[14]);
   viewer.send_text(R"({"do":"remove","model":2})");
   EXPECT_THAT(next_text(viewer, turning()), HasSubstr(R"({"gone":[1,2,3,4],)"));
   EXPECT_EQ(small_.world.models.size(), 18u);

@@ -370,17 +370,16 @@ geom::Pose Population::start_of(ModelRow row) const {
   return given == world_.given_.end() ? world_.desc(row).X_PM : given->second.X_WM;
 }
 
-namespace {
-
-/// The prototype's name with the least number behind it that nobody has.
-std::string fresh_name(const World& world, const std::string& name) {
+std::string fresh_name(const World& world, std::string_view like) {
+  const std::size_t tilde = like.rfind('~');
+  const bool is_numbered = tilde != std::string_view::npos && tilde + 1 < like.size() &&
+                           like.find_first_not_of("0123456789", tilde + 1) == std::string_view::npos;
+  const std::string name(is_numbered ? like.substr(0, tilde) : like);
   for (std::uint32_t number = 2;; ++number) {
     std::string candidate = name + "~" + std::to_string(number);
     if (!world.find(candidate)) return candidate;
   }
 }
-
-}  // namespace
 
 Result<ModelId> spawn(World& world, std::uint32_t prototype, const geom::Pose& X_WM, std::string name) {
   const std::uint32_t count = scene::tree_size(world.scene(), prototype);

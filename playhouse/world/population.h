@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "playhouse/base/result.h"
 #include "playhouse/world/world.h"
@@ -19,6 +20,10 @@ namespace playhouse::world {
 /// ids of the rest follow it. Cost: the size of the tree. Fails on a prototype that is none, a pose that is
 /// no place, a name that is taken, and where the world has no room (base/limits.h).
 Result<ModelId> spawn(World& world, std::uint32_t prototype, const geom::Pose& X_WM, std::string name = {});
+
+/// A name like this one that nobody has: with the least number behind it, in place of the one that it may have
+/// ("r0~3" for "r0~2").
+std::string fresh_name(const World& world, std::string_view like);
 
 /// Takes a top-level model and all its own parts out of the world; what was attached to it stays where it
 /// is. Cost: the population. Fails if there is no such model or it is a part.

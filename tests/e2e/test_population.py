@@ -36,7 +36,7 @@ class Population(HouseTest):
         house = self.start()
         viewer, client = self.viewer(house), self.client(house)
         at_first = client.devices()
-        self.assertEqual(viewer.scene["addable"][ROBOT], "r0")
+        self.assertEqual(viewer.scene["addable"][ROBOT], "robot")
         viewer.send(do="add", robot=ROBOT, x=-2, y=4, a=0)
         viewer.turn_until(lambda: viewer.came)
         robot = viewer.models[viewer.came[0]]

@@ -51,6 +51,8 @@ class Viewer:
             if "notice" in message:
                 self.notices.append(message["notice"])
                 continue
+            if "gone" not in message:
+                continue
             for id in message["gone"]:
                 del self.models[id]
             for model in message["models"]:

@@ -33,8 +33,8 @@ after(async () => {
 
 test('a robot is added in the middle of the picture and selected, for every viewer', async () => {
   await by('add').click();
-  assert.deepEqual(await page.locator('[data-add]').allTextContents(), ['crate_a', 'lighthouse', 'guest', 'mate', 'drifter']);
-  await page.locator('[data-add=guest]').click();
+  assert.deepEqual(await page.locator('[data-add]').allTextContents(), ['crate', 'beacon', 'pioneer2dx', 'mate', 'drifter']);
+  await page.locator('[data-add=pioneer2dx]').click();
   await selected('guest~2');
   assert.deepEqual(await robots(), ['guest', 'mate', 'drifter', 'guest~2']);
   await other.waitForFunction(() => window.playhouse.robots.includes('guest~2'));
