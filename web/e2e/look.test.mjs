@@ -160,7 +160,7 @@ test('nothing overlaps on a phone, and the selected robot is in sight', async ()
 
 test('nothing overlaps on small windows', async () => {
   await choose('guest');
-  for (const [width, height] of [[1280, 800], [1024, 768], [760, 700]]) {
+  for (const [width, height] of [[1380, 800], [1280, 800], [1120, 800], [1024, 768], [760, 700]]) {
     await page.setViewportSize({ width, height });
     await nothingOverlaps(page);
   }
