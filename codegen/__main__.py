@@ -18,7 +18,7 @@ EMITTERS = [emit_cpp, emit_cpp_fields, emit_docs, emit_python]  # of interfaces/
 KIND_EMITTERS = [emit_kind_lists, emit_kinds_cpp, emit_kinds_docs, emit_tables, emit_views]
 # Folders that belong to the emitters alone: a file there that no emitter writes is left over.
 OWNED = [emit_cpp.FOLDER, emit_docs.FOLDER, emit_python.FOLDER, emit_kinds_cpp.FOLDER, emit_kinds_docs.FOLDER,
-         emit_kind_lists.FOLDER, emit_kind_lists.DRIVERS, emit_tables.FOLDER, emit_views.FOLDER, emit_views.WEB_FOLDER]
+         emit_kind_lists.BEHAVIOUR, emit_kind_lists.STAGE, emit_kind_lists.DRIVERS, emit_tables.FOLDER, emit_views.FOLDER, emit_views.WEB_FOLDER]
 
 
 def wanted() -> dict[str, str]:

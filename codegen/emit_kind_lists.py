@@ -1,27 +1,33 @@
-"""Lists of what is written per kind elsewhere, so that a kind adds files and changes none: playhouse/stage/generated/ and
-playhouse/drivers/generated/."""
+"""Lists of what is written per kind elsewhere, so that a kind adds files and changes none: playhouse/behaviour/generated/,
+playhouse/stage/generated/ and playhouse/drivers/generated/."""
 
 from __future__ import annotations
 
 from codegen.emit_kinds_cpp import BANNER
-from codegen.kinds import Kind, Kinds
+from codegen.kinds import Kinds
 
-FOLDER = "playhouse/stage/generated"
+BEHAVIOUR = "playhouse/behaviour/generated"
+STAGE = "playhouse/stage/generated"
 DRIVERS = "playhouse/drivers/generated"
 
 
 def emit(kinds: Kinds) -> dict[str, str]:
     """Path from the root of the tree -> content."""
-    return {f"{FOLDER}/senses.h": _senses(kinds), f"{DRIVERS}/device_makers.h": _devices(kinds)}
+    return {f"{BEHAVIOUR}/acts.h": _acts(kinds), f"{STAGE}/senses.h": _senses(kinds), f"{DRIVERS}/device_makers.h": _devices(kinds)}
 
 
-def measuring(kinds: Kinds) -> list[Kind]:
-    """Those that measure, when they are due."""
-    return [k for k in kinds.simulated() if any(c.name == "measured_tick" for c in k.state.columns)]
+def _acts(kinds: Kinds) -> str:
+    found = [k for k in kinds.simulated() if k.acts]
+    lines = [BANNER.rstrip(), "#pragma once", "", "/// The act phase of each kind that acts; playhouse/behaviour/act_NAME.cc defines it.", "",
+             "#include <memory>", "", '#include "playhouse/behaviour/act_phase.h"', "", "namespace playhouse::behaviour {", ""]
+    lines += [f"std::unique_ptr<ActPhase> make_{k.name}_act();" for k in found]
+    lines += ["", "inline void add_acts(Acts& acts) {"]
+    lines += [f"  acts.add(make_{k.name}_act());" for k in found]
+    return "\n".join([*lines, "}", "", "}  // namespace playhouse::behaviour", ""])
 
 
 def _senses(kinds: Kinds) -> str:
-    found = measuring(kinds)
+    found = [k for k in kinds.simulated() if k.measures]
     lines = [BANNER.rstrip(), "#pragma once", "", "/// The sense phase of each kind that measures; playhouse/stage/sense_NAME.cc defines it.", "",
              "#include <memory>", "", '#include "playhouse/stage/sense_phase.h"', "", "namespace playhouse::stage {", "",
              "/// `workers` is how many threads may measure at once."]

@@ -71,10 +71,6 @@ def _start(kind: Kind) -> list[Shown]:
     return [s for s in kind.state.viewer if s.when == "start"]
 
 
-def _measures(kind: Kind) -> bool:
-    return any(c.name == "measured_tick" for c in kind.state.columns)
-
-
 # --- the program ---------------------------------------------------------------------------------------------------
 
 
@@ -114,7 +110,7 @@ def _value(view: View, shown: Shown) -> str:
 
 def _capture(view: View) -> list[str]:
     lines = [f"bool capture_{view.kind.name}(const world::World& world, std::uint32_t row, std::vector<std::int32_t>& out) {{"]
-    if _measures(view.kind):
+    if view.kind.measures:
         lines.append(f"  if (world.{view.kind.table}.measured_tick[row] == 0) return false;")
     pushes = [f"out.push_back({_value(view, s)});" for s in view.fields]
     if view.column:
@@ -139,7 +135,7 @@ def _state(kinds: Kinds) -> list[str]:
 
 def _sensing(kinds: Kinds) -> list[str]:
     lines = ["bool measures(scene::ModelKind kind) {", "  switch (kind) {"]
-    lines += [f"    case scene::ModelKind::{enumerator(k.kind)}:" for k in kinds.simulated() if _measures(k)]
+    lines += [f"    case scene::ModelKind::{enumerator(k.kind)}:" for k in kinds.simulated() if k.measures]
     return [*lines, "      return true;", "    default:", "      return false;", "  }", "}", ""]
 
 

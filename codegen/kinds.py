@@ -71,6 +71,16 @@ class Kind:
         return self.entity != "model" or self.number is not None
 
     @property
+    def measures(self) -> bool:
+        """It measures, when it is due."""
+        return any(c.name == "measured_tick" for c in self.state.columns)
+
+    @property
+    def acts(self) -> bool:
+        """It does something with its commands in the phase `act`."""
+        return any("act" in c.writer.split(", ") for c in self.state.columns)
+
+    @property
     def members(self) -> list[Word]:
         """Words that the description has a member for."""
         return [w for w in self.words if w.has_member] if self.simulated else []

@@ -102,7 +102,7 @@ double robot_radius(const Trees& trees, const Solids& solids) {
 }  // namespace
 
 StageEngine::StageEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers)
-    : world_(scene, seed), workers_(workers), shapes_(scene), motion_(workers_.count()) {
+    : PhasedEngine(scene, seed, workers), shapes_(scene), motion_(workers_.count()) {
   add_senses(senses_, workers_.count());
   populate(true);
 }
@@ -113,9 +113,9 @@ void StageEngine::populate(bool fixed) {
   replace_moving_solids(solids_, world_, shapes_, trees_);
   if (fixed) walls_ = Walls(solids_);
   motion_.populate(trees_, solids_, world_.models);
-  senses_.populate(world_, solids_);
   index_.populate(solids_.moving(), robot_radius(trees_, solids_), layers_of(solids_));
   index();
+  senses_.populate(world_, space());
 }
 
 Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene,

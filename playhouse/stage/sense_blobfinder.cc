@@ -45,7 +45,7 @@ class BlobfinderSense final : public SensePhase {
   SensorTable table(world::World& world) const override {
     return {world.blobfinders.model, world.blobfinders.measured_tick};
   }
-  void populate(const world::World&, const Solids&) override {}
+  void populate(const world::World&, const Space&) override {}
 
   std::uint64_t sense(world::World& world, const Space& space, std::span<const std::uint32_t> due,
                       std::uint64_t, world::Workers& workers) override {

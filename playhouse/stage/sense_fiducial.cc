@@ -21,7 +21,8 @@ SensorTable FiducialSense::table(world::World& world) const {
   return {world.fiducials.model, world.fiducials.measured_tick};
 }
 
-void FiducialSense::populate(const world::World& world, const Solids& solids) {
+void FiducialSense::populate(const world::World& world, const Space& space) {
+  const Solids& solids = space.solids;
   const std::size_t models = world.fiducials.size() > 0 ? world.models.size() : 0;
   z_min_.assign(models, 1e300);
   z_max_.assign(models, -1e300);

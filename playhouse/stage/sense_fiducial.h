@@ -12,7 +12,7 @@ namespace playhouse::stage {
 class FiducialSense final : public SensePhase {
  public:
   SensorTable table(world::World& world) const override;
-  void populate(const world::World& world, const Solids& solids) override;
+  void populate(const world::World& world, const Space& space) override;
   std::uint64_t sense(world::World& world, const Space& space, std::span<const std::uint32_t> due,
                       std::uint64_t tick, world::Workers& workers) override;
 

@@ -1,63 +1,14 @@
 #pragma once
 
-/// SensePhase: what a kind of sensor has to say for itself; and Senses, all kinds of an engine. A new kind is
-/// a class of its own; generated/senses.h lists them all.
+/// The senses of the 2D engine; generated/senses.h lists them all.
 
-#include <memory>
-#include <span>
-#include <vector>
-
-#include "playhouse/stage/due_list.h"
+#include "playhouse/behaviour/sense_phase.h"
 #include "playhouse/stage/space.h"
-#include "playhouse/world/workers.h"
 
 namespace playhouse::stage {
 
-class SensePhase {
- public:
-  virtual ~SensePhase() = default;
-
-  /// The table of these sensors. Valid while the population is.
-  virtual SensorTable table(world::World& world) const = 0;
-
-  /// Sizes and fills what depends on which models there are. To be called again, between two ticks, when some
-  /// came or went or what stands still was put elsewhere; what is made of sensors that are alike is kept.
-  virtual void populate(const world::World& world, const Solids& solids) = 0;
-
-  /// Measures with the sensors `due` for `tick`, the number that the state gets when it is frozen. Returns
-  /// the rays cast.
-  virtual std::uint64_t sense(world::World& world, const Space& space, std::span<const std::uint32_t> due,
-                              std::uint64_t tick, world::Workers& workers) = 0;
-};
-
-class Senses {
- public:
-  void add(std::unique_ptr<SensePhase> phase) { entries_.push_back({std::move(phase), {}}); }
-
-  /// See SensePhase.
-  void populate(world::World& world, const Solids& solids) {
-    for (Entry& entry : entries_) {
-      entry.due.populate(world, entry.phase->table(world).model);
-      entry.phase->populate(world, solids);
-    }
-  }
-
-  /// The phase `sense`. Returns the rays cast.
-  std::uint64_t sense(world::World& world, const Space& space, std::uint64_t tick, world::Workers& workers) {
-    std::uint64_t rays = 0;
-    for (Entry& entry : entries_) {
-      const std::span<const std::uint32_t> due = entry.due.take(world, entry.phase->table(world), tick);
-      if (!due.empty()) rays += entry.phase->sense(world, space, due, tick, workers);
-    }
-    return rays;
-  }
-
- private:
-  struct Entry {
-    std::unique_ptr<SensePhase> phase;
-    DueList due;
-  };
-  std::vector<Entry> entries_;
-};
+using behaviour::SensorTable;
+using SensePhase = behaviour::SensePhase<Space>;
+using Senses = behaviour::Senses<Space>;
 
 }  // namespace playhouse::stage

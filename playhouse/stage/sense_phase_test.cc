@@ -29,8 +29,9 @@ std::pair<std::uint64_t, std::uint64_t> measure(Senses& senses, const scene::Sce
   index.populate(solids.moving(), 0.3);
   index.rebuild(
       solids.moving(), [&](std::size_t i) { return disc_of(solids, solids.fixed + i); }, workers);
-  senses.populate(world, solids);
-  const std::uint64_t rays = senses.sense(world, {solids, index, walls}, 1, workers);
+  const Space space{solids, index, walls};
+  senses.populate(world, space);
+  const std::uint64_t rays = senses.sense(world, space, 1, workers);
   return {world.sensed_hash(), rays};
 }
 
@@ -78,25 +79,6 @@ TEST(RangerKinds, keep_what_rangers_that_are_alike_share) {
   const double half = kinds.kinds[0].bundles[0].half;
   kinds.populate(world::World(many, 1), 0.5);
   EXPECT_NEAR(kinds.kinds[0].bundles[0].half, half + 0.2, 1e-12) << "tables are good for larger bodies";
-}
-
-TEST(DueList, has_those_that_are_subscribed_and_whose_period_is_over) {
-  scene::SceneDesc scene;
-  for (const double interval : {0.1, 0.25, 0.1}) {
-    scene.models.push_back(testing::ranger("s", -1, {}));
-    scene.models.back().update_interval = interval;
-  }
-  scene.models[2].alwayson = false;
-  world::World world(scene, 1);
-  DueList list;
-  list.populate(world, world.rangers.model);
-  std::vector<std::vector<std::uint32_t>> due;
-  for (std::uint64_t tick = 1; tick <= 6; ++tick) {
-    const auto rows = list.take(world, {world.rangers.model, world.rangers.measured_tick}, tick);
-    due.emplace_back(rows.begin(), rows.end());
-  }
-  EXPECT_EQ(due, (std::vector<std::vector<std::uint32_t>>{{0}, {0}, {0, 1}, {0}, {0}, {0, 1}}));
-  EXPECT_EQ(world.rangers.measured_tick, (std::vector<std::uint64_t>{6, 6, 0}));
 }
 
 }  // namespace

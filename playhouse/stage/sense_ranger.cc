@@ -36,7 +36,8 @@ SensorTable RangerSense::table(world::World& world) const {
   return {world.rangers.model, world.rangers.measured_tick};
 }
 
-void RangerSense::populate(const world::World& world, const Solids& solids) {
+void RangerSense::populate(const world::World& world, const Space& space) {
+  const Solids& solids = space.solids;
   double body_radius = 0;
   for (std::size_t row = solids.fixed; row < solids.size(); ++row)
     body_radius = std::max(body_radius, solids.radius[row]);

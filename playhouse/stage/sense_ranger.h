@@ -17,7 +17,7 @@ class RangerSense final : public SensePhase {
   explicit RangerSense(unsigned workers);
 
   SensorTable table(world::World& world) const override;
-  void populate(const world::World& world, const Solids& solids) override;
+  void populate(const world::World& world, const Space& space) override;
   std::uint64_t sense(world::World& world, const Space& space, std::span<const std::uint32_t> due,
                       std::uint64_t tick, world::Workers& workers) override;
 

@@ -1,36 +1,30 @@
 #pragma once
 
-/// StageEngine: owns the world and the tables of the 2D engine and runs the tick (step.cc). Thread: the tick
-/// thread.
+/// StageEngine: the phases of the tick (behaviour/phased_engine.h) that know about bodies in a plane, and
+/// their tables. Thread: the tick thread.
 
+#include "playhouse/behaviour/phased_engine.h"
 #include "playhouse/stage/motion.h"
 #include "playhouse/stage/sense_phase.h"
-#include "playhouse/world/engine.h"
 
 namespace playhouse::stage {
 
-class StageEngine final : public world::Engine {
+class StageEngine final : public behaviour::PhasedEngine {
  public:
   StageEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers);
 
-  void step() override;
-  world::World& world() override { return world_; }
   std::uint64_t rays() const override { return rays_; }
 
  private:
-  /// Takes in the changes since the last tick.
-  void ingest();
+  void ingest(std::span<const world::Change> changes) override;
+  void move() override;
+  void sense(std::uint64_t tick) override;
   /// Makes every table anew that follows from who there is; those of what stands still only if `fixed`.
   void populate(bool fixed);
   void replace(const world::Change& change);
-  void decide();
   void index();
-  void sense();
-  void freeze();
+  Space space() const { return {solids_, index_, walls_}; }
 
-  world::World world_;
-  world::Workers workers_;
-  std::uint64_t next_change_ = 0;  // of world_.changes
   Shapes shapes_;
   Trees trees_;
   Solids solids_;

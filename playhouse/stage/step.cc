@@ -1,27 +1,10 @@
-/// The tick of the 2D engine, phase by phase. Each phase reads what earlier ones froze and writes its own
-/// columns.
+/// The phases of the tick that know about bodies in a plane; their order is in behaviour/phased_engine.cc.
 
-#include "playhouse/stage/drive.h"
 #include "playhouse/stage/stage_engine.h"
 
 namespace playhouse::stage {
 
-void StageEngine::step() {
-  ingest();               // who came, went, was put elsewhere          -> solids, index, walls
-  decide();               // controllers read the frozen state N       -> commands
-  act(world_, workers_);  // drive models                              -> velocities
-  if (motion_.move(world_, solids_, index_, walls_, workers_)) index();  // -> poses, odometry, stall; index
-  sense();   // of those subscribed and due               -> ranges, fiducials
-  freeze();  // tick + 1
-}
-
-void StageEngine::ingest() {
-  // Everyone has seen what was there before the last tick.
-  world_.changes.drop_before(next_change_);
-  const std::span<const world::Change> changes = world_.changes.since(next_change_);
-  if (changes.empty()) return;
-  next_change_ = world_.changes.end();
-
+void StageEngine::ingest(std::span<const world::Change> changes) {
   using Kind = world::Change::Kind;
   bool population = false, fixed = false, moved = false;
   for (const world::Change& change : changes) {
@@ -48,11 +31,8 @@ void StageEngine::replace(const world::Change& change) {
   place(solids_, world_.models, trees_.first_solid[tree], trees_.first_solid[tree + 1]);
 }
 
-void StageEngine::decide() {
-  for (const std::unique_ptr<world::Decider>& decider : world_.deciders) decider->follow(world_);
-  for (const std::unique_ptr<world::Decider>& decider : world_.deciders)
-    workers_.run(decider->size(), 64,
-                 [&](std::size_t begin, std::size_t end) { decider->decide(world_, begin, end); });
+void StageEngine::move() {
+  if (motion_.move(world_, solids_, index_, walls_, workers_)) index();
 }
 
 void StageEngine::index() {
@@ -60,12 +40,8 @@ void StageEngine::index() {
       solids_.moving(), [&](std::size_t i) { return disc_of(solids_, solids_.fixed + i); }, workers_);
 }
 
-void StageEngine::sense() {
-  rays_ += senses_.sense(world_, {solids_, index_, walls_}, world_.tick() + 1, workers_);
-}
-
-void StageEngine::freeze() {
-  ++world_.tick_;
+void StageEngine::sense(std::uint64_t tick) {
+  rays_ += senses_.sense(world_, space(), tick, workers_);
 }
 
 }  // namespace playhouse::stage

@@ -1,10 +1,10 @@
 #include "playhouse/drivers/simulated/history.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "playhouse/base/assert.h"
+#include "playhouse/world/periods.h"
 #include "playhouse/world/state.h"
 
 namespace playhouse::drivers {
@@ -13,15 +13,11 @@ namespace {
 /// Wall time from one state to the next, in times of what the taking took.
 constexpr double kRest = 100;
 
-std::uint64_t ticks_of(double seconds, double interval) {
-  return static_cast<std::uint64_t>(std::max(1.0, std::round(seconds / interval)));
-}
-
 }  // namespace
 
 History::History(double interval, std::function<double()> clock, std::size_t most_bytes)
-    : period_(ticks_of(limits::kHistoryPeriodSeconds, interval)),
-      span_(ticks_of(limits::kHistorySeconds, interval)),
+    : period_(world::ticks_of(limits::kHistoryPeriodSeconds, interval)),
+      span_(world::ticks_of(limits::kHistorySeconds, interval)),
       clock_(std::move(clock)),
       most_bytes_(most_bytes) {}
 

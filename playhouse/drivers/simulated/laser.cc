@@ -1,11 +1,11 @@
 #include "playhouse/drivers/simulated/laser.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "playhouse/base/assert.h"
 #include "playhouse/drivers/simulated/shapes.h"
 #include "playhouse/wire/generated/laser.h"
+#include "playhouse/world/periods.h"
 
 namespace playhouse::drivers {
 
@@ -24,7 +24,7 @@ lsr::Config configuration(const world::World& world, world::ModelRow model,
   config.range_res = static_cast<float>(world.scene().resolution);
   config.intensity = 1;
   config.scanning_frequency =
-      static_cast<float>(1 / (static_cast<double>(update_ticks(world, model)) * world.scene().interval));
+      static_cast<float>(1 / (static_cast<double>(world::update_ticks(world, model)) * world.scene().interval));
   return config;
 }
 

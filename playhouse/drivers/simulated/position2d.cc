@@ -6,6 +6,7 @@
 #include "playhouse/base/log.h"
 #include "playhouse/drivers/simulated/shapes.h"
 #include "playhouse/wire/generated/position2d.h"
+#include "playhouse/world/periods.h"
 
 namespace playhouse::drivers {
 
@@ -14,7 +15,7 @@ using wire::MessageType;
 
 Position2d::Position2d(Simulation& simulation, world::ModelRow model)
     : SimulatedDevice(simulation, simulation.world().id(model)),
-      update_ticks_(update_ticks(simulation.world(), model)) {
+      update_ticks_(world::update_ticks(simulation.world(), model)) {
   const scene::ModelDesc& desc = simulation.world().desc(model);
   geometry_ = wire::encode(p2d::Geom{pose3d(desc.X_MB), bbox3d(desc.size)});
 }

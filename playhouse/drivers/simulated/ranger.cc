@@ -2,6 +2,7 @@
 
 #include "playhouse/drivers/simulated/shapes.h"
 #include "playhouse/wire/generated/ranger.h"
+#include "playhouse/world/periods.h"
 
 namespace playhouse::drivers {
 
@@ -24,7 +25,7 @@ rng::Config configuration(const world::World& world, world::ModelRow model) {
   const scene::ModelDesc& desc = world.desc(model);
   rng::Config config;
   config.range_res = world.scene().resolution;
-  config.frequency = 1 / (static_cast<double>(update_ticks(world, model)) * world.scene().interval);
+  config.frequency = 1 / (static_cast<double>(world::update_ticks(world, model)) * world.scene().interval);
   if (desc.sensors.empty()) return config;
   const scene::RangerSensorDesc& sensor = desc.sensors.front();
   config.min_angle = -sensor.fov / 2;

@@ -24,9 +24,6 @@ inline wire::Bbox3d bbox3d(const geom::Size& size) {
   return {size.y, size.x, size.z};
 }
 
-/// Ticks between two updates of a model: its update interval rounded up to whole ticks, at least one.
-std::uint64_t update_ticks(const world::World& world, world::ModelRow model);
-
 /// The pose of a model's body and sensor frame in the robot that carries it; in the world if nothing does.
 geom::Pose pose_on_robot(const world::World& world, world::ModelRow model);
 

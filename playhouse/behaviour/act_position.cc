@@ -1,9 +1,11 @@
-#include "playhouse/stage/drive.h"
+/// Drive models: turns the command of every robot into a velocity in its own frame, within its bounds.
 
 #include <algorithm>
 #include <cmath>
 
-namespace playhouse::stage {
+#include "playhouse/behaviour/generated/acts.h"
+
+namespace playhouse::behaviour {
 namespace {
 
 using geom::Pose;
@@ -121,13 +123,21 @@ Twist velocity_of(const world::World& world, std::size_t robot) {
   return within(desc.velocity_bounds, wanted);
 }
 
+/// Writes positions.velocity. Robots that nobody subscribed, or whose motors are off, stand still.
+class PositionAct final : public ActPhase {
+ public:
+  void act(world::World& world, world::Workers& workers) override {
+    workers.run(world.positions.size(), 256, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t robot = begin; robot < end; ++robot)
+        world.positions.velocity[robot] = velocity_of(world, robot);
+    });
+  }
+};
+
 }  // namespace
 
-void act(world::World& world, world::Workers& workers) {
-  workers.run(world.positions.size(), 256, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t robot = begin; robot < end; ++robot)
-      world.positions.velocity[robot] = velocity_of(world, robot);
-  });
+std::unique_ptr<ActPhase> make_position_act() {
+  return std::make_unique<PositionAct>();
 }
 
-}  // namespace playhouse::stage
+}  // namespace playhouse::behaviour

@@ -1,18 +1,13 @@
-#include "playhouse/stage/due_list.h"
+#include "playhouse/behaviour/due_list.h"
 
-#include <cmath>
+#include "playhouse/world/periods.h"
 
-namespace playhouse::stage {
-
-std::uint64_t ticks_of(double update_interval, double interval) {
-  const double ticks = std::ceil(update_interval / interval - 1e-6);
-  return ticks < 1 ? 1 : ticks > 1e15 ? std::uint64_t{1000000000000000} : static_cast<std::uint64_t>(ticks);
-}
+namespace playhouse::behaviour {
 
 void DueList::populate(const world::World& world, std::span<const world::ModelRow> models) {
   period_.clear();
   for (const scene::ModelDesc& desc : world.scene().models)
-    period_.push_back(ticks_of(desc.update_interval, world.scene().interval));
+    period_.push_back(world::ticks_of(desc.update_interval, world.scene().interval));
   due_.reserve(models.size());
 }
 
@@ -29,4 +24,4 @@ std::span<const std::uint32_t> DueList::take(const world::World& world, SensorTa
   return due_;
 }
 
-}  // namespace playhouse::stage
+}  // namespace playhouse::behaviour

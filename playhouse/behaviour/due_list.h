@@ -9,7 +9,7 @@
 
 #include "playhouse/world/world.h"
 
-namespace playhouse::stage {
+namespace playhouse::behaviour {
 
 /// The columns of a table of sensors that say when they measure, whatever they measure.
 struct SensorTable {
@@ -31,7 +31,4 @@ class DueList {
   std::vector<std::uint32_t> due_;
 };
 
-/// An interval of updates in whole ticks, rounded up, at least 1.
-std::uint64_t ticks_of(double update_interval, double interval);
-
-}  // namespace playhouse::stage
+}  // namespace playhouse::behaviour

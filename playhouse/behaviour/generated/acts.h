@@ -1,0 +1,18 @@
+// Generated from kinds/ by codegen (python3 -m codegen). Do not edit.
+#pragma once
+
+/// The act phase of each kind that acts; playhouse/behaviour/act_NAME.cc defines it.
+
+#include <memory>
+
+#include "playhouse/behaviour/act_phase.h"
+
+namespace playhouse::behaviour {
+
+std::unique_ptr<ActPhase> make_position_act();
+
+inline void add_acts(Acts& acts) {
+  acts.add(make_position_act());
+}
+
+}  // namespace playhouse::behaviour

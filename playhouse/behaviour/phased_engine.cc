@@ -1,0 +1,41 @@
+#include "playhouse/behaviour/phased_engine.h"
+
+#include "playhouse/behaviour/generated/acts.h"
+
+namespace playhouse::behaviour {
+
+PhasedEngine::PhasedEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers)
+    : world_(scene, seed), workers_(workers) {
+  add_acts(acts_);
+}
+
+void PhasedEngine::step() {
+  decide();                     // controllers read the frozen state N                 -> commands
+  acts_.act(world_, workers_);  // drive models and what else acts                     -> velocities, changes
+  take_changes();               // who came, went, was taken up or put elsewhere       -> the engine's tables
+  move();                       //                                                     -> poses, odometry, stall
+  sense(world_.tick() + 1);     // of those subscribed and due                         -> ranges, fiducials
+  freeze();                     //                                                     -> tick + 1
+}
+
+void PhasedEngine::decide() {
+  for (const std::unique_ptr<world::Decider>& decider : world_.deciders) decider->follow(world_);
+  for (const std::unique_ptr<world::Decider>& decider : world_.deciders)
+    workers_.run(decider->size(), 64,
+                 [&](std::size_t begin, std::size_t end) { decider->decide(world_, begin, end); });
+}
+
+void PhasedEngine::take_changes() {
+  // Everyone has seen what was there before the last tick.
+  world_.changes.drop_before(next_change_);
+  const std::span<const world::Change> changes = world_.changes.since(next_change_);
+  if (changes.empty()) return;
+  next_change_ = world_.changes.end();
+  ingest(changes);
+}
+
+void PhasedEngine::freeze() {
+  ++world_.tick_;
+}
+
+}  // namespace playhouse::behaviour

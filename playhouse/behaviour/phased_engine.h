@@ -1,0 +1,45 @@
+#pragma once
+
+/// PhasedEngine: the tick that all engines share, as an order of phases. Each phase reads what earlier ones
+/// froze and writes its own columns. An engine adds the phases that know about space. Thread: the tick
+/// thread.
+
+#include <cstdint>
+#include <span>
+
+#include "playhouse/behaviour/act_phase.h"
+#include "playhouse/world/engine.h"
+#include "playhouse/world/workers.h"
+
+namespace playhouse::behaviour {
+
+class PhasedEngine : public world::Engine {
+ public:
+  /// The scene must outlive it.
+  PhasedEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers);
+
+  void step() final;
+  world::World& world() final { return world_; }
+
+ protected:
+  /// Takes in who came, went, became part of another or was put elsewhere since the last call.
+  virtual void ingest(std::span<const world::Change> changes) = 0;
+  /// Moves what has a velocity, from the pose of the last tick to that of this one, and says what stalled;
+  /// robots believe what follows (see positions.X_OM).
+  virtual void move() = 0;
+  /// Measures with what is subscribed and due for `tick`.
+  virtual void sense(std::uint64_t tick) = 0;
+
+  world::World world_;
+  world::Workers workers_;
+
+ private:
+  void decide();
+  void take_changes();
+  void freeze();
+
+  Acts acts_;
+  std::uint64_t next_change_ = 0;  // of world_.changes
+};
+
+}  // namespace playhouse::behaviour
