@@ -8,21 +8,21 @@
 
 namespace playhouse::drivers {
 
-void Inbox::command(const PositionCommand& command) {
+void Inbox::command(Slot slot, Change command) {
   const std::lock_guard lock(mutex_);
   if (closed_) return;
-  const auto [slot, is_new] = slots_.try_emplace(command.robot, entries_.size());
+  const auto [place, is_new] = slots_.try_emplace(slot, entries_.size());
   if (is_new) {
-    entries_.emplace_back(command);
+    entries_.push_back(std::move(command));
   } else {
-    entries_[slot->second] = command;
+    entries_[place->second] = std::move(command);
   }
 }
 
-bool Inbox::post(Change change, world::ModelId robot) {
+bool Inbox::post(Change change, world::ModelId model) {
   const std::lock_guard lock(mutex_);
   if (closed_ || changes_ >= limits::kRequestQueue) return false;
-  append(std::move(change), robot);
+  append(std::move(change), model);
   return true;
 }
 
@@ -34,18 +34,22 @@ bool Inbox::post_to_all(Change change) {
   return true;
 }
 
-void Inbox::post_always(Change change, world::ModelId robot) {
+void Inbox::post_always(Change change, world::ModelId model) {
   const std::lock_guard lock(mutex_);
-  if (!closed_) append(std::move(change), robot);
+  if (!closed_) append(std::move(change), model);
 }
 
-void Inbox::append(Change change, world::ModelId robot) {
-  entries_.emplace_back(std::move(change));
+void Inbox::append(Change change, world::ModelId model) {
+  entries_.push_back(std::move(change));
   ++changes_;
-  if (robot) slots_.erase(robot);
+  if (!model) return;
+  const auto first = slots_.lower_bound({model, 0});
+  auto last = first;
+  while (last != slots_.end() && last->first.model == model) ++last;
+  slots_.erase(first, last);
 }
 
-void Inbox::take(std::vector<Entry>& out) {
+void Inbox::take(std::vector<Change>& out) {
   out.clear();
   const std::lock_guard lock(mutex_);
   slots_.clear();

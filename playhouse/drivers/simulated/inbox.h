@@ -1,54 +1,49 @@
 #pragma once
 
 /// Inbox: hand-over 1, from the io thread to the tick thread. Commands are latest-value slots, one per
-/// robot; everything else is a bounded queue of changes. What one robot is told arrives in the order it was
-/// said: a change of a robot closes its slot, so a command before it is carried out before it, and a later
-/// one after it.
+/// model and interface; everything else is a bounded queue of changes. What one model is told arrives in the
+/// order it was said: a change of a model closes its slots, so a command before it is carried out before it,
+/// and a later one after it.
 
-#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <mutex>
-#include <variant>
+#include <utility>
 #include <vector>
 
 #include "playhouse/world/world.h"
 
 namespace playhouse::drivers {
 
-/// What a robot's wheels are told. A newer one replaces an older one that the tick has not taken yet.
-struct PositionCommand {
-  enum class Kind : std::uint8_t { kVelocity, kGoal, kHeading };
-  world::ModelId robot;
-  Kind kind = Kind::kVelocity;
-  /// kVelocity: x, y [m/s], turn [rad/s]; kGoal: x, y [m], heading [rad] in X_OM's frame; kHeading: speed
-  /// [m/s], nothing, heading [rad] in X_OM's frame. Finite.
-  std::array<double, 3> value{};
-};
-
 using Change = std::function<void(world::World&)>;
 
 class Inbox {
  public:
-  using Entry = std::variant<PositionCommand, Change>;
+  /// Where a model's commands wait: each interface of it has a slot.
+  struct Slot {
+    world::ModelId model;
+    std::uint16_t interf = 0;
+    auto operator<=>(const Slot&) const = default;
+  };
 
-  /// Replaces the robot's waiting command, or waits as a new one.
-  void command(const PositionCommand& command);
+  /// Replaces the command that waits in the slot, or waits as a new one.
+  void command(Slot slot, Change command);
 
-  /// False when limits::kRequestQueue changes are waiting, or after close(); nothing is taken then. `robot`,
+  /// False when limits::kRequestQueue changes are waiting, or after close(); nothing is taken then. `model`,
   /// if any, is whom the change concerns.
-  bool post(Change change, world::ModelId robot = {});
+  bool post(Change change, world::ModelId model = {});
 
-  /// As post(), for a change that concerns every robot.
+  /// As post(), for a change that concerns every model.
   bool post_to_all(Change change);
 
   /// As post(), and refused after close() only: for what must not be lost and is bounded by its sender (the
   /// close of a device).
-  void post_always(Change change, world::ModelId robot = {});
+  void post_always(Change change, world::ModelId model = {});
 
   /// Moves everything that waits to `out` (cleared first), in order.
-  void take(std::vector<Entry>& out);
+  void take(std::vector<Change>& out);
 
   bool empty() const;
 
@@ -57,11 +52,11 @@ class Inbox {
   bool closed() const;
 
  private:
-  void append(Change change, world::ModelId robot);
+  void append(Change change, world::ModelId model);
 
   mutable std::mutex mutex_;
-  std::vector<Entry> entries_;
-  std::map<world::ModelId, std::size_t> slots_;  // of robots with an open command: where it is in entries_
+  std::vector<Change> entries_;
+  std::map<Slot, std::size_t> slots_;  // those with a command that may be replaced: where it is in entries_
   std::size_t changes_ = 0;
   bool closed_ = false;
 };

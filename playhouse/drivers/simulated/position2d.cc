@@ -13,6 +13,36 @@ namespace playhouse::drivers {
 namespace p2d = wire::position2d;
 using wire::MessageType;
 
+namespace {
+
+template <typename... Number>
+bool are_finite(Number... number) {
+  return (std::isfinite(number) && ...);
+}
+
+/// Goes to a pose in the frame of its odometry. [m, rad]
+Change goal_command(world::ModelId robot, const geom::Pose& goal_O) {
+  return [=](world::World& world) {
+    if (const world::PositionRow row = world.position(robot)) world::command_position(world, row, goal_O);
+  };
+}
+
+/// Keeps a speed and a heading in the frame of its odometry. [m/s, rad]
+Change heading_command(world::ModelId robot, double speed, double heading_O) {
+  return [=](world::World& world) {
+    if (const world::PositionRow row = world.position(robot))
+      world::command_heading(world, row, speed, heading_O);
+  };
+}
+
+}  // namespace
+
+Change velocity_command(world::ModelId robot, const geom::Twist& velocity) {
+  return [=](world::World& world) {
+    if (const world::PositionRow row = world.position(robot)) world::command_velocity(world, row, velocity);
+  };
+}
+
 Position2d::Position2d(Simulation& simulation, world::ModelRow model)
     : SimulatedDevice(simulation, simulation.world().id(model)),
       update_ticks_(world::update_ticks(simulation.world(), model)) {
@@ -32,35 +62,34 @@ std::span<const Served> Position2d::served() const {
 }
 
 device::Taken Position2d::command(const device::Message& message) {
-  const std::optional<PositionCommand> command = meaning(message);
-  if (!command || !std::ranges::all_of(command->value, [](double part) { return std::isfinite(part); }))
-    return device::Taken::kNo;
-  const auto& [x, y, a] = command->value;
-  if (command->kind == PositionCommand::Kind::kGoal && !world::is_place({x, y, 0, a}))
-    return device::Taken::kNo;
-  simulation().command(*command);
+  Change command = meaning(message);
+  if (!command) return device::Taken::kNo;
+  simulation().command({model(), p2d::kCode}, std::move(command));
   return device::Taken::kLatest;
 }
 
-std::optional<PositionCommand> Position2d::meaning(const device::Message& message) const {
-  using Kind = PositionCommand::Kind;
+Change Position2d::meaning(const device::Message& message) const {
   switch (message.subtype) {
     case p2d::kCmdVel:
-      if (const auto value = wire::decode<p2d::CmdVel>(message.body))
-        return PositionCommand{model(), Kind::kVelocity, {value->vel.px, value->vel.py, value->vel.pa}};
-      return std::nullopt;
-    case p2d::kCmdPos:
-      if (const auto value = wire::decode<p2d::CmdPos>(message.body))
-        return PositionCommand{model(), Kind::kGoal, {value->pos.px, value->pos.py, value->pos.pa}};
-      return std::nullopt;
+      if (const auto value = wire::decode<p2d::CmdVel>(message.body);
+          value && are_finite(value->vel.px, value->vel.py, value->vel.pa))
+        return velocity_command(model(), {value->vel.px, value->vel.py, 0, value->vel.pa});
+      return {};
     case p2d::kCmdCar:
-      if (const auto value = wire::decode<p2d::CmdCar>(message.body))
-        return PositionCommand{model(), Kind::kVelocity, {value->velocity, 0, value->angle}};
-      return std::nullopt;
+      if (const auto value = wire::decode<p2d::CmdCar>(message.body);
+          value && are_finite(value->velocity, value->angle))
+        return velocity_command(model(), {value->velocity, 0, 0, value->angle});
+      return {};
+    case p2d::kCmdPos:
+      if (const auto value = wire::decode<p2d::CmdPos>(message.body);
+          value && world::is_place({value->pos.px, value->pos.py, 0, value->pos.pa}))
+        return goal_command(model(), {value->pos.px, value->pos.py, 0, value->pos.pa});
+      return {};
     default:  // VEL_HEAD
-      if (const auto value = wire::decode<p2d::CmdVelHead>(message.body))
-        return PositionCommand{model(), Kind::kHeading, {value->velocity, 0, value->angle}};
-      return std::nullopt;
+      if (const auto value = wire::decode<p2d::CmdVelHead>(message.body);
+          value && are_finite(value->velocity, value->angle))
+        return heading_command(model(), value->velocity, value->angle);
+      return {};
   }
 }
 

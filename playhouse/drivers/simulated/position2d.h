@@ -6,6 +6,9 @@
 
 namespace playhouse::drivers {
 
+/// Drives at a velocity, if the robot is still there. Finite. [m/s, rad/s, in the robot's frame]
+Change velocity_command(world::ModelId robot, const geom::Twist& velocity);
+
 class Position2d final : public SimulatedDevice {
  public:
   /// `model` is of kind kPosition.
@@ -19,7 +22,8 @@ class Position2d final : public SimulatedDevice {
   void closed(world::World& world, world::ModelRow model) override;
 
  private:
-  std::optional<PositionCommand> meaning(const device::Message& message) const;
+  /// What a command means; empty if it makes no sense.
+  Change meaning(const device::Message& message) const;
   void set_odometry(const geom::Pose& X_OM, device::Replier replier);
 
   std::uint64_t update_ticks_;

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "playhouse/base/log.h"
+#include "playhouse/drivers/simulated/position2d.h"
+#include "playhouse/wire/generated/position2d.h"
 #include "playhouse/world/population.h"
 #include "playhouse/world/state.h"
 
@@ -37,23 +39,6 @@ std::uint64_t ticks_in(double duration, double interval) {
   if (!std::isfinite(duration) || duration / interval >= 1e18)
     return std::numeric_limits<std::uint64_t>::max();
   return static_cast<std::uint64_t>(std::max(0.0, std::ceil(duration / interval - 1e-9)));
-}
-
-void apply(world::World& world, const PositionCommand& command) {
-  const world::PositionRow robot = world.position(command.robot);
-  if (!robot) return;  // it is gone
-  const auto& [x, y, a] = command.value;
-  switch (command.kind) {
-    case PositionCommand::Kind::kVelocity:
-      world::command_velocity(world, robot, {x, y, 0, a});
-      return;
-    case PositionCommand::Kind::kGoal:
-      world::command_position(world, robot, {x, y, 0, a});
-      return;
-    case PositionCommand::Kind::kHeading:
-      world::command_heading(world, robot, x, a);
-      return;
-  }
 }
 
 }  // namespace
@@ -155,14 +140,9 @@ void Simulation::take_wanted() {
 void Simulation::take_inbox() {
   inbox_.take(taken_);
   if (taken_.empty()) return;
-  world::World& world = engine_->world();
-  for (Inbox::Entry& entry : taken_) {
-    if (const auto* command = std::get_if<PositionCommand>(&entry)) {
-      apply(world, *command);
-    } else {
-      carry_out(std::get<Change>(entry));
-      follow_changes();
-    }
+  for (const Change& change : taken_) {
+    carry_out(change);
+    follow_changes();
   }
   taken_.clear();
   tell_listeners();
@@ -265,7 +245,7 @@ void Simulation::set_speed(double times_real_time) {
 }
 
 void Simulation::drive(world::ModelId robot, const geom::Twist& velocity) {
-  command({.robot = robot, .value = {velocity.x, velocity.y, velocity.a}});
+  command({robot, wire::position2d::kCode}, velocity_command(robot, velocity));
 }
 
 bool Simulation::post(Change change, world::ModelId robot) {
@@ -303,8 +283,8 @@ std::uint64_t Simulation::life(world::ModelId model) const {
   return found == lives_.end() ? 0 : found->second;
 }
 
-void Simulation::command(const PositionCommand& command) {
-  inbox_.command(command);
+void Simulation::command(Inbox::Slot slot, Change command) {
+  inbox_.command(slot, std::move(command));
   wake();
 }
 

@@ -82,7 +82,8 @@ class Simulation final : public world::Control {
   std::uint64_t life(world::ModelId model) const override;
 
   // For devices; any thread.
-  void command(const PositionCommand& command);
+  /// What a model is told by an interface. A newer command replaces one that the tick has not taken yet.
+  void command(Inbox::Slot slot, Change command);
   bool post_to_all(Change change);
   void post_always(Change change, world::ModelId robot);
   /// Simulated time of the newest tick. [s]
@@ -148,7 +149,7 @@ class Simulation final : public world::Control {
   History history_;
   std::map<world::ModelId, std::uint64_t> lives_;  // of models that came back
   std::uint32_t ids_given_ = 0;  // before the run was taken back: none of them is given to another model
-  std::vector<Inbox::Entry> taken_;
+  std::vector<Change> taken_;
   std::uint64_t followed_;  // changes that the followers know
   std::vector<std::shared_ptr<Source>> sources_;
   std::vector<device::Publication> batch_;

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <thread>
 
+#include "playhouse/drivers/simulated/position2d.h"
 #include "playhouse/drivers/testing/still_engine.h"
+#include "playhouse/wire/generated/position2d.h"
 #include "playhouse/world/population.h"
 
 namespace playhouse::drivers {
@@ -36,14 +38,14 @@ TEST(Simulation, carries_out_what_was_posted_before_the_next_tick) {
 
 TEST(Simulation, a_command_reaches_its_robot) {
   StillSimulation still(kRobot);
-  still.simulation.command({.robot = {0}, .value = {0.3, 0, 0.2}});
+  still.simulation.drive({0}, {0.3, 0, 0, 0.2});
   still.run(1);
   EXPECT_EQ(still.world().positions.command[0], (geom::Twist{0.3, 0, 0, 0.2}));
 }
 
 TEST(Simulation, a_viewer_who_drives_is_one_more_who_commands) {
   StillSimulation still(kRobot);
-  still.simulation.command({.robot = {0}, .value = {0.3, 0, 0.2}});
+  still.simulation.command({{0}, wire::position2d::kCode}, velocity_command({0}, {0.3, 0, 0, 0.2}));
   still.simulation.drive({0}, {0.5, 0.1, 0, -1});
   still.run(1);
   EXPECT_EQ(still.world().positions.command[0], (geom::Twist{0.5, 0.1, 0, -1}));
