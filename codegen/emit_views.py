@@ -77,7 +77,8 @@ def _start(kind: Kind) -> list[Shown]:
 def _cpp(kinds: Kinds) -> str:
     shown = views(kinds)
     lines = [BANNER.rstrip(), '#include "playhouse/replicate/views.h"', "", "#include <fmt/format.h>", "", "#include <iterator>", "#include <string>",
-             "", '#include "playhouse/replicate/json_text.h"', '#include "playhouse/replicate/quantize.h"', "",
+             "", '#include "playhouse/replicate/json_text.h"', '#include "playhouse/replicate/quantize.h"',
+             '#include "playhouse/scene/colors.h"', "",
              "namespace playhouse::replicate {", "namespace {", ""]
     for view in shown:
         lines += _capture(view)
@@ -104,7 +105,7 @@ def _value(view: View, shown: Shown) -> str:
     if types.get(part or column) == "ModelId":
         return f"static_cast<std::int32_t>({source}.value)"
     if types.get(part or column) == "color":
-        return f"static_cast<std::int32_t>(quantize_color({source}))"
+        return f"static_cast<std::int32_t>(scene::rgba8({source}))"
     return QUANTA[shown.quantum][0].format(source) if shown.quantum else f"static_cast<std::int32_t>({source})"
 
 

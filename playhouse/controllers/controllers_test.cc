@@ -8,6 +8,7 @@
 
 #include "playhouse/controllers/attach.h"
 #include "playhouse/controllers/testing/scenes.h"
+#include "playhouse/world/population.h"
 
 namespace playhouse::controllers {
 namespace {
@@ -32,6 +33,21 @@ struct Fixture {
   std::vector<std::string> warnings;
   std::string error;
 };
+
+TEST(Controllers, decide_for_a_robot_that_comes_during_the_run_as_for_those_before_it) {
+  Fixture f(testing::robots(1, testing::scanner(180), "wander"));
+  testing::decide(f.world);
+  ASSERT_TRUE(world::spawn(f.world, f.world.models.desc[0], {5, 5, 0, 0}));
+  testing::decide(f.world);  // it joins, and its sensor is subscribed
+  EXPECT_EQ(f.world.models.controllers, std::vector<std::uint32_t>(4, 1));
+  testing::measure(f.world, {8.0f});
+  testing::decide(f.world);
+  EXPECT_EQ(f.command(1), (geom::Twist{0.4, 0, 0, 0}));
+  ASSERT_TRUE(world::despawn(f.world, f.world.id({0})));
+  testing::measure(f.world, {0.1f});
+  testing::decide(f.world);
+  EXPECT_EQ(f.command(0).x, 0) << "the one that is left";
+}
 
 TEST(Wander, drives_ahead_when_nothing_is_near) {
   Fixture f(testing::robots(1, testing::scanner(180), "wander"));

@@ -5,6 +5,7 @@
 #include "playhouse/replicate/json_text.h"
 #include "playhouse/replicate/quantize.h"
 #include "playhouse/replicate/views.h"
+#include "playhouse/scene/colors.h"
 #include "playhouse/world/population.h"
 
 namespace playhouse::replicate {
@@ -53,7 +54,7 @@ ModelState model_state(const world::World& world, std::uint32_t row) {
   state.y = quantize(X_PM.y, 1000);
   state.z = quantize(X_PM.z, 1000);
   state.a = quantize_angle(X_PM.a);
-  state.color = quantize_color(models.color[row]);
+  state.color = scene::rgba8(models.color[row]);
   state.state = state_bits(world, row);
   return state;
 }

@@ -7,15 +7,6 @@
 #include "playhouse/geom/pose.h"
 
 namespace playhouse::replicate {
-namespace {
-
-std::uint32_t channel(float value) {
-  return static_cast<std::uint32_t>(std::clamp(std::isfinite(value) ? value : 0.0f, 0.0f, 1.0f) * 255.0f +
-                                    0.5f);
-}
-
-}  // namespace
-
 std::int32_t quantize(double value, double per_unit) {
   const double scaled = value * per_unit;
   if (!std::isfinite(scaled)) return 0;
@@ -32,10 +23,6 @@ std::uint16_t quantize_angle(double radians) {
 std::uint16_t quantize_range(double range, double range_max) {
   if (!(range_max > 0) || std::isnan(range)) return 0xFFFF;
   return static_cast<std::uint16_t>(std::lround(std::clamp(range / range_max, 0.0, 1.0) * 65535.0));
-}
-
-std::uint32_t quantize_color(const scene::Color& color) {
-  return channel(color.r) << 24 | channel(color.g) << 16 | channel(color.b) << 8 | channel(color.a);
 }
 
 }  // namespace playhouse::replicate

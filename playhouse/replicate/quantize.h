@@ -14,7 +14,5 @@ std::int32_t quantize(double value, double per_unit);
 std::uint16_t quantize_angle(double radians);
 /// [m] to a fraction of the sensor's range_max, 65535 at or beyond it.
 std::uint16_t quantize_range(double range, double range_max);
-/// To 0xRRGGBBAA.
-std::uint32_t quantize_color(const scene::Color& color);
 
 }  // namespace playhouse::replicate

@@ -1,6 +1,7 @@
 #include "playhouse/scene/colors.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -181,6 +182,14 @@ std::optional<Color> color_by_name(std::string_view name) {
                        [](const NamedColor& color, std::string_view w) { return color.name < w; });
   if (found == std::end(kColors) || found->name != word) return std::nullopt;
   return opaque(found->rgb);
+}
+
+std::uint32_t rgba8(const Color& color) {
+  const auto channel = [](float value) {
+    const float within = std::isfinite(value) ? std::clamp(value, 0.0f, 1.0f) : 0.0f;
+    return static_cast<std::uint32_t>(within * 255.0f + 0.5f);
+  };
+  return channel(color.r) << 24 | channel(color.g) << 16 | channel(color.b) << 8 | channel(color.a);
 }
 
 std::string color_hint(std::string_view name) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,6 +12,9 @@ namespace playhouse::scene {
 /// The colour of an X11 name ("light blue", "LightBlue", "gray30"); capitals and spaces do not matter.
 /// Opaque. Eight names that only the web has ("silver", "lime", ...) are known too.
 std::optional<Color> color_by_name(std::string_view name);
+
+/// 0xRRGGBBAA; what is no number, or beyond 0..1, is the nearest that a colour can have.
+std::uint32_t rgba8(const Color& color);
 
 /// Known names near `name` for an error line: ` (did you mean "red"?)`, or "".
 std::string color_hint(std::string_view name);

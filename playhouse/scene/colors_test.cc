@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace playhouse::scene {
 namespace {
 
@@ -28,6 +30,12 @@ TEST(Colors, gray_levels_round_as_x11_does) {
   EXPECT_EQ(color_by_name("gray90"), rgb(229, 229, 229));
   EXPECT_EQ(color_by_name("gray100"), rgb(255, 255, 255));
   EXPECT_FALSE(color_by_name("gray101"));
+}
+
+TEST(Colors, channels_beyond_what_a_screen_has_keep_to_themselves) {
+  EXPECT_EQ(rgba8({1, 0.5f, 0, 1}), 0xFF8000FFu);
+  EXPECT_EQ(rgba8({2, -1, 300, 0}), 0xFF00FF00u);
+  EXPECT_EQ(rgba8({std::nanf(""), HUGE_VALF, 0, 1}), 0x000000FFu);
 }
 
 TEST(Colors, other_words_are_none) {

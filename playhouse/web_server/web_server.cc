@@ -310,12 +310,13 @@ class WebServer::Impl final : public net::HttpService,
     socket.close("there are as many viewers as this program serves");
   }
 
-  /// Row of a model that a viewer names; none if it has gone meanwhile, which is nobody's fault. Fails for
-  /// one that never was.
-  Result<std::optional<std::uint32_t>> row_of(world::ModelId model) const {
-    const replicate::Layout& layout = *newest_;
+  /// Does `then(row)` for the row of a model that a viewer names; nothing if it has gone meanwhile, which is
+  /// nobody's fault. Fails for one that never was.
+  template <typename Then>
+  Result<void> with_row(world::ModelId model, const Then& then) const {
     if (model.value >= ids_given_) return Error{"", "no such model"};
-    return layout.row(model);
+    const std::optional<std::uint32_t> row = newest_->row(model);
+    return row ? then(*row) : Result<void>{};
   }
 
   Result<void> rewind(const replicate::Rewind& rewind) {
@@ -327,47 +328,46 @@ class WebServer::Impl final : public net::HttpService,
   }
 
   Result<void> move(const replicate::Drag& drag) {
-    const auto row = row_of(drag.model);
-    if (!row || !*row) return row ? Result<void>{} : row.error();
-    if (!may_be_moved(**row)) return Error{"", "this model may not be moved by hand"};
-    return post_change([drag](world::World& world) {
-      const world::ModelRow model = world.row(drag.model);
-      if (!model) return;  // it is gone
-      geom::Pose X_PM = world.models.X_PM[model.index];
-      X_PM.x = drag.x;
-      X_PM.y = drag.y;
-      X_PM.a = geom::normalize(drag.a);
-      world::set_pose(world, model, X_PM);
+    return with_row(drag.model, [&](std::uint32_t row) -> Result<void> {
+      if (!may_be_moved(row)) return Error{"", "this model may not be moved by hand"};
+      return post_change([drag](world::World& world) {
+        const world::ModelRow model = world.row(drag.model);
+        if (!model) return;  // it is gone
+        geom::Pose X_PM = world.models.X_PM[model.index];
+        X_PM.x = drag.x;
+        X_PM.y = drag.y;
+        X_PM.a = geom::normalize(drag.a);
+        world::set_pose(world, model, X_PM);
+      });
     });
   }
 
   Result<void> drive(const replicate::Drive& drive, WebViewer& from) {
-    const auto row = row_of(drive.model);
-    if (!row || !*row) return row ? Result<void>{} : row.error();
-    if (!(newest_->traits[**row] & replicate::kDrives)) return Error{"", "no such robot to drive"};
-    driven_.drive(drive, &from);
-    return {};
+    return with_row(drive.model, [&](std::uint32_t row) -> Result<void> {
+      if (!(newest_->traits[row] & replicate::kDrives)) return Error{"", "no such robot to drive"};
+      driven_.drive(drive, &from);
+      return {};
+    });
   }
 
   bool may_be_moved(std::uint32_t row) const { return newest_->traits[row] & replicate::kMovable; }
 
   Result<void> copy(const replicate::Copy& copy, const WebViewer& from) {
-    const auto row = row_of(copy.model);
-    if (!row || !*row) return row ? Result<void>{} : row.error();
-    if (!may_be_moved(newest_->root[**row])) return Error{"", "this model may not be copied"};
-    return post_change([copy, tell = teller(from)](world::World& world) {
-      const world::ModelRow model = world.row(copy.model);
-      if (!model) return;
-      const std::uint32_t top = world.models.root[model.index];
-      const geom::Pose X_WM{copy.x, copy.y, world.models.X_PM[top].z, copy.a};
-      const auto came =
-          world::spawn(world, world.models.desc[top], X_WM, world::fresh_name(world, world.name({top})));
-      if (!came) return tell(came.error().text);
-      // What models that share a prototype have for themselves.
-      const world::ModelRow row = world.row(*came), original = world.row(copy.model);
-      const std::uint32_t like = world.models.root[original.index];
-      world::set_color(world, row, world.models.color[like]);
-      world::set_fiducial_return(world, row, world.models.fiducial_return[like]);
+    return with_row(copy.model, [&](std::uint32_t row) -> Result<void> {
+      if (!may_be_moved(newest_->root[row])) return Error{"", "this model may not be copied"};
+      return post_change([copy, tell = teller(from)](world::World& world) {
+        const world::ModelRow model = world.row(copy.model);
+        if (!model) return;
+        const std::uint32_t top = world.models.root[model.index];
+        const geom::Pose X_WM{copy.x, copy.y, world.models.X_PM[top].z, copy.a};
+        const auto came =
+            world::spawn(world, world.models.desc[top], X_WM, world::fresh_name(world, world.name({top})));
+        if (!came) return tell(came.error().text);
+        // What models that share a prototype have for themselves. Rows of those that were there stay.
+        const world::ModelRow other = world.row(*came);
+        world::set_color(world, other, world.models.color[top]);
+        world::set_fiducial_return(world, other, world.models.fiducial_return[top]);
+      });
     });
   }
 
@@ -382,14 +382,14 @@ class WebServer::Impl final : public net::HttpService,
   }
 
   Result<void> remove(const replicate::Remove& remove) {
-    const auto row = row_of(remove.model);
-    if (!row || !*row) return row ? Result<void>{} : row.error();
-    if (!may_be_moved(newest_->root[**row])) return Error{"", "this model may not be removed"};
-    return post_change([remove](world::World& world) {
-      const world::ModelRow model = world.row(remove.model);
-      if (!model) return;
-      const Result<void> gone = world::despawn(world, world.id({world.models.root[model.index]}));
-      PLAYHOUSE_ASSERT(gone.ok());
+    return with_row(remove.model, [&](std::uint32_t row) -> Result<void> {
+      if (!may_be_moved(newest_->root[row])) return Error{"", "this model may not be removed"};
+      return post_change([remove](world::World& world) {
+        const world::ModelRow model = world.row(remove.model);
+        if (!model) return;
+        const Result<void> gone = world::despawn(world, world.id({world.models.root[model.index]}));
+        PLAYHOUSE_ASSERT(gone.ok());
+      });
     });
   }
 

@@ -52,7 +52,10 @@ class Page {
     population: (scene, replica) => this.showPopulation(scene, replica),
     packet: () => this.showPacket(),
     history: (history) => this.clock.follow(history),
-    notice: (text) => this.showNotice(text),
+    notice: (text) => {
+      this.awaited = 0; // it may tell why nobody comes
+      this.showNotice(text);
+    },
     state: (state) => this.showLink(state),
   });
   private readonly toolbar = new Toolbar(byId('bar'), this.view.layers, {
@@ -208,7 +211,6 @@ class Page {
   }
 
   private showNotice(text: string): void {
-    this.awaited = 0; // it may tell why nobody comes
     const notice = byId('notice');
     notice.textContent = text;
     notice.hidden = false;

@@ -65,6 +65,7 @@ inline void measure(world::World& world, const std::vector<float>& beams) {
 
 /// One decide phase with everything in one range.
 inline void decide(world::World& world) {
+  for (const auto& decider : world.deciders) decider->follow(world);
   for (const auto& decider : world.deciders) decider->decide(world, 0, decider->size());
 }
 

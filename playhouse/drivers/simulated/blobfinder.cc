@@ -1,22 +1,18 @@
 /// A blobfinder as interface blobfinder (docs/drivers.md).
 
-#include "playhouse/wire/generated/blobfinder.h"
 #include "playhouse/drivers/generated/device_makers.h"
+#include "playhouse/scene/colors.h"
+#include "playhouse/wire/generated/blobfinder.h"
 
 namespace playhouse::drivers {
 namespace {
 
 namespace bf = wire::blobfinder;
 
-std::uint32_t rgb(const scene::Color& color) {
-  const auto channel = [](float value) { return static_cast<std::uint32_t>(value * 255.0f + 0.5f); };
-  return channel(color.r) << 16 | channel(color.g) << 8 | channel(color.b);
-}
-
 bf::Blob item_of(const world::Blob& blob) {
   bf::Blob item;
   item.id = blob.channel;
-  item.color = rgb(blob.color);
+  item.color = scene::rgba8(blob.color) >> 8;
   item.area = (blob.right - blob.left + 1) * (blob.bottom - blob.top + 1);
   item.x = (blob.left + blob.right) / 2;
   item.y = (blob.top + blob.bottom) / 2;

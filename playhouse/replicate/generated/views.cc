@@ -8,6 +8,7 @@
 
 #include "playhouse/replicate/json_text.h"
 #include "playhouse/replicate/quantize.h"
+#include "playhouse/scene/colors.h"
 
 namespace playhouse::replicate {
 namespace {
@@ -37,7 +38,7 @@ bool capture_fiducial(const world::World& world, std::uint32_t row, std::vector<
 bool capture_blobfinder(const world::World& world, std::uint32_t row, std::vector<std::int32_t>& out) {
   if (world.blobfinders.measured_tick[row] == 0) return false;
   for (const auto& item : world.blobfinders.blobs[row]) {
-    out.push_back(static_cast<std::int32_t>(quantize_color(item.color)));
+    out.push_back(static_cast<std::int32_t>(scene::rgba8(item.color)));
     out.push_back(static_cast<std::int32_t>(item.left));
     out.push_back(static_cast<std::int32_t>(item.right));
     out.push_back(quantize(item.range, 1000));
