@@ -18,10 +18,15 @@ std::filesystem::path program_folder() {
 
 }  // namespace
 
+Result<std::unique_ptr<world::Engine>> make_stage(const scene::SceneDesc& scene, std::uint64_t seed,
+                                                  unsigned workers) {
+  return stage::make_engine(scene, {.seed = seed, .workers = workers});
+}
+
 Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene, const Running& running,
-                                                   controllers::Libraries::Use use, const Warn& warn) {
-  Result<std::unique_ptr<world::Engine>> engine =
-      stage::make_engine(scene, {.seed = running.seed, .workers = running.workers});
+                                                   controllers::Libraries::Use use, const Warn& warn,
+                                                   const EngineMaker& make) {
+  Result<std::unique_ptr<world::Engine>> engine = make(scene, running.seed, running.workers);
   if (!engine) return engine;
   const controllers::Libraries libraries{
       .folders = controllers::library_folders(scene, program_folder()),

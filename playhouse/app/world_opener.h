@@ -20,9 +20,18 @@ namespace playhouse::app {
 /// Takes a line about something odd in a file, "file:line: text".
 using Warn = std::function<void(const std::string&)>;
 
+/// Makes an engine of some kind at tick 0. The scene must outlive it. Fails on a scene that it cannot run.
+using EngineMaker = std::function<Result<std::unique_ptr<world::Engine>>(
+    const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers)>;
+
+/// stage::make_engine.
+Result<std::unique_ptr<world::Engine>> make_stage(const scene::SceneDesc& scene, std::uint64_t seed,
+                                                  unsigned workers);
+
 /// An engine for the scene, with the controllers that its models name. The scene must outlive it.
 Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene, const Running& running,
-                                                   controllers::Libraries::Use use, const Warn& warn);
+                                                   controllers::Libraries::Use use, const Warn& warn,
+                                                   const EngineMaker& make = make_stage);
 
 /// Whether the world file's quit_time ends the run.
 enum class QuitTime : std::uint8_t { kHonoured, kIgnored };

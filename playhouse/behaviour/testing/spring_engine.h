@@ -1,0 +1,146 @@
+#pragma once
+
+/// SpringEngine: a second engine, for tests of what stands in front of engines. Everything is a disc; robots
+/// drive through each other, and what is loose swings along x as on a spring, about where it was put. Rangers
+/// measure, other sensors do not.
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "playhouse/behaviour/phased_engine.h"
+#include "playhouse/behaviour/sense_phase.h"
+
+namespace playhouse::behaviour::testing {
+
+/// Discs of all top-level models.
+struct Discs {
+  struct Disc {
+    geom::Vec2 center;   // m, in W
+    double radius = 0;   // m
+    std::uint32_t root;  // model row
+  };
+  std::vector<Disc> all;
+};
+
+class DiscRanger final : public SensePhase<Discs> {
+ public:
+  SensorTable table(world::World& world) const override {
+    return {world.rangers.model, world.rangers.measured_tick};
+  }
+  void populate(const world::World&, const Discs&) override {}
+
+  std::uint64_t sense(world::World& world, const Discs& discs, std::span<const std::uint32_t> due,
+                      std::uint64_t, world::Workers& workers) override {
+    workers.run(due.size(), 4, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) measure(world, discs, due[i]);
+    });
+    std::uint64_t rays = 0;
+    for (const std::uint32_t ranger : due)
+      for (std::uint32_t k = 0; k < world.rangers.sensor_count[ranger]; ++k)
+        rays += world.sensors.beam_count[world.rangers.first_sensor[ranger] + k];
+    return rays;
+  }
+
+ private:
+  static void measure(world::World& world, const Discs& discs, std::uint32_t ranger) {
+    const world::ModelRow model = world.rangers.model[ranger];
+    const scene::ModelDesc& desc = world.desc(model);
+    const geom::Pose X_WB = geom::compose(world.models.X_WM[model.index], desc.X_MB);
+    for (std::uint32_t k = 0; k < desc.sensors.size(); ++k) {
+      const scene::RangerSensorDesc& sensor = desc.sensors[k];
+      const geom::Pose X_WS = geom::compose(X_WB, sensor.X_BS);
+      const std::uint32_t first = world.sensors.first_beam[world.rangers.first_sensor[ranger] + k];
+      for (std::uint32_t beam = 0; beam < sensor.samples; ++beam) {
+        const double share = sensor.samples == 1 ? 0 : beam / (sensor.samples - 1.0) - 0.5;
+        world.sensors.ranges[first + beam] =
+            static_cast<float>(nearest(discs, {X_WS.x, X_WS.y, 0, X_WS.a + share * sensor.fov},
+                                       sensor.range_max, world.models.root[model.index]));
+      }
+    }
+  }
+
+  static double nearest(const Discs& discs, const geom::Pose& X_WR, double range, std::uint32_t own) {
+    const geom::Rotation rotation = geom::Rotation::of(X_WR.a);
+    for (const Discs::Disc& disc : discs.all) {
+      if (disc.root == own) continue;
+      const geom::Vec2 p_R = rotation.inverse(disc.center - X_WR.xy());
+      const double half = disc.radius * disc.radius - p_R.y * p_R.y;
+      if (half < 0 || p_R.x < 0) continue;
+      range = std::min(range, std::max(0.0, p_R.x - std::sqrt(half)));
+    }
+    return range;
+  }
+};
+
+class SpringEngine final : public PhasedEngine {
+ public:
+  static constexpr double kSwing = 0.25;  // m, to each side
+  static constexpr double kPeriod = 2;    // s
+
+  SpringEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers)
+      : PhasedEngine(scene, seed, workers) {
+    senses_.add(std::make_unique<DiscRanger>());
+    populate();
+  }
+
+  std::uint64_t rays() const override { return rays_; }
+  /// Of changes that came to its tables.
+  std::size_t ingested() const { return ingested_; }
+
+ private:
+  void ingest(std::span<const world::Change> changes) override {
+    ingested_ += changes.size();
+    populate();
+  }
+
+  void move() override {
+    for (std::uint32_t row = 0; row < world_.models.size(); ++row) {
+      if (world_.models.parent[row] != world::ModelRow::kNone) continue;
+      geom::Pose& X_WM = world_.models.X_PM.own(row);
+      if (world_.models.mobility[row] == world::Mobility::kLoose) X_WM.x += swing(1) - swing(0);
+      if (world_.models.kind[row] == scene::ModelKind::kPosition) drive(world_.models.part[row], X_WM);
+      world::place_tree(world_, {row});
+    }
+    place();
+  }
+
+  void drive(std::uint32_t robot, geom::Pose& X_WM) {
+    const double dt = world_.scene().interval;
+    const geom::Twist& v = world_.positions.velocity[robot];
+    const geom::Pose X_MN{v.x * dt, v.y * dt, 0, v.a * dt};  // from this tick to the next
+    X_WM = geom::compose(X_WM, X_MN);
+    world_.positions.X_OM[robot] = geom::compose(world_.positions.X_OM[robot], X_MN);
+  }
+
+  /// Where the spring is so many ticks from now. [m]
+  double swing(std::uint64_t ahead) const {
+    const double time = static_cast<double>(world_.tick() + ahead) * world_.scene().interval;
+    return kSwing * geom::sincos(geom::kTwoPi * std::fmod(time, kPeriod) / kPeriod).sin;
+  }
+
+  void sense(std::uint64_t tick) override { rays_ += senses_.sense(world_, discs_, tick, workers_); }
+
+  void populate() {
+    place();
+    senses_.populate(world_, discs_);
+  }
+
+  void place() {
+    discs_.all.clear();
+    for (std::uint32_t row = 0; row < world_.models.size(); ++row) {
+      if (world_.models.parent[row] != world::ModelRow::kNone) continue;
+      const geom::Size& size = world_.desc({row}).size;
+      discs_.all.push_back({world_.models.X_WM[row].xy(), 0.5 * std::max(size.x, size.y), row});
+    }
+  }
+
+  Senses<Discs> senses_;
+  Discs discs_;
+  std::uint64_t rays_ = 0;
+  std::size_t ingested_ = 0;
+};
+
+}  // namespace playhouse::behaviour::testing
