@@ -10,12 +10,12 @@ PhasedEngine::PhasedEngine(const scene::SceneDesc& scene, std::uint64_t seed, un
 }
 
 void PhasedEngine::step() {
-  decide();                     // controllers read the frozen state N                 -> commands
-  acts_.act(world_, workers_);  // drive models and what else acts                     -> velocities, changes
-  take_changes();               // who came, went, was taken up or put elsewhere       -> the engine's tables
-  move();                    //                                                     -> poses, odometry, stall
-  sense(world_.tick() + 1);  // of those subscribed and due                         -> ranges, fiducials
-  freeze();                  //                                                     -> tick + 1
+  decide();                     // controllers read the frozen state N        -> commands
+  acts_.act(world_, workers_);  // drive models and what else acts            -> velocities, changes
+  take_changes();               // who came, went, was taken up or put        -> the engine's tables
+  move();                       // trees of models                            -> poses, odometry, stall
+  sense(world_.tick() + 1);     // of those subscribed and due                -> ranges, fiducials
+  freeze();                     // tick + 1
 }
 
 void PhasedEngine::decide() {
