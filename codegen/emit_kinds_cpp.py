@@ -108,6 +108,8 @@ def _members(word: Word) -> list[str]:
                  zip(word.default[::2], word.default[1::2], word.scales[::2])]
         return [*about, f"  Bounds {word.member}[4] = {{{', '.join(pairs)}}};"]
     type_name = word.enum if word.type == "choice" else TYPES[word.type]
+    if word.indexed:
+        return [*about, f"  std::vector<{type_name}> {word.member};"]
     if word.optional:
         return [*about, f"  std::optional<{type_name}> {word.member};"]
     return [*about, f"  {type_name} {word.member}{_initial(word)};"]
@@ -206,12 +208,23 @@ def _readers(kinds: Kinds) -> str:
 def _reader(kind: Kind) -> list[str]:
     lines = [f"{_signature(kind)} {{"]
     for word in kind.members:
-        lines += [f"  {line}" for line in [*_read(word), *_check(word)]]
+        key, to = _text(word.name), f"to.{word.member}"
+        read = _read_each(kind, word) if word.indexed else [*_read(word, key, to), *_check(word, key, to)]
+        lines += [f"  {line}" for line in read]
     return [*lines, "}"]
 
 
-def _read(word: Word) -> list[str]:
-    key, to = _text(word.name), f"to.{word.member}"
+def _read_each(kind: Kind, word: Word) -> list[str]:
+    count = next(w for w in kind.members if w.name == word.counted_by)
+    type_name = TYPES[word.type]
+    return [f"{type_name} {word.name}{_initial(word)};",
+            f"to.{word.member} = read_each(properties, {_text(word.name)}, {_text(count.name)}, to.{count.member}, {word.name}, "
+            f"[&](std::string_view key, {type_name}& each) {{",
+            *(f"  {line}" for line in [*_read(word, "key", "each"), *_check(word, "key", "each")]), "});"]
+
+
+def _read(word: Word, key: str, to: str) -> list[str]:
+    """Reads what the file has behind `key` into `to`, which has what counts where there is none."""
     if word.type == "number" and word.unit == "ms":
         return [f"{to} = read_milliseconds(properties, {key}, {to});"]
     if word.type in READERS:
@@ -265,11 +278,10 @@ def _read_tuple(word: Word) -> list[str]:
     return lines
 
 
-def _check(word: Word) -> list[str]:
+def _check(word: Word, key: str, to: str) -> list[str]:
     """What read_count() and tuples have not checked yet."""
     if word.type in ("count", "tuple") or (word.min is None and word.above is None):
         return []
-    key, to = _text(word.name), f"to.{word.member}"
     if word.clamp:
         return [f"{to} = at_least_zero(properties, {key}, {to}, {_text(word.clamp)});"]
     if word.above is not None:

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from codegen.checks import SchemaError
 from codegen.emit_kinds_cpp import BANNER, enumerator
 from codegen.kind_state import Shown
+from codegen.kind_words import Word
 from codegen.kinds import BASE, Kind, Kinds
 
 FOLDER = "playhouse/replicate/generated"
@@ -140,25 +141,26 @@ def _sensing(kinds: Kinds) -> list[str]:
     return [*lines, "      return true;", "    default:", "      return false;", "  }", "}", ""]
 
 
-def _members(kind: Kind, others: Kind) -> dict[str, tuple[str, str, str]]:
-    """Word -> (member, type, "" or "base"): a kind's own, or of all models."""
-    found = {w.name: (w.member, w.type, "base") for w in others.words}
-    return found | {w.name: (w.member, w.type, "") for w in kind.words}
+def _members(kind: Kind, others: Kind) -> dict[str, tuple[Word, str]]:
+    """Word -> (it, "" or "base"): a kind's own, or of all models."""
+    return {w.name: (w, "base") for w in others.words} | {w.name: (w, "") for w in kind.words}
 
 
 def _json_fields(kind: Kind, base: Kind, own: str) -> list[str]:
     """Statements that append the start fields; `own` holds the kind's members."""
     lines = []
     for shown in _start(kind):
-        member, type_name, where = _members(kind, base)[shown.source]
-        if type_name == "tuple":
-            word = next(w for w in kind.words if w.name == shown.source)
+        word, where = _members(kind, base)[shown.source]
+        if word.type == "tuple":
             value = " + ',' + ".join(f"number({own}{p.member})" for p in word.parts)
             lines.append(f'  text += ",\\"{shown.field}\\":[" + {value} + "]";')
             continue
-        if type_name not in JSON:
-            raise SchemaError(f"{kind.source}: viewer {shown.field}: a {type_name} does not travel as json yet")
-        value = JSON[type_name][0].format(f"model.{member}" if where else f"{own}{member}")
+        if word.type not in JSON:
+            raise SchemaError(f"{kind.source}: viewer {shown.field}: a {word.type} does not travel as json yet")
+        held, write = f"{'model.' if where else own}{word.member}", JSON[word.type][0]
+        value = write.format(held)
+        if word.indexed:
+            value = f"list({held}, [](const auto& each) {{ return {write.format('each')}; }})"
         lines.append(f'  fmt::format_to(std::back_inserter(text), ",\\"{shown.field}\\":{{}}", {value});')
     return lines
 
@@ -266,8 +268,8 @@ def _unique(lines: list[str]) -> list[str]:
 def _fields(kind: Kind, base: Kind) -> list[str]:
     lines = []
     for shown in _start(kind):
-        _, type_name, _ = _members(kind, base)[shown.source]
-        parts = len(next(w for w in kind.words if w.name == shown.source).parts) if type_name == "tuple" else 0
-        to = "[" + ", ".join(["number"] * parts) + "]" if parts else JSON[type_name][1]
+        word, _ = _members(kind, base)[shown.source]
+        to = "[" + ", ".join(["number"] * len(word.parts)) + "]" if word.parts else JSON[word.type][1]
+        to += "[]" if word.indexed else ""
         lines.append(f"  {shown.field}: {to};" + (f" // {shown.unit}" if shown.unit else ""))
     return lines

@@ -20,6 +20,7 @@ SHAPES = {
 }
 NUMBERS = {"integer", "count", "number", "length", "angle"}
 PART_SCALES = {"number": "N", "length": "L", "angle": "A"}
+COUNTED = {"integer", "number", "length", "angle", "pose", "size", "point"}  # what a list of counted words may hold
 
 # Units of plain numbers in world files, and what the member behind the word is kept in.
 UNITS = {"1": "1", "m": "m", "s": "s", "ms": "s", "deg": "rad", "kg": "kg", "px": "px", "px/m": "px/m", "W": "W", "J": "J",
@@ -69,6 +70,7 @@ class Word:
     by_hand: bool = False       # hand-written code reads it, and there is no member
     optional: bool = False      # the member is empty without the word
     indexed: bool = False       # word[0], word[1], ...
+    counted_by: str = ""        # the word that says how many there are; without an index it is meant for all others
     member: str = ""
     frame: str = ""
     enum: str = ""
@@ -107,10 +109,10 @@ class Word:
 
 
 OPTIONAL = {"use", "unit", "default", "default_text", "min", "above", "max", "limit", "clamp", "ascending_from", "by_hand",
-            "optional", "indexed", "member", "frame", "enum", "with", "parts", "values"}
+            "optional", "indexed", "counted_by", "member", "frame", "enum", "with", "parts", "values"}
 
 KEY_TYPES = {key: str for key in ("name", "type", "doc", "use", "unit", "default_text", "limit", "clamp", "member", "frame",
-                                  "enum", "with", "word")}
+                                  "enum", "with", "word", "counted_by")}
 KEY_TYPES |= {"by_hand": bool, "optional": bool, "indexed": bool, "parts": list, "values": list}
 KEY_TYPES |= {"min": (int, float), "above": (int, float), "max": (int, float), "ascending_from": (int, float)}
 
@@ -131,10 +133,9 @@ def word(where: str, row: dict, simulated: bool) -> Word:
     out.member = row.get("member", out.name)
     if not MEMBER.match(out.member):
         raise SchemaError(f"{where}: member {out.member!r} is not a name")
-    if simulated and out.indexed and out.has_member:
-        raise SchemaError(f"{where}: indexed words are read by hand: by_hand is missing")
     _parts(where, out, row)
     _values(where, out, row)
+    _indices(where, out, simulated)
     _unit(where, out, simulated)
     _limits(where, out)
     _default(where, out, simulated)
@@ -175,6 +176,16 @@ def _values(where: str, out: Word, row: dict) -> None:
     unique(where, "value", [v.word for v in out.values])
     if out.enum:
         _only_of(where, out, "enum", {"choice"})
+
+
+def _indices(where: str, out: Word, simulated: bool) -> None:
+    if simulated and out.indexed and out.has_member and not out.counted_by:
+        raise SchemaError(f"{where}: an indexed word is read by hand or counted: counted_by is missing")
+    if not out.counted_by:
+        return
+    if not out.indexed or not out.has_member or out.optional or out.default is None:
+        raise SchemaError(f"{where}: counted_by is for an indexed word with a member that is always there, and a default")
+    _only_of(where, out, "counted_by", COUNTED)
 
 
 def _unit(where: str, out: Word, simulated: bool) -> None:
@@ -257,5 +268,8 @@ def check_together(where, words: list[Word]) -> None:
                 raise SchemaError(f"{where(w)}: only an rgba is read with another word, a color")
         elif w.type == "rgba":
             raise SchemaError(f"{where(w)}: an rgba is read with a color: with is missing")
+        if w.counted_by:
+            before = [b.name for b in words[:words.index(w)] if b.type == "count" and b.has_member]
+            one_of(where(w), "counted_by", w.counted_by, before)
     members = [m for w in words if w.has_member for m in ([p.member for p in w.parts] or [w.member])]
     unique(where(words[0]).partition(": word")[0] if words else "", "member", members)

@@ -6,7 +6,7 @@ import tomllib
 import unittest
 from pathlib import Path
 
-from codegen import emit_kinds_cpp, emit_kinds_docs
+from codegen import emit_kinds_cpp, emit_kinds_docs, emit_views
 from codegen.checks import SchemaError
 from codegen.kinds import build_kinds, load_kinds
 from codegen.model import load
@@ -145,9 +145,18 @@ class Refused(unittest.TestCase):
         self.refuse("word color_rgba: only an rgba is read with another word", word=[word(), rgba | {"with": "reach"}])
         build_kinds(tables(word=[color, rgba | {"with": "color"}]), SCHEMA)
 
-    def test_an_indexed_word_of_a_simulated_kind_is_read_by_hand(self):
-        self.refuse_word("indexed words are read by hand", indexed=True)
+    def test_an_indexed_word_of_a_simulated_kind_is_read_by_hand_or_counted(self):
+        self.refuse_word("an indexed word is read by hand or counted: counted_by is missing", indexed=True)
         build_kinds(tables(word=[word(indexed=True, by_hand=True)]), SCHEMA)
+        joints = {"name": "joints", "type": "count", "default": 0, "min": 0, "doc": "How many joints."}
+        reach = word(indexed=True, counted_by="joints")
+        build_kinds(tables(word=[joints, reach]), SCHEMA)
+        self.refuse("word reach: unknown counted_by 'joints'", word=[reach, joints])  # it is read before
+        self.refuse("word reach: unknown counted_by 'joint' (did you mean 'joints'?)", word=[joints, reach | {"counted_by": "joint"}])
+        self.refuse("word reach: unknown counted_by 'span'", word=[word(name="span"), reach | {"counted_by": "span"}])
+        for changes in ({"indexed": False}, {"by_hand": True}, {"optional": True}):
+            self.refuse("word reach: counted_by is for an indexed word", word=[joints, reach | changes])
+        self.refuse("word reach: counted_by is for angle, ", word=[joints, reach | {"type": "flag"}])
 
     def test_what_is_there_twice(self):
         self.refuse("word 'reach' is there twice", word=[word(), word()])
@@ -289,6 +298,21 @@ class Generated(unittest.TestCase):
         self.assertIn('properties.tuple("range", "LL", range, "[min max]");', reading)
         self.assertIn("read(properties, to.camera.emplace());", reading)
         self.assertIn('{.name = "pantilt", .use = Use::kRead,', files["playhouse/scene/generated/kind_tables.cc"])
+
+    def test_a_word_that_is_counted_is_a_list(self):
+        words = [{"name": "joints", "type": "count", "default": 0, "min": 0, "doc": "How many joints."},
+                 word(indexed=True, counted_by="joints", min=0)]
+        fields = [without(viewer(field="reach", code="json", when="start", **{"from": "reach"}), "quantum")]
+        kinds = build_kinds(tables(word=words, viewer=fields), SCHEMA)
+        files = emit_kinds_cpp.emit(kinds) | emit_views.emit(kinds)
+        self.assertIn("  std::vector<double> reach;\n", files["playhouse/scene/generated/kind_descs.h"])
+        self.assertIn('  to.reach = read_each(properties, "reach", "joints", to.joints, reach, [&](std::string_view key, double& each) {\n'
+                      "    each = properties.length(key, each);\n"
+                      '    require(each >= 0, properties, key, "must not be negative");\n'
+                      "  });\n", files["playhouse/scene/generated/read_kinds.cc"])
+        self.assertIn("list(model.arm->reach, [](const auto& each) { return number(each); })",
+                      files["playhouse/replicate/generated/views.cc"])
+        self.assertIn("  reach?: number[];\n", files["web/src/protocol/generated/views.ts"])
 
     def test_a_bar_in_a_table_of_a_page_is_escaped(self):
         page = emit_kinds_docs.emit(load_kinds(ROOT / "kinds", SCHEMA))["docs/kinds/position.md"]

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 
 #include "playhouse/base/in_quotes.h"
@@ -107,6 +108,33 @@ void read_bounds(const Properties& properties, std::string_view key, std::string
   for (std::size_t axis = 0; axis < 4; ++axis) {
     bounds[axis] = {v[2 * axis], v[2 * axis + 1]};
     require(bounds[axis].min <= bounds[axis].max, properties, key, "has a minimum above its maximum");
+  }
+}
+
+std::string numbered(std::string_view word, std::size_t index) {
+  return std::string(word) + "[" + std::to_string(index) + "]";
+}
+
+void check_numbered(const Properties& properties, std::string_view word, std::string_view counted_by,
+                    std::uint32_t count) {
+  const std::string told = in_quotes(counted_by) + " is " + std::to_string(count);
+  const auto is_counted = [&](std::string_view key) {
+    std::uint32_t i = count;
+    std::from_chars(key.data() + word.size() + 1, key.data() + key.size(), i);
+    return i < count && key == numbered(word, i);
+  };
+  for (const Field* field : properties.fields().all()) {
+    if (field->key == word || without_index(field->key) != word || is_counted(field->key)) continue;
+    properties.state().warnings.add(Warning::kNoEffect, field->where,
+                                    in_quotes(field->key) + " has no effect: " + told);
+  }
+  if (properties.has(word)) return;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (properties.has(numbered(word, i))) continue;
+    properties.state().warnings.add(
+        Warning::kValue, properties.where(counted_by),
+        told + ", but " + in_quotes(numbered(word, i)) + " is missing; what is missing is as by default");
+    return;
   }
 }
 

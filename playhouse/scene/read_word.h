@@ -50,4 +50,24 @@ geom::Twist read_twist(const Properties& properties, std::string_view key, std::
 void read_bounds(const Properties& properties, std::string_view key, std::string_view scales,
                  Bounds (&bounds)[4]);
 
+/// The key of word[index].
+std::string numbered(std::string_view word, std::size_t index);
+
+/// Warns of word[i] that is not among the first `count`, which the word `counted_by` says, and of the first
+/// that is missing where there is no `word` for all.
+void check_numbered(const Properties& properties, std::string_view word, std::string_view counted_by,
+                    std::uint32_t count);
+
+/// word[0], word[1], ...: `count` of them. `read(key, value)` reads one; where there is none, `word` without
+/// a number counts, else `otherwise`.
+template <typename Value, typename Read>
+std::vector<Value> read_each(const Properties& properties, std::string_view word, std::string_view counted_by,
+                             std::uint32_t count, Value otherwise, const Read& read) {
+  read(word, otherwise);
+  std::vector<Value> values(count, otherwise);
+  for (std::uint32_t i = 0; i < count; ++i) read(numbered(word, i), values[i]);
+  check_numbered(properties, word, counted_by, count);
+  return values;
+}
+
 }  // namespace playhouse::scene
