@@ -15,9 +15,9 @@ enum class Observer : std::uint8_t {
   kFiducial,  // a finder's line of sight ends there
   kBlob,      // the camera of a blobfinder
   kGripper,   // it can be lifted
-  kBumper,
-  kLight,  // light ends there
-  kRadio,  // radio waves get weaker there
+  kBumper,    // it presses the switches of a bumper
+  kLight,     // light ends there
+  kRadio,     // radio waves get weaker there
 };
 
 /// Bits of observers.
@@ -29,9 +29,9 @@ constexpr Observers bit(Observer observer) {
 
 /// Who sees the solids of a model.
 inline Observers observers_of(const scene::ModelDesc& model) {
-  unsigned all =
-      bit(Observer::kFiducial) | bit(Observer::kBlob) | bit(Observer::kLight) | bit(Observer::kRadio);
-  if (model.obstacle_return) all |= bit(Observer::kMotion) | bit(Observer::kBumper);
+  unsigned all = bit(Observer::kFiducial) | bit(Observer::kBlob) | bit(Observer::kBumper) |
+                 bit(Observer::kLight) | bit(Observer::kRadio);
+  if (model.obstacle_return) all |= bit(Observer::kMotion);
   if (model.ranger_return >= 0) all |= bit(Observer::kRanger);
   if (model.gripper_return) all |= bit(Observer::kGripper);
   return static_cast<Observers>(all);
