@@ -5,6 +5,7 @@ import { el, setText } from '../ui/dom';
 import { PolarPlot } from '../ui/polar_plot';
 import { degrees, metres, shortName } from '../ui/texts';
 import { bearingOf } from '../view/beams';
+import { type Frame, frameOf } from '../view/frames';
 import { Painted } from '../view/painted';
 import type { Theme } from '../view/theme';
 import type { Drawing, KindPage, PanelTools, Stage } from './kind_page';
@@ -18,25 +19,11 @@ const kRoom = 8; // m, of floor around them
 const kSonarValuesMost = 64; // numbers in the panel
 const kGap = 0.4; // m: a longer step between two beams is no surface
 
-/** A sensor's place in the world at this moment. */
-interface SensorPose {
-  x: number;
-  y: number;
-  z: number;
-  a: number;
-}
-
-function sensorPose(motion: Motion, model: number, origin: Pose | undefined, sensor: Sensor): SensorPose {
-  let { x, y, z, a } = { x: motion.x[model], y: motion.y[model], z: motion.z[model], a: motion.a[model] };
-  for (const pose of [origin, sensor.pose]) {
-    if (!pose) continue;
-    const c = Math.cos(a);
-    const s = Math.sin(a);
-    [x, y] = [x + c * pose[0] - s * pose[1], y + s * pose[0] + c * pose[1]];
-    z += pose[2];
-    a += pose[3];
-  }
-  return { x, y, z: z + sensor.size[2] / 2, a };
+/** Where a sensor's beams begin at this moment. */
+function beamsFrame(motion: Motion, model: number, origin: Pose | undefined, sensor: Sensor): Frame {
+  const frame = frameOf(motion, model, origin, sensor.pose);
+  frame.z += sensor.size[2] / 2;
+  return frame;
 }
 
 /** How much floor scans cover, and how often. */
@@ -47,7 +34,7 @@ class Cover {
   private low = Infinity;
   private high = -Infinity;
 
-  add(at: SensorPose, sensor: Sensor, beams: Uint16Array): void {
+  add(at: Frame, sensor: Sensor, beams: Uint16Array): void {
     const unit = sensor.range[1] / 65535;
     let squares = 0;
     for (const beam of beams) squares += beam * beam;
@@ -87,7 +74,7 @@ class Fans implements Drawing {
     const steps = replica.scans.size > kSensorsManyMost ? 1 : kConeSteps;
     for (const [row, beams] of replica.scans) {
       const { model, sensor } = replica.sensors[row];
-      const at = sensorPose(motion, model, scene.models[model].origin, sensor);
+      const at = beamsFrame(motion, model, scene.models[model].origin, sensor);
       if (sensor.samples < 2) this.cone(at, sensor, beams[0], this.colors[row], steps);
       else this.fan(at, sensor, beams, this.colors[row]);
       cover.add(at, sensor, beams);
@@ -102,7 +89,7 @@ class Fans implements Drawing {
     this.outline.dispose();
   }
 
-  private fan(at: SensorPose, sensor: Sensor, beams: Uint16Array, color: Float32Array): void {
+  private fan(at: Frame, sensor: Sensor, beams: Uint16Array, color: Float32Array): void {
     const unit = sensor.range[1] / 65535;
     const alpha = color[3] * this.fade;
     let px = at.x;
@@ -124,7 +111,7 @@ class Fans implements Drawing {
     }
   }
 
-  private cone(at: SensorPose, sensor: Sensor, beam: number, color: Float32Array, steps: number): void {
+  private cone(at: Frame, sensor: Sensor, beam: number, color: Float32Array, steps: number): void {
     const range = (beam * sensor.range[1]) / 65535;
     // A ping that heard nothing says little; it is drawn fainter.
     const alpha = (beam === 65535 ? color[3] * 0.45 : color[3]) * this.fade;

@@ -1,6 +1,6 @@
 import {
   BufferAttribute, BufferGeometry, DoubleSide, DynamicDrawUsage, LineBasicMaterial, LineSegments, Mesh,
-  MeshBasicMaterial, type Object3D,
+  type MaterialParameters, MeshBasicMaterial, type Object3D,
 } from 'three';
 
 /** Triangles or lines that are laid anew for every picture, in world coordinates, with a colour and an alpha per corner. */
@@ -11,8 +11,8 @@ export class Painted {
   private count = 0;
   private readonly geometry = new BufferGeometry();
 
-  constructor(what: 'triangles' | 'lines', order: number) {
-    const look = { vertexColors: true, transparent: true, depthWrite: false, side: DoubleSide };
+  constructor(what: 'triangles' | 'lines', order: number, own: MaterialParameters = {}) {
+    const look = { vertexColors: true, transparent: true, depthWrite: false, side: DoubleSide, ...own };
     const object =
       what === 'triangles'
         ? new Mesh(this.geometry, new MeshBasicMaterial(look))
