@@ -17,6 +17,7 @@ std::unique_ptr<SimulatedDevice> make_laser_device(Simulation& simulation, world
 std::unique_ptr<SimulatedDevice> make_sonar_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_fiducial_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_blobfinder_device(Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_bumper_device(Simulation& simulation, world::ModelRow model);
 
 struct DeviceMaker {
   std::uint16_t interf;
@@ -29,6 +30,7 @@ inline constexpr DeviceMaker kDeviceMakers[] = {
     {5, make_sonar_device},
     {10, make_fiducial_device},
     {7, make_blobfinder_device},
+    {14, make_bumper_device},
 };
 
 }  // namespace playhouse::drivers

@@ -12,6 +12,7 @@
 #include "playhouse/drivers/simulated/simulated_driver.h"
 #include "playhouse/drivers/testing/still_engine.h"
 #include "playhouse/wire/generated/blobfinder.h"
+#include "playhouse/wire/generated/bumper.h"
 #include "playhouse/wire/generated/fiducial.h"
 #include "playhouse/wire/generated/laser.h"
 #include "playhouse/wire/generated/position2d.h"
@@ -37,6 +38,7 @@ position( name "r0" pose [1 2 0 90] size [0.44 0.38 0.22] origin [-0.04 0 0 0] f
     sensor( pose [0.2 -0.1 0 -90] range [0 5] fov 15 ) )
   fiducial( name "finder" range_max 6 fov 90 )
   blobfinder( name "camera" colors_count 2 colors [ "blue" "red" ] image [100 40] )
+  bumper( name "skirt" pose [0.1 0 -0.2 0] bcount 2 bpose[0] [0.2 0 0.05 0] bpose[1] [0 0.2 0 90] blength 0.3 blength[1] 0.1 )
 )
 )";
 
@@ -332,6 +334,23 @@ TEST_F(Device, a_blob_becomes_a_box_of_pixels_in_its_color) {
   EXPECT_EQ(blob.left, 10u);
   EXPECT_EQ(blob.bottom, 24u);
   EXPECT_EQ(blob.range, 2.5f);
+}
+
+TEST_F(Device, a_switch_becomes_a_byte_and_its_face_a_place_on_the_robot) {
+  open(wire::bumper::kCode, "r0.skirt");
+  world::World& world = still_.world();
+  world.bumpers.hits[0] = {{}, world.id(world.find("r0"))};
+  still_.run(1);
+  EXPECT_EQ(last<wire::bumper::Data>(wire::bumper::kDataState).bumpers, (std::vector<std::uint8_t>{0, 1}));
+  const auto geom = reply<wire::bumper::Geom>(ask(wire::bumper::kReqGetGeom));
+  ASSERT_EQ(geom.bumper_def.size(), 2u);
+  EXPECT_NEAR(geom.bumper_def[0].pose.px, 0.3, 1e-12);
+  EXPECT_NEAR(geom.bumper_def[0].pose.pz, 0.07, 1e-12);
+  EXPECT_EQ(geom.bumper_def[0].length, 0.3f);
+  EXPECT_EQ(geom.bumper_def[0].radius, 0.0f);
+  EXPECT_NEAR(geom.bumper_def[1].pose.py, 0.2, 1e-12);
+  EXPECT_NEAR(geom.bumper_def[1].pose.pyaw, pi / 2, 1e-9);
+  EXPECT_EQ(geom.bumper_def[1].length, 0.1f);
 }
 
 TEST_F(FiducialDevice, a_hit_becomes_a_pose_in_the_finders_frame) {

@@ -46,14 +46,24 @@ bool capture_blobfinder(const world::World& world, std::uint32_t row, std::vecto
   return true;
 }
 
+bool capture_bumper(const world::World& world, std::uint32_t row, std::vector<std::int32_t>& out) {
+  if (world.bumpers.measured_tick[row] == 0) return false;
+  for (const auto& item : world.bumpers.hits[row]) {
+    out.push_back(static_cast<std::int32_t>(item.value));
+  }
+  return true;
+}
+
 constexpr Code kCodesOfPosition[] = {Code::kZigzag, Code::kZigzag, Code::kZigzag, Code::kZigzag, Code::kZigzag, Code::kTurn};
 constexpr Code kCodesOfFiducial[] = {Code::kVarint, Code::kZigzag, Code::kVarint, Code::kTurn, Code::kTurn};
 constexpr Code kCodesOfBlobfinder[] = {Code::kRgba, Code::kVarint, Code::kVarint, Code::kVarint};
+constexpr Code kCodesOfBumper[] = {Code::kZigzag};
 
-constexpr View kViews[3] = {
+constexpr View kViews[4] = {
     {scene::ModelKind::kPosition, When::kSelected, false, kCodesOfPosition, capture_position},
     {scene::ModelKind::kFiducial, When::kShown, true, kCodesOfFiducial, capture_fiducial},
     {scene::ModelKind::kBlobfinder, When::kShown, true, kCodesOfBlobfinder, capture_blobfinder},
+    {scene::ModelKind::kBumper, When::kShown, true, kCodesOfBumper, capture_bumper},
 };
 
 }  // namespace
@@ -79,6 +89,7 @@ bool measures(scene::ModelKind kind) {
     case scene::ModelKind::kRanger:
     case scene::ModelKind::kFiducial:
     case scene::ModelKind::kBlobfinder:
+    case scene::ModelKind::kBumper:
       return true;
     default:
       return false;
@@ -120,6 +131,12 @@ void tell_blobfinder(const scene::ModelDesc& model, std::string& text) {
   text += ",\"image\":[" + number(model.blobfinder->width) + ',' + number(model.blobfinder->height) + "]";
 }
 
+void tell_bumper(const scene::ModelDesc& model, std::string& text) {
+  if (!model.bumper) return;
+  fmt::format_to(std::back_inserter(text), ",\"bpose\":{}", list(model.bumper->X_BS, [](const auto& each) { return pose(each); }));
+  fmt::format_to(std::back_inserter(text), ",\"blength\":{}", list(model.bumper->blength, [](const auto& each) { return number(each); }));
+}
+
 }  // namespace
 
 void tell_kind(const scene::ModelDesc& model, std::string& text) {
@@ -135,6 +152,9 @@ void tell_kind(const scene::ModelDesc& model, std::string& text) {
       break;
     case scene::ModelKind::kBlobfinder:
       tell_blobfinder(model, text);
+      break;
+    case scene::ModelKind::kBumper:
+      tell_bumper(model, text);
       break;
     default:
       break;
@@ -153,6 +173,8 @@ std::string_view kind_name(scene::ModelKind kind) {
       return "fiducial";
     case scene::ModelKind::kBlobfinder:
       return "blobfinder";
+    case scene::ModelKind::kBumper:
+      return "bumper";
   }
   return "";
 }

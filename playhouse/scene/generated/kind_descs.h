@@ -21,6 +21,7 @@ enum class ModelKind : std::uint8_t {
   kRanger = 2,
   kFiducial = 3,
   kBlobfinder = 4,
+  kBumper = 5,
 };
 
 /// A plain body; its words are those of every model, whatever its kind.
@@ -126,6 +127,19 @@ struct BlobfinderDesc {
   friend bool operator==(const BlobfinderDesc&, const BlobfinderDesc&) = default;
 };
 
+/// Switches that feel a touch.
+struct BumperDesc {
+  /// How many switches it has.
+  std::uint32_t bcount = 0;
+  /// The middle of the face of a switch, counted from 0, and where the face looks; without a number that of
+  /// all others. [frame X_BS, m, m, m, rad]
+  std::vector<geom::Pose> X_BS;
+  /// The length of the face of a switch, counted from 0; without a number that of all others. [m]
+  std::vector<double> blength;
+
+  friend bool operator==(const BumperDesc&, const BumperDesc&) = default;
+};
+
 /// One transducer or scanner of a ranger.
 struct RangerSensorDesc {
   /// Where the sensor is in the ranger. [frame X_BS, m, m, m, rad]
@@ -192,6 +206,7 @@ struct KindDescs {
   std::vector<RangerSensorDesc> sensors;  // kRanger
   std::optional<FiducialDesc> fiducial;  // kFiducial
   std::optional<BlobfinderDesc> blobfinder;  // kBlobfinder
+  std::optional<BumperDesc> bumper;  // kBumper
 
   friend bool operator==(const KindDescs&, const KindDescs&) = default;
 };

@@ -125,6 +125,16 @@ constexpr KindInterface kInterfacesOfBlobfinder[1] = {
     {"blobfinder", 7, Index::kCount, Need::kNothing, Need::kNothing},
 };
 
+constexpr Word kWordsOfBumper[3] = {
+    {.name = "bcount", .use = Use::kRead, .type = "count", .otherwise = "0", .limits = "from 0 to 256", .doc = "How many switches it has."},
+    {.name = "bpose", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .otherwise = "[0 0 0 0]", .doc = "The middle of the face of a switch, counted from 0, and where the face looks; without a number that of all others."},
+    {.name = "blength", .use = Use::kRead, .type = "length", .unit = "m", .otherwise = "0", .limits = "not negative", .doc = "The length of the face of a switch, counted from 0; without a number that of all others."},
+};
+
+constexpr KindInterface kInterfacesOfBumper[1] = {
+    {"bumper", 14, Index::kCount, Need::kNothing, Need::kNothing},
+};
+
 constexpr Word kWordsOfActuator[6] = {
     {.name = "type", .use = Use::kSilent, .type = "choice", .form = "\"linear\" | \"rotational\"", .otherwise = "\"linear\"", .doc = "How it moves. \"linear\": it slides; \"rotational\": it turns."},
     {.name = "axis", .use = Use::kSilent, .type = "tuple", .form = "[x y z]", .otherwise = "[0 0 0]", .doc = "The direction in which it slides."},
@@ -146,16 +156,6 @@ constexpr Word kWordsOfBlinkenlight[3] = {
 
 constexpr KindInterface kInterfacesOfBlinkenlight[1] = {
     {"blinkenlight", 33, Index::kCount, Need::kNothing, Need::kNothing},
-};
-
-constexpr Word kWordsOfBumper[3] = {
-    {.name = "bcount", .use = Use::kSilent, .type = "count", .otherwise = "0", .limits = "not negative", .doc = "How many switches it has."},
-    {.name = "bpose", .use = Use::kSilent, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .otherwise = "[0 0 0 0]", .doc = "The middle of a switch, counted from 0, and the direction that it faces."},
-    {.name = "blength", .use = Use::kSilent, .type = "length", .unit = "m", .otherwise = "0", .doc = "The length of all switches, or with a number of one."},
-};
-
-constexpr KindInterface kInterfacesOfBumper[1] = {
-    {"bumper", 14, Index::kCount, Need::kNothing, Need::kNothing},
 };
 
 constexpr Word kWordsOfCamera[4] = {
@@ -293,9 +293,9 @@ constexpr Kind kKinds[15] = {
     {.name = "ranger", .doc = "Range finders of any kind: a laser has one sensor with many samples, a ring of sonars many with one.", .entity = EntityForm::kModel, .table = "rangers", .kind = ModelKind::kRanger, .simulated = true, .solid = false, .size = {0.15, 0.15, 0.2}, .color = {0, 0, 0.5f, 1}, .words = kWordsOfRanger, .interfaces = kInterfacesOfRanger},
     {.name = "fiducial", .doc = "A finder of marks: sees models with a fiducial_return and tells which they are and where.", .entity = EntityForm::kModel, .table = "fiducials", .kind = ModelKind::kFiducial, .simulated = true, .solid = false, .size = {0, 0, 0}, .color = {1, 0, 0, 1}, .words = kWordsOfFiducial, .interfaces = kInterfacesOfFiducial},
     {.name = "blobfinder", .doc = "A camera that finds patches of a colour.", .entity = EntityForm::kModel, .table = "blobfinders", .kind = ModelKind::kBlobfinder, .simulated = true, .solid = false, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfBlobfinder, .interfaces = kInterfacesOfBlobfinder},
+    {.name = "bumper", .doc = "Switches that feel a touch.", .entity = EntityForm::kModel, .table = "bumpers", .kind = ModelKind::kBumper, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfBumper, .interfaces = kInterfacesOfBumper},
     {.name = "actuator", .doc = "A joint that slides or turns what it carries.", .entity = EntityForm::kModel, .simulated = false, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfActuator, .interfaces = kInterfacesOfActuator},
     {.name = "blinkenlight", .doc = "A lamp that can blink.", .entity = EntityForm::kModel, .simulated = false, .solid = true, .size = {0.02, 0.02, 0.02}, .color = {0, 1, 0, 1}, .words = kWordsOfBlinkenlight, .interfaces = kInterfacesOfBlinkenlight},
-    {.name = "bumper", .doc = "Switches that feel a touch.", .entity = EntityForm::kModel, .simulated = false, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfBumper, .interfaces = kInterfacesOfBumper},
     {.name = "camera", .doc = "A camera that takes images of the scene.", .entity = EntityForm::kModel, .simulated = false, .solid = true, .size = {0.1, 0.07, 0.05}, .color = {0, 0, 0, 1}, .words = kWordsOfCamera, .interfaces = kInterfacesOfCamera},
     {.name = "gripper", .doc = "Two paddles that close around a thing and carry it.", .entity = EntityForm::kModel, .simulated = false, .solid = true, .size = {0.2, 0.3, 0.2}, .color = {0.3f, 0.3f, 0.3f, 1}, .words = kWordsOfGripper, .interfaces = kInterfacesOfGripper},
     {.name = "lightindicator", .doc = "A body that is darker while it is off.", .entity = EntityForm::kModel, .simulated = false, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}},

@@ -48,6 +48,19 @@ void read(const Properties& properties, BlobfinderDesc& to) {
   to.pan = properties.angle("pan", to.pan);
 }
 
+void read(const Properties& properties, BumperDesc& to) {
+  to.bcount = read_count(properties, "bcount", to.bcount, 0, 256);
+  geom::Pose bpose;
+  to.X_BS = read_each(properties, "bpose", "bcount", to.bcount, bpose, [&](std::string_view key, geom::Pose& each) {
+    each = properties.pose(key).value_or(each);
+  });
+  double blength = 0;
+  to.blength = read_each(properties, "blength", "bcount", to.bcount, blength, [&](std::string_view key, double& each) {
+    each = properties.length(key, each);
+    require(each >= 0, properties, key, "must not be negative");
+  });
+}
+
 }  // namespace
 
 void read(const Properties& properties, std::size_t row, PlainDesc& to) {
@@ -126,6 +139,9 @@ void read_kind(const Properties& properties, ModelKind kind, KindDescs& to) {
     case ModelKind::kBlobfinder:
       read(properties, to.blobfinder.emplace());
       break;
+    case ModelKind::kBumper:
+      read(properties, to.bumper.emplace());
+      break;
     case ModelKind::kPlain:
     case ModelKind::kRanger:
       break;
@@ -140,6 +156,8 @@ bool is_described(ModelKind kind, const KindDescs& by) {
       return by.fiducial.has_value();
     case ModelKind::kBlobfinder:
       return by.blobfinder.has_value();
+    case ModelKind::kBumper:
+      return by.bumper.has_value();
     default:
       return true;
   }

@@ -50,6 +50,13 @@ inline constexpr auto kColumns<Blobfinders> = std::tuple{
     Column{"blobfinders.measured_tick", Role::kSensed, "", "", "sense", &Blobfinders::measured_tick},
 };
 
+template <>
+inline constexpr auto kColumns<Bumpers> = std::tuple{
+    Column{"bumpers.model", Role::kDerived, "", "", "", &Bumpers::model},
+    Column{"bumpers.hits", Role::kSensed, "", "", "sense", &Bumpers::hits},
+    Column{"bumpers.measured_tick", Role::kSensed, "", "", "sense", &Bumpers::measured_tick},
+};
+
 /// The kind whose models have a row each; of parts' tables there is none.
 template <typename Table>
 inline constexpr auto kKindOf = nullptr;
@@ -61,10 +68,12 @@ template <>
 inline constexpr scene::ModelKind kKindOf<Fiducials> = scene::ModelKind::kFiducial;
 template <>
 inline constexpr scene::ModelKind kKindOf<Blobfinders> = scene::ModelKind::kBlobfinder;
+template <>
+inline constexpr scene::ModelKind kKindOf<Bumpers> = scene::ModelKind::kBumper;
 
-inline constexpr std::tuple kTables{&Tables::models, &Tables::positions, &Tables::rangers, &Tables::sensors, &Tables::fiducials, &Tables::blobfinders};
+inline constexpr std::tuple kTables{&Tables::models, &Tables::positions, &Tables::rangers, &Tables::sensors, &Tables::fiducials, &Tables::blobfinders, &Tables::bumpers};
 
 /// Those of kinds: a row for each model of the kind, in the order of the models.
-inline constexpr std::tuple kKindTables{&Tables::positions, &Tables::rangers, &Tables::fiducials, &Tables::blobfinders};
+inline constexpr std::tuple kKindTables{&Tables::positions, &Tables::rangers, &Tables::fiducials, &Tables::blobfinders, &Tables::bumpers};
 
 }  // namespace playhouse::world

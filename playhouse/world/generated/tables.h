@@ -17,6 +17,7 @@ using RangerRow = Row<struct RangerTable>;
 using SensorRow = Row<struct SensorTable>;
 using FiducialRow = Row<struct FiducialTable>;
 using BlobfinderRow = Row<struct BlobfinderTable>;
+using BumperRow = Row<struct BumperTable>;
 
 /// A robot that drives in the plane.
 struct Positions {
@@ -115,6 +116,14 @@ struct Blobfinders {
   std::size_t size() const { return model.size(); }
 };
 
+/// Switches that feel a touch.
+struct Bumpers {
+  std::vector<ModelRow> model;  // The model that feels.
+  std::vector<std::vector<ModelId>> hits;  // Who presses each switch, none where it is free.
+  std::vector<std::uint64_t> measured_tick;  // Tick at which it felt last; 0: never.
+  std::size_t size() const { return model.size(); }
+};
+
 /// The state, in columns; columns.h lists them all, with what each is to a run.
 struct Tables {
   Models models;
@@ -123,6 +132,7 @@ struct Tables {
   Sensors sensors;
   Fiducials fiducials;
   Blobfinders blobfinders;
+  Bumpers bumpers;
 };
 
 }  // namespace playhouse::world

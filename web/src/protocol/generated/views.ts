@@ -2,7 +2,7 @@
 import type { Pose, Rgba } from '../scene';
 
 /** What a model is. */
-export type Kind = 'plain' | 'position' | 'ranger' | 'fiducial' | 'blobfinder';
+export type Kind = 'plain' | 'position' | 'ranger' | 'fiducial' | 'blobfinder' | 'bumper';
 
 /** Bits of a model's state; those of a kind count for models of that kind. */
 export const kBits = {
@@ -37,11 +37,17 @@ export interface BlobfinderView {
   range: number; // m
 }
 
+/** Switches that feel a touch. SI units and radians. */
+export interface BumperView {
+  hit: number;
+}
+
 /** Per kind, what comes of a model while somebody looks. */
 export interface Views {
   position: PositionView;
   fiducial: FiducialView[];
   blobfinder: BlobfinderView[];
+  bumper: BumperView[];
 }
 
 export type Code = 'varint' | 'zigzag' | 'turn' | 'rgba';
@@ -57,6 +63,7 @@ export const kViews: readonly ViewFormat[] = [
   { kind: 'position', list: false, fields: [['vx', 'zigzag', 0.001], ['vy', 'zigzag', 0.001], ['va', 'zigzag', 0.001], ['ox', 'zigzag', 0.001], ['oy', 'zigzag', 0.001], ['oa', 'turn', 1]] },
   { kind: 'fiducial', list: true, fields: [['target', 'varint', 1], ['id', 'zigzag', 1], ['range', 'varint', 0.001], ['bearing', 'turn', 1], ['heading', 'turn', 1]] },
   { kind: 'blobfinder', list: true, fields: [['color', 'rgba', 1], ['left', 'varint', 1], ['right', 'varint', 1], ['range', 'varint', 0.001]] },
+  { kind: 'bumper', list: true, fields: [['hit', 'zigzag', 1]] },
 ];
 
 /** One transducer or scanner of a ranger. */
@@ -77,4 +84,6 @@ export interface KindStart {
   fov?: number; // rad
   pan?: number; // rad
   image?: [number, number]; // px
+  bpose?: Pose[]; // m, m, m, rad
+  blength?: number[]; // m
 }

@@ -1,0 +1,82 @@
+/// BumperSense: the phase that finds who presses the switches of bumpers that are subscribed and due.
+///
+/// In: poses and bodies of models; bpose and blength of each bumper.
+/// Out: who presses each switch.
+/// Cost: a ray along the face of each switch, and one more to those that nobody meets.
+/// Source: as in Stage, the face of a switch is a segment, pressed by whatever of another tree has an outline
+///   across it, at any height. In Stage robots stop before they touch; here they drive up to a wall, and a
+///   straight face may be inside it, where no outline is. So an obstacle presses a switch as well by an
+///   outline between the middle of the robot and the middle of the face.
+
+#include <cmath>
+
+#include "playhouse/stage/generated/senses.h"
+#include "playhouse/stage/overlap.h"
+
+namespace playhouse::stage {
+namespace {
+
+/// The first solid that is on the way from a to b, or touched there, as the observer sees them; a row of
+/// Solids or kNone.
+std::uint32_t met(const Space& space, Vec2 a, Vec2 b, Observer by, std::uint32_t root) {
+  const Vec2 way = b - a;
+  const double length = std::sqrt(geom::dot(way, way));
+  if (!(length > 0)) return world::ModelRow::kNone;
+  const Vec2 d = (1 / length) * way;
+  return cast(space, {a - kTouch * d, d, -1e300, 1e300, length + 2 * kTouch, bit(by), root}).solid;
+}
+
+/// Who presses the switch that has its face at X_WS.
+std::uint32_t pressed_by(const Space& space, const Pose& X_WS, double length, Vec2 middle,
+                         std::uint32_t root) {
+  const Vec2 left = Rotation::of(X_WS.a) * Vec2{0, 0.5 * length};
+  const std::uint32_t across = met(space, X_WS.xy() - left, X_WS.xy() + left, Observer::kBumper, root);
+  if (across != world::ModelRow::kNone) return across;
+  return met(space, middle, X_WS.xy(), Observer::kMotion, root);
+}
+
+class BumperSense final : public SensePhase {
+ public:
+  SensorTable table(world::World& world) const override {
+    return {world.bumpers.model, world.bumpers.measured_tick};
+  }
+  void populate(const world::World&, const Space&) override {}
+
+  std::uint64_t sense(world::World& world, const Space& space, std::span<const std::uint32_t> due,
+                      std::uint64_t, world::Workers& workers) override {
+    workers.run(due.size(), 16, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) feel(world, space, due[i]);
+    });
+    std::uint64_t rays = 0;
+    for (const std::uint32_t row : due) {
+      for (const world::ModelId hit : world.bumpers.hits[row]) rays += hit ? 1 : 2;
+    }
+    return rays;
+  }
+
+ private:
+  static void feel(world::World& world, const Space& space, std::uint32_t row) {
+    const world::ModelRow model = world.bumpers.model[row];
+    const scene::ModelDesc& desc = world.desc(model);
+    const scene::BumperDesc& bumper = *desc.bumper;
+    const Pose X_WB = geom::compose(world.models.X_WM[model.index], desc.X_MB);
+    const std::uint32_t root = world.models.root[model.index];
+    const Vec2 middle = world.models.X_WM[root].xy();
+    std::vector<world::ModelId>& hits = world.bumpers.hits[row];
+    hits.clear();
+    for (std::size_t k = 0; k < bumper.X_BS.size(); ++k) {
+      const Pose X_WS = geom::compose(X_WB, bumper.X_BS[k]);
+      const std::uint32_t solid = pressed_by(space, X_WS, bumper.blength[k], middle, root);
+      const bool pressed = solid != world::ModelRow::kNone;
+      hits.push_back(pressed ? world.id({space.solids.model[solid]}) : world::ModelId{});
+    }
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<SensePhase> make_bumper_sense(unsigned) {
+  return std::make_unique<BumperSense>();
+}
+
+}  // namespace playhouse::stage
