@@ -699,6 +699,48 @@ TEST(WorldModels, a_fiducial_finder_has_its_ranges) {
   EXPECT_TRUE(finder.ignore_zloc);
 }
 
+TEST(WorldModels, a_bumper_has_its_switches_each_with_its_own_words_or_those_of_all) {
+  const SceneDesc scene = loaded(
+      "define skirt bumper( bcount 3 bpose[0] [1 2 0.5 90] bpose [3 0 0 180] blength 0.3 )\n"
+      "skirt( blength[1] 0.1 bpose[2] [4 0 0 0] )\n"
+      "bumper( )");
+  EXPECT_THAT(scene.warnings, IsEmpty());
+  const BumperDesc& skirt = *scene.models[0].bumper;
+  EXPECT_THAT(skirt.X_BS, ElementsAre(geom::Pose{1, 2, 0.5, geom::radians(90)},
+                                      geom::Pose{3, 0, 0, geom::kPi}, geom::Pose{4, 0, 0, 0}));
+  EXPECT_THAT(skirt.blength, ElementsAre(0.3, 0.1, 0.3));
+  EXPECT_EQ(*scene.models[1].bumper, BumperDesc{});
+}
+
+TEST(WorldModels, words_with_numbers_beyond_their_count_and_those_that_are_missing_have_a_line) {
+  const auto warnings_of = [](const std::string& words) {
+    return loaded("bumper( " + words + " )").warnings;
+  };
+  EXPECT_THAT(
+      warnings_of("bcount 2 blength 1 bpose[0] [0 0 0 0]\nbpose[2] [0 0 0 0]"),
+      ElementsAre("w/t.world:2: \"bpose[2]\" has no effect: \"bcount\" is 2",
+                  "w/t.world:1: \"bcount\" is 2, but \"bpose[1]\" is missing; what is missing is as by "
+                  "default"));
+  EXPECT_THAT(
+      warnings_of("bcount 1 bpose [0 0 0 0] blength[00] 1 blength[99999999999999999999] 1 blength[0] 1"),
+      ElementsAre(HasSubstr("\"blength[00]\" has no effect"),
+                  HasSubstr("\"blength[99999999999999999999]\" has no effect")));
+  EXPECT_THAT(warnings_of("bpose[0] [0 0 0 0]"), ElementsAre(HasSubstr("\"bcount\" is 0")));
+  EXPECT_THAT(warnings_of("bcount 1 bpose [0 0 0 0]"), ElementsAre(HasSubstr("\"blength[0]\" is missing")));
+  EXPECT_THAT(warnings_of("bcount 1 bpose [0 0 0 0] blength 1 bpose[x] [0 0 0 0]"),
+              ElementsAre(HasSubstr("unknown property \"bpose[x]\"")));
+}
+
+TEST(WorldModels, words_with_numbers_are_checked_each) {
+  const auto line_of = [](const std::string& words) { return error_of("bumper(\n" + words + " )"); };
+  EXPECT_THAT(line_of("bcount 1 bpose[0] [1 2]"), HasSubstr("w/t.world:2: \"bpose[0]\" needs 4 values"));
+  EXPECT_THAT(line_of("bcount 1 bpose[0] [1 2 3 \"north\"]"), HasSubstr("\"bpose[0]\" needs a number"));
+  EXPECT_EQ(line_of("bcount 2 blength 1 blength[1] -0.1"),
+            "w/t.world:2: \"blength[1]\" must not be negative");
+  EXPECT_EQ(line_of("blength -0.1"), "w/t.world:2: \"blength\" must not be negative");
+  EXPECT_EQ(line_of("bcount 257"), "w/t.world:2: \"bcount\" must be from 0 to 256");
+}
+
 TEST(WorldModels, types_that_are_not_simulated_load_as_plain_bodies_with_one_warning_each) {
   for (const Kind& kind : kinds()) {
     if (kind.simulated) continue;
@@ -715,7 +757,7 @@ TEST(WorldModels, types_that_are_not_simulated_load_as_plain_bodies_with_one_war
                                             "\" is not simulated yet and loads as a plain " +
                                             (kind.solid ? "body" : "model without a body")));
   }
-  EXPECT_THAT(loaded("bumper( bcount 1 bpose[0] [0 0 0 0] )").warnings, testing::SizeIs(testing::Le(1u)))
+  EXPECT_THAT(loaded("camera( resolution [80 60] )").warnings, testing::SizeIs(testing::Le(1u)))
       << "its words are known";
   EXPECT_THAT(
       loaded("blobfinder( channels_count 1 )").warnings,
