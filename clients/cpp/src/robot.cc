@@ -68,4 +68,10 @@ Result<Fiducial> Robot::fiducial(std::size_t n, Access access) const {
   return Fiducial(std::move(*opened));
 }
 
+Result<Bumper> Robot::bumper(std::size_t n, Access access) const {
+  Result<Device> opened = device("bumper", n, access);
+  if (!opened) return opened.error();
+  return Bumper(std::move(*opened));
+}
+
 }  // namespace playhouse::client

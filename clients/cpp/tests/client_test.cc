@@ -19,7 +19,9 @@ namespace playhouse::client {
 namespace {
 
 namespace position2d = wire::position2d;
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 using wire::MessageType;
 
 constexpr Seconds kShort{0.02};
@@ -102,6 +104,30 @@ TEST(Reading, ARoundEndsWithSynchAndBringsEverything) {
   EXPECT_EQ(*client.read(), 2u);
   EXPECT_EQ(robot.state()->pose.x, 2);
   EXPECT_EQ(robot.state()->time, 7.5);
+}
+
+TEST(Reading, ABumperHasWhichSwitchesArePressedAndWhereTheyAre) {
+  FakeServer server(rounds([](Peer& peer, const Received& message) {
+    const wire::bumper::Geom geom{{{{0.25, 0, 0.1, 0, 0, 0.5}, 0.5f, 0}}};
+    peer.answer(message, wire::encode(geom));
+    wire::Header header;
+    header.interf = wire::bumper::kCode;
+    header.subtype = wire::bumper::kDataState;
+    peer.say(header, wire::encode(wire::bumper::Data{{0, 1, 255}}));
+    peer.synch();
+  }));
+  Client client = connect(server);
+  Result<Bumper> skirt = Bumper::open(client, 0);
+  ASSERT_TRUE(skirt);
+  EXPECT_THAT(skirt->pressed(), IsEmpty());
+  EXPECT_EQ(*client.read(), 1u);
+  EXPECT_THAT(skirt->pressed(), ElementsAre(false, true, true));
+  const auto faces = skirt->faces();
+  ASSERT_TRUE(faces);
+  ASSERT_EQ(faces->size(), 1u);
+  EXPECT_EQ((*faces)[0].pose.x, 0.25);
+  EXPECT_EQ((*faces)[0].pose.yaw, 0.5);
+  EXPECT_EQ((*faces)[0].length, 0.5);
 }
 
 TEST(Reading, MessagesInSingleBytesArriveWhole) {

@@ -24,6 +24,8 @@ from .errors import (
 )
 from .models import DeviceAddress, Model
 from .proxies import (
+    Bumper,
+    Face,
     Fiducial,
     Geometry,
     Laser,
@@ -44,8 +46,8 @@ from .robot import Robot
 __version__ = "0.1.0"
 
 __all__ = [
-    "Access", "Client", "ConnectionLost", "Device", "DeviceAddress", "DeviceClosed", "DeviceEntry", "DeviceGone",
-    "Fiducial", "Geometry", "InvalidValue", "Laser", "Marker", "Mode", "Model", "NoData", "PlayerError", "Pose", "Pose3d",
-    "Position2d", "Ranger", "RequestRefused", "RequestTimeout", "Robot", "Rule", "Scan", "Simulation", "Size", "Sonar",
-    "State", "Velocity", "WireError", "connect",
+    "Access", "Bumper", "Client", "ConnectionLost", "Device", "DeviceAddress", "DeviceClosed", "DeviceEntry",
+    "DeviceGone", "Face", "Fiducial", "Geometry", "InvalidValue", "Laser", "Marker", "Mode", "Model", "NoData",
+    "PlayerError", "Pose", "Pose3d", "Position2d", "Ranger", "RequestRefused", "RequestTimeout", "Robot", "Rule",
+    "Scan", "Simulation", "Size", "Sonar", "State", "Velocity", "WireError", "connect",
 ]

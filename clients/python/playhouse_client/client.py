@@ -9,7 +9,7 @@ from .device import Access, Device, did_you_mean
 from .errors import ConnectionLost, PlayerError, RequestRefused, RequestTimeout, WireError
 from .generated import INTERFACES, common, find_message, player, simulation
 from .models import Model, ask_models, families
-from .proxies import Fiducial, Laser, Position2d, Ranger, Simulation, Sonar
+from .proxies import Bumper, Fiducial, Laser, Position2d, Ranger, Simulation, Sonar
 from .robot import Robot
 from .session import Session
 from .wire import Kind, text
@@ -21,7 +21,7 @@ _CLOSING_SECONDS = 1.0
 P = TypeVar("P", bound=Device)
 _PROXIES: Dict[str, Type[Device]] = {
     "position2d": Position2d, "ranger": Ranger, "laser": Laser, "sonar": Sonar, "fiducial": Fiducial,
-    "simulation": Simulation,
+    "bumper": Bumper, "simulation": Simulation,
 }
 _Place = Tuple[int, str, int]  # port, interface, index
 
@@ -156,6 +156,9 @@ class Client:
 
     def fiducial(self, index: int = 0, access: Access = Access.ALL) -> Fiducial:
         return self._open(Fiducial, "fiducial", index, access)
+
+    def bumper(self, index: int = 0, access: Access = Access.ALL) -> Bumper:
+        return self._open(Bumper, "bumper", index, access)
 
     def simulation(self, index: int = 0, access: Access = Access.ALL) -> Simulation:
         return self._open(Simulation, "simulation", index, access)

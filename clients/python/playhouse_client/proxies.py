@@ -10,7 +10,7 @@ from typing import Iterator, List, NamedTuple, Optional, Tuple, cast
 
 from .device import Device
 from .errors import RequestRefused, WireError
-from .generated import common, fiducial, laser, position2d, ranger, simulation, sonar
+from .generated import bumper, common, fiducial, laser, position2d, ranger, simulation, sonar
 from .wire import MessageType, Struct, c_string
 
 
@@ -104,6 +104,15 @@ class Marker(NamedTuple):
     @property
     def bearing(self) -> float:
         return math.atan2(self.pose.y, self.pose.x)
+
+
+class Face(NamedTuple):
+    """Where a switch of a bumper is touched: the middle on the robot, facing yaw, and how long it is across. `radius`
+    is that of its bend, 0 if it is straight. In m."""
+
+    pose: Pose3d
+    length: float
+    radius: float
 
 
 class Position2d(Device):
@@ -308,6 +317,27 @@ class Fiducial(Device):
 
     def geometry(self) -> Geometry:
         return _geometry(_answer(self.request(fiducial.REQ_GET_GEOM)))
+
+
+class Bumper(Device):
+    """Switches that feel a touch."""
+
+    @property
+    def pressed(self) -> List[bool]:
+        """One per switch, in the order of faces()."""
+        data, _ = self._stamped(bumper.DATA_STATE)
+        return [state != 0 for state in data.bumpers]
+
+    def updates(self, timeout: Optional[float] = None) -> Iterator[List[bool]]:
+        """Reads for ever: one list for each time new data have come. Raises RequestTimeout."""
+        while True:
+            self.next_data(timeout)
+            yield self.pressed
+
+    def faces(self) -> List[Face]:
+        """Where the switches sit on the robot."""
+        geom = cast(bumper.Geom, _answer(self.request(bumper.REQ_GET_GEOM)))
+        return [Face(_pose3d(one.pose), one.length, one.radius) for one in geom.bumper_def]
 
 
 class Simulation(Device):

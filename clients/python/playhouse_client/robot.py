@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Dict, List, cast
 from .device import Device
 from .errors import RequestRefused
 from .models import DeviceAddress, Model
-from .proxies import Fiducial, Laser, Position2d, Ranger, Sonar
+from .proxies import Bumper, Fiducial, Laser, Position2d, Ranger, Sonar
 
 if TYPE_CHECKING:
     from .client import Client
@@ -15,9 +15,9 @@ class Robot:
     """A model and what it carries; Client.robot() and Client.robots() give it.
 
     `name` and `type` are those of the world file; `models` are the model itself and what it carries, `devices` the
-    addresses of all their devices. `position2d`, `laser`, `ranger`, `sonar` and `fiducial` are the first of their
-    kind, `lasers` and so on all of them, opened on first use. Leaving a `with` block, or close(), closes what was
-    opened here; a moving robot is stopped first.
+    addresses of all their devices. `position2d`, `laser`, `ranger`, `sonar`, `fiducial` and `bumper` are the first
+    of their kind, `lasers` and so on all of them, opened on first use. Leaving a `with` block, or close(), closes what
+    was opened here; a moving robot is stopped first.
     """
 
     def __init__(self, client: "Client", models: List[Model], port: int) -> None:
@@ -61,6 +61,10 @@ class Robot:
         return cast(Fiducial, self.device("fiducial"))
 
     @property
+    def bumper(self) -> Bumper:
+        return cast(Bumper, self.device("bumper"))
+
+    @property
     def position2ds(self) -> List[Position2d]:
         return cast(List[Position2d], self._all("position2d"))
 
@@ -79,6 +83,10 @@ class Robot:
     @property
     def fiducials(self) -> List[Fiducial]:
         return cast(List[Fiducial], self._all("fiducial"))
+
+    @property
+    def bumpers(self) -> List[Bumper]:
+        return cast(List[Bumper], self._all("bumper"))
 
     def close(self) -> None:
         """Closes the devices that were opened here, the last opened first. They open again when they are used."""

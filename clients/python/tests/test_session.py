@@ -7,11 +7,11 @@ from typing import Callable, List
 import package  # noqa: F401
 from fake_server import FakeServer, Peer
 from playhouse_client import (
-    Access, Client, ConnectionLost, DeviceClosed, InvalidValue, Mode, NoData, PlayerError, RequestRefused,
+    Access, Client, ConnectionLost, DeviceClosed, Face, InvalidValue, Mode, NoData, PlayerError, Pose3d, RequestRefused,
     RequestTimeout, WireError, connect,
 )
 from playhouse_client.connection import Message
-from playhouse_client.generated import common, laser, player, position2d
+from playhouse_client.generated import bumper, common, laser, player, position2d
 from playhouse_client.wire import Kind
 
 DATA_REQUEST = player.REQ_DATA.subtype
@@ -154,11 +154,12 @@ class Reading(unittest.TestCase):
 
         with FakeServer(script(rounds)) as server, connect(server.address, mode=Mode.PUSH) as client:
             robot, scanner = client.position2d(0), client.laser(0)
-            ring, finder, ranger = client.sonar(0), client.fiducial(0), client.ranger(0)
+            ring, finder, ranger, skirt = client.sonar(0), client.fiducial(0), client.ranger(0), client.bumper(0)
             for look in (
                 lambda: robot.state, lambda: robot.pose, lambda: robot.velocity, lambda: robot.stalled,
                 scanner.scan, lambda: scanner.ranges, lambda: scanner.intensities, lambda: ring.ranges,
                 lambda: finder.markers, ranger.scan, lambda: ranger.ranges, lambda: ranger.intensities,
+                lambda: skirt.pressed,
             ):
                 with self.assertRaisesRegex(NoData, r":0 has sent no data yet; next_data\(\) waits for them"):
                     look()
@@ -175,6 +176,19 @@ class Reading(unittest.TestCase):
             robot, scanner = client.position2d(0), client.laser(0)
             client.read()
             self.assertEqual((robot.state.time, scanner.scan().time), (7.5, 8.5))
+
+    def test_a_bumper_tells_which_switches_are_pressed_and_where_they_are(self) -> None:
+        front = bumper.Define(common.Pose3d(0.25, 0.0, 0.1, 0.0, 0.0, 0.5), 0.5, 0.0)
+
+        def rounds(peer: Peer, message: Message) -> None:
+            peer.answer(message, body=bumper.Geom([front]).encode())
+            peer.data(bumper.DATA_STATE, bumper.Data(bytes([0, 1, 255])))
+            peer.synch()
+
+        with FakeServer(script(rounds)) as server, connect(server.address) as client, client.bumper(0) as skirt:
+            self.assertEqual(next(skirt.updates()), [False, True, True])
+            self.assertEqual(skirt.pressed, [False, True, True])
+            self.assertEqual(skirt.faces(), [Face(Pose3d(0.25, 0.0, 0.1, 0.0, 0.0, 0.5), 0.5, 0.0)])
 
     def test_data_of_others_do_not_prolong_the_time_out_of_one(self) -> None:
         def rounds(peer: Peer, message: Message) -> None:

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "playhouse_client/bumper.h"
 #include "playhouse_client/fiducial.h"
 #include "playhouse_client/laser.h"
 #include "playhouse_client/model.h"
@@ -38,6 +39,7 @@ class Robot {
   Result<Ranger> ranger(std::size_t n = 0, Access access = Access::kAll) const;
   Result<Sonar> sonar(std::size_t n = 0, Access access = Access::kAll) const;
   Result<Fiducial> fiducial(std::size_t n = 0, Access access = Access::kAll) const;
+  Result<Bumper> bumper(std::size_t n = 0, Access access = Access::kAll) const;
   /// Any interface, by its name.
   Result<Device> device(std::string_view interf, std::size_t n = 0, Access access = Access::kAll) const;
 
