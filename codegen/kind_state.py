@@ -24,7 +24,7 @@ ROLES = ("population", "motion", "mark", "sensed", "use", "derived")
 UNCHANGED = {"population", "derived"}  # may be written with the population alone, and by nobody later
 # Phases of the tick, and the ways to change the world between ticks.
 WRITERS = ("decide", "act", "move", "sense", "commands", "devices", "place", "attach", "detach", "set_odometry",
-           "set_fiducial_return", "set_color", "subscribe", "unsubscribe", "subscribe_controller")
+           "set_fiducial_return", "set_color", "set_say", "add_flags", "subscribe", "unsubscribe", "subscribe_controller")
 # When a viewer gets a field: once with the scene; whenever it differs; that while its robot is selected; that while its
 # robot is selected, or in view of a page that shows sensors.
 TIMES = ("start", "changed", "selected", "shown")

@@ -11,6 +11,7 @@ PhasedEngine::PhasedEngine(const scene::SceneDesc& scene, std::uint64_t seed, un
 
 void PhasedEngine::step() {
   decide();                     // controllers read the frozen state N        -> commands
+  deliver();                    // what they give, one after the other        -> flags, texts
   acts_.act(world_, workers_);  // drive models and what else acts            -> velocities, changes
   take_changes();               // who came, went, was taken up or put        -> the engine's tables
   move();                       // trees of models                            -> poses, odometry, stall
@@ -23,6 +24,10 @@ void PhasedEngine::decide() {
   for (const std::unique_ptr<world::Decider>& decider : world_.deciders)
     workers_.run(decider->size(), 64,
                  [&](std::size_t begin, std::size_t end) { decider->decide(world_, begin, end); });
+}
+
+void PhasedEngine::deliver() {
+  for (const std::unique_ptr<world::Decider>& decider : world_.deciders) decider->deliver(world_);
 }
 
 void PhasedEngine::take_changes() {

@@ -35,6 +35,7 @@ class PhasedEngine : public world::Engine {
 
  private:
   void decide();
+  void deliver();
   void take_changes();
   void freeze();
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <set>
 #include <sstream>
 
@@ -60,7 +61,17 @@ Result<void> Batch::add(World& world, const Post& post) {
   next_change_ = world.changes.end();
   const Result<void> joined = join(world, post);
   if (joined) ids_.push_back(post.model);
+  by_id_.clear();
   return joined;
+}
+
+std::span<const std::uint32_t> Batch::by_id() {
+  if (by_id_.empty()) {
+    by_id_.resize(ids_.size());
+    std::iota(by_id_.begin(), by_id_.end(), 0u);
+    std::ranges::sort(by_id_, {}, [this](std::uint32_t i) { return ids_[i]; });
+  }
+  return by_id_;
 }
 
 void Batch::follow(World& world) {
@@ -78,7 +89,8 @@ void Batch::follow(World& world) {
       resolve(world, i);
     } else {
       leave(i);
-      ids_.erase(ids_.begin() + static_cast<std::ptrdiff_t>(i));
+      erase_at(i, ids_);
+      by_id_.clear();
     }
   }
   // Who came is known by being in the world and not here; only ids above all that were there can be new,

@@ -5,6 +5,7 @@
 /// Thread: as world::Decider.
 
 #include <cmath>
+#include <span>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -47,6 +48,8 @@ class Batch : public world::Decider {
  protected:
   /// Robot i of the batch. [ids, ascending but for those that joined late]
   world::ModelId id(std::size_t i) const { return ids_[i]; }
+  /// Its robots in the order of their ids, for deliver().
+  std::span<const std::uint32_t> by_id();
 
   /// One more robot, at the end of every column, with columns that follow from rows filled in as well.
   virtual Result<void> join(world::World& world, const Post& post) = 0;
@@ -65,7 +68,8 @@ class Batch : public world::Decider {
 
   std::string name_;
   std::vector<world::ModelId> ids_;
-  std::uint64_t next_change_ = 0;  // of world.changes
+  std::vector<std::uint32_t> by_id_;  // places in ids_; empty: to be made anew
+  std::uint64_t next_change_ = 0;     // of world.changes
 };
 
 /// A batch whose robots remember numbers: Self::memory(self) is a tuple of references to the columns, of

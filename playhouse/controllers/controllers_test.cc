@@ -212,6 +212,19 @@ TEST(Source, fills_up_to_its_capacity_and_a_sink_counts_what_it_is_given) {
   EXPECT_EQ(f.world.models.say[2], "received 3");
 }
 
+TEST(Source, gives_what_it_makes_when_all_have_decided) {
+  Fixture f(testing::robots(2, testing::ring(1), "source 5"));
+  ASSERT_EQ(f.error, "");
+  world::Decider& source = *f.world.deciders[0];
+  source.decide(f.world, 1, 2);
+  source.decide(f.world, 0, 1);
+  EXPECT_EQ(f.world.models.flags[0], 0);
+  EXPECT_EQ(f.world.models.flags[2], 0);
+  source.deliver(f.world);
+  EXPECT_EQ(f.world.models.flags[0], 1);
+  EXPECT_EQ(f.world.models.flags[2], 1);
+}
+
 TEST(Attach, names_the_line_and_the_nearest_word_for_an_unknown_controller) {
   Fixture f(testing::robots(1, testing::ring(4), "wandr 1"));
   EXPECT_EQ(f.error, "test.world:1: no controller \"wandr\" (did you mean \"wander\"?)");
@@ -263,6 +276,7 @@ TEST(Attach, gives_the_same_decisions_however_the_robots_are_divided) {
     testing::decide(whole.world);
     halves.world.deciders[0]->decide(halves.world, 40, 64);
     halves.world.deciders[0]->decide(halves.world, 0, 40);
+    halves.world.deciders[0]->deliver(halves.world);
   }
   EXPECT_EQ(whole.world.hash(), halves.world.hash());
 }

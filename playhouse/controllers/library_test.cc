@@ -70,6 +70,27 @@ TEST(Loaded, carries_flags) {
   EXPECT_EQ(f.world.models.flags[0], 2);
 }
 
+TEST(Loaded, gives_flags_and_texts_when_all_have_decided) {
+  Fixture carries("probe carry"), speaks("probe speak");
+  for (world::World* world : {&carries.world, &speaks.world})
+    world->deciders[0]->decide(*world, 0, world->deciders[0]->size());
+  EXPECT_EQ(carries.world.models.flags[0], 0);
+  EXPECT_EQ(speaks.world.models.say[0], "");
+  carries.world.deciders[0]->deliver(carries.world);
+  speaks.world.deciders[0]->deliver(speaks.world);
+  EXPECT_EQ(carries.world.models.flags[0], 1);
+  EXPECT_EQ(speaks.world.models.say[0], "t=0.000000");
+}
+
+TEST(Loaded, leaves_flags_and_texts_alone_that_others_give_its_robot) {
+  Fixture f("probe drive");
+  world::add_flags(f.world, {0}, 3);
+  world::set_say(f.world, {0}, "hello");
+  f.tick();
+  EXPECT_EQ(f.world.models.flags[0], 3);
+  EXPECT_EQ(f.world.models.say[0], "hello");
+}
+
 TEST(Loaded, draws_random_numbers_that_differ_by_robot_and_tick_and_repeat_with_the_seed) {
   Fixture f("probe random"), again("probe random");
   f.tick();

@@ -75,7 +75,6 @@ Result<void> Loaded::join(World& world, const Post& post) {
   seat->robot.name = seat->name;
   seat->robot.arguments = seat->arguments;
   seat->robot.rangers = seat->rangers;
-  seat->robot.say = world.models.say[seat->model.index];
 
   show(world, *seat);
   std::string text;
@@ -91,8 +90,9 @@ Result<void> Loaded::join(World& world, const Post& post) {
   }
   for (const world::FiducialRow finder : seat->finders)
     world::subscribe_controller(world, world.fiducials.model[finder.index]);
-  apply_command(world, *seat);
+  if (take_orders(world, *seat)) give(world, *seat);
   seats_.push_back(std::move(seat));
+  gives_.push_back(0);
   return {};
 }
 
@@ -127,11 +127,11 @@ void Loaded::show(const World& world, Seat& seat) {
   robot.sightings = seat.sightings;
   robot.random = Rng(world.seed(), world.tick(), seat.stream);
   robot.flags = world.models.flags[seat.model.index];
+  if (const std::string& say = world.models.say[seat.model.index]; robot.say != say) robot.say = say;
   robot.order = Robot::Order::kNone;
 }
 
-/// Orders to columns.
-void Loaded::apply_command(World& world, Seat& seat) {
+bool Loaded::take_orders(World& world, Seat& seat) {
   const Robot& robot = seat.robot;
   bool applied = true;
   if (seat.position && robot.order == Robot::Order::kDrive) {
@@ -139,10 +139,18 @@ void Loaded::apply_command(World& world, Seat& seat) {
   } else if (seat.position && robot.order == Robot::Order::kGoTo) {
     applied = world::command_position(world, seat.position, robot.goal);
   }
-  if (!applied) return end(world, seat, "its command has a number that is not finite or far too large");
-  world.models.flags[seat.model.index] = robot.flags;
-  std::string& say = world.models.say.own(seat.model.index);
-  if (say != robot.say) say = robot.say;
+  if (!applied) {
+    end(world, seat, "its command has a number that is not finite or far too large");
+    return false;
+  }
+  seat.more_flags = std::int64_t{robot.flags} - world.models.flags[seat.model.index];
+  seat.says = robot.say != world.models.say[seat.model.index];
+  return seat.more_flags != 0 || seat.says;
+}
+
+void Loaded::give(World& world, const Seat& seat) {
+  world::add_flags(world, seat.model, seat.more_flags);
+  if (seat.says) world::set_say(world, seat.model, seat.robot.say);
 }
 
 void Loaded::end(World& world, Seat& seat, const char* why) {
@@ -155,15 +163,21 @@ void Loaded::end(World& world, Seat& seat, const char* why) {
 void Loaded::decide(World& world, std::size_t begin, std::size_t end_row) {
   for (std::size_t i = begin; i < end_row; ++i) {
     Seat& seat = *seats_[i];
+    gives_[i] = 0;
     if (seat.ended) continue;
     show(world, seat);
     std::string text;
     if (const char* why = thrown_by(text, [&] { seat.controller->decide(seat.robot); })) {
       end(world, seat, why);
     } else {
-      apply_command(world, seat);
+      gives_[i] = take_orders(world, seat);
     }
   }
+}
+
+void Loaded::deliver(World& world) {
+  for (const std::uint32_t i : by_id())
+    if (gives_[i]) give(world, *seats_[i]);
 }
 
 /// False: the controller cannot say what it remembers; `why` is what it throws, if it does.
@@ -193,7 +207,6 @@ Result<void> Loaded::save_of(std::size_t i, Packer& out) const {
   out.u8(seat.ended);
   out.varint(seat.seen.size());
   for (const std::uint64_t tick : seat.seen) out.u64(tick);
-  out.text(seat.robot.say);
   out.text(memory);
   return {};
 }
@@ -203,7 +216,6 @@ bool Loaded::load_of(std::size_t i, Unpacker& in) {
   seat.ended = in.u8() != 0;
   if (in.varint() != seat.seen.size()) return false;
   for (std::uint64_t& tick : seat.seen) tick = in.u64();
-  seat.robot.say = in.text();
   const std::string memory = in.text();
   std::string why;
   return in.ok() && !thrown_by(why, [&] { seat.controller->load(memory); });

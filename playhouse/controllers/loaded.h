@@ -1,6 +1,7 @@
 #pragma once
 
-/// Loaded: all robots that run the controller of one shared library; copies columns into Robot and back.
+/// Loaded: all robots that run the controller of one shared library; copies columns into Robot, and what that
+/// orders and gives back.
 
 #include <memory>
 
@@ -15,6 +16,7 @@ class Loaded final : public Batch {
 
   /// A controller that throws is logged once, its robot stops, and it is not called again.
   void decide(world::World& world, std::size_t begin, std::size_t end) override;
+  void deliver(world::World& world) override;
 
  private:
   /// One controller and its robot.
@@ -34,12 +36,14 @@ class Loaded final : public Batch {
     std::vector<Sighting> sightings;      // keeps its capacity from tick to tick
     Stream stream{Purpose::kController};  // of random numbers
     Robot robot;
+    std::int64_t more_flags = 0;  // than it carries
+    bool says = false;            // something else, robot.say
     bool ended = false;
   };
 
   /// Makes a controller for the model, calls its start(), and subscribes the rangers it keeps in use.
   Result<void> join(world::World& world, const Post& post) override;
-  void leave(std::size_t i) override { erase_at(i, seats_); }
+  void leave(std::size_t i) override { erase_at(i, seats_, gives_); }
   void resolve(const world::World& world, std::size_t i) override;
   /// What a controller remembers is part of the hash if it can say it.
   void hash_of(std::size_t i, Hash& hash) const override;
@@ -49,11 +53,14 @@ class Loaded final : public Batch {
   bool remember(const Seat& seat, std::string& memory, std::string& why) const;
   static void find_rows(const world::World& world, Seat& seat);
   static void show(const world::World& world, Seat& seat);
-  static void apply_command(world::World& world, Seat& seat);
+  /// Orders become commands. True: it has something for give().
+  static bool take_orders(world::World& world, Seat& seat);
+  static void give(world::World& world, const Seat& seat);
   static void end(world::World& world, Seat& seat, const char* why);
 
   Library library_;  // outlives the seats
   std::vector<std::unique_ptr<Seat>> seats_;
+  std::vector<std::uint8_t> gives_;  // per seat: it has something for give(), in this tick
 };
 
 }  // namespace playhouse::controllers

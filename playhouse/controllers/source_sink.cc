@@ -17,32 +17,41 @@ Result<void> Source::join(world::World& world, const Post& post) {
   }
   model_.push_back(world.row(post.model));
   capacity_.push_back(capacity);
+  makes_.push_back(0);
   return {};
 }
 
 void Source::decide(world::World& world, std::size_t begin, std::size_t end) {
-  for (std::size_t i = begin; i < end; ++i) {
-    std::int32_t& flags = world.models.flags[model_[i].index];
-    if (flags < capacity_[i]) ++flags;
-  }
+  for (std::size_t i = begin; i < end; ++i) makes_[i] = world.models.flags[model_[i].index] < capacity_[i];
+}
+
+void Source::deliver(world::World& world) {
+  for (const std::uint32_t i : by_id())
+    if (makes_[i]) world::add_flags(world, model_[i], 1);
 }
 
 Result<void> Sink::join(world::World& world, const Post& post) {
   model_.push_back(world.row(post.model));
   before_.push_back(world.models.flags[model_.back().index]);
   received_.push_back(0);
+  says_.push_back(0);
   return {};
 }
 
 void Sink::decide(world::World& world, std::size_t begin, std::size_t end) {
   for (std::size_t i = begin; i < end; ++i) {
-    const std::uint32_t row = model_[i].index;
-    const std::int32_t flags = world.models.flags[row];
-    if (flags > before_[i]) {
-      received_[i] += static_cast<std::uint64_t>(flags) - static_cast<std::uint64_t>(before_[i]);
-      world.models.say.own(row).assign("received ").append(std::to_string(received_[i]));
-    }
+    const std::int32_t flags = world.models.flags[model_[i].index];
+    says_[i] = flags > before_[i];
+    if (says_[i]) received_[i] += static_cast<std::uint64_t>(flags) - static_cast<std::uint64_t>(before_[i]);
     before_[i] = flags;
+  }
+}
+
+void Sink::deliver(world::World& world) {
+  for (const std::uint32_t i : by_id()) {
+    if (!says_[i]) continue;
+    text_.assign("received ").append(std::to_string(received_[i]));
+    world::set_say(world, model_[i], text_);
   }
 }
 

@@ -75,9 +75,9 @@ inline constexpr auto kColumns<Models> = std::tuple{
     Column{"models.subscribers", Role::kUse, "", "", "subscribe, unsubscribe", &Models::subscribers},
     Column{"models.controllers", Role::kUse, "", "", "subscribe_controller", &Models::controllers},
     Column{"models.fiducial_return", Role::kMark, "", "", "set_fiducial_return", &Models::fiducial_return},
-    Column{"models.flags", Role::kMark, "", "", "decide", &Models::flags},
+    Column{"models.flags", Role::kMark, "", "", "add_flags", &Models::flags},
     Column{"models.color", Role::kMark, "", "", "set_color", &Models::color},
-    Column{"models.say", Role::kMark, "", "", "decide", &Models::say},
+    Column{"models.say", Role::kMark, "", "", "set_say", &Models::say},
 };
 
 }  // namespace playhouse::world

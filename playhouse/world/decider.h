@@ -1,8 +1,8 @@
 #pragma once
 
 /// Decider: one kind of in-process controller, for all the robots that run it. World owns the deciders; the
-/// engine runs each of them over ranges of its robots in the decide phase, before act. Implemented by
-/// playhouse/controllers.
+/// engine runs each of them over ranges of its robots in the decide phase, before act, and then lets each
+/// deliver. Implemented by playhouse/controllers.
 
 #include <cstddef>
 #include <string_view>
@@ -29,11 +29,17 @@ class Decider {
   /// moved. Called by the engine before decide(), alone.
   virtual void follow(World& world) = 0;
 
-  /// Decides for its robots begin .. end-1: reads the frozen state N of any model, writes the commands, flags
-  /// and speech of those robots alone, and its own columns of them. Random numbers are functions of (seed,
-  /// tick, robot). Disjoint ranges of one decider may run in parallel; deciders run one after the other, in
-  /// the World's order. Never throws, allocates nothing.
+  /// Decides for its robots begin .. end-1: reads the frozen state N of any model; writes the commands of
+  /// those robots, which nobody reads before `act`, and its own columns of them. What it gives to models
+  /// beyond that waits there for deliver(). Random numbers are functions of (seed, tick, robot). Disjoint
+  /// ranges of one decider may run in parallel; deciders run one after the other, in the World's order. Never
+  /// throws, allocates nothing.
   virtual void decide(World& world, std::size_t begin, std::size_t end) = 0;
+
+  /// Gives models what decide() has for them, with the functions of world.h: flags, texts. Called alone, when
+  /// all deciders have decided, in the World's order; goes through its robots in the order of their ids. Who
+  /// decides sees it in the next tick. Never throws, allocates nothing that it does not keep.
+  virtual void deliver(World& world) { static_cast<void>(world); }
 
   /// Adds what a later tick depends on; part of World::hash(). A sum over robots.
   virtual void hash(Hash& hash) const = 0;

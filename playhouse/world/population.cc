@@ -194,7 +194,7 @@ ModelRow Population::append(ModelId id, std::uint32_t desc_row, ModelRow parent,
   models.controllers.push_back(0);
   models.fiducial_return.push_back(desc.fiducial_return);
   models.flags.push_back(0);
-  // What phases write on any number of workers.
+  // What phases write, on any number of workers and without memory for it.
   if (top || desc.kind == scene::ModelKind::kPosition) models.X_PM.own(row.index);
   if (!desc.ctrl.empty()) models.say.own(row.index);
   world_.corners_ += corners_of(desc);

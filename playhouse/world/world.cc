@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <type_traits>
 
 #include "playhouse/base/assert.h"
@@ -389,6 +390,16 @@ void set_fiducial_return(World& world, ModelRow model, std::int32_t id) {
 void set_color(World& world, ModelRow model, const scene::Color& color) {
   world.models.color.set(model.index, color);
   world.changes.add({Change::Kind::kSet, world.id(model), {}, 0, world.models.mobility[model.index]});
+}
+
+void set_say(World& world, ModelRow model, std::string_view text) {
+  if (world.models.say[model.index] != text) world.models.say.own(model.index) = text;
+}
+
+void add_flags(World& world, ModelRow model, std::int64_t flags) {
+  constexpr std::int64_t kMost = std::numeric_limits<std::int32_t>::max();
+  std::int32_t& carried = world.models.flags[model.index];
+  carried += static_cast<std::int32_t>(std::clamp<std::int64_t>(flags, -carried, kMost - carried));
 }
 
 void subscribe(World& world, ModelRow model) {

@@ -180,6 +180,10 @@ bool set_pose(World& world, ModelRow model, const geom::Pose& X_PM);
 void return_to_start(World& world);
 void set_fiducial_return(World& world, ModelRow model, std::int32_t id);
 void set_color(World& world, ModelRow model, const scene::Color& color);
+/// What the model says from now on; "" for nothing.
+void set_say(World& world, ModelRow model, std::string_view text);
+/// Gives the model flags, or takes some, as far as it has them; it carries 0 to 2^31 - 1.
+void add_flags(World& world, ModelRow model, std::int64_t flags);
 /// Sensors measure and robots move only while subscribed (or alwayson). Calls are counted.
 void subscribe(World& world, ModelRow model);
 /// The same for a controller, which stays: from then on what the sensor measures is part of hash().

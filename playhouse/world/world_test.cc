@@ -388,6 +388,19 @@ TEST_F(EveryColumn, counts_as_memory) {
   EXPECT_EQ(world.bytes(), with_own + say.capacity() + 1 + 50 * sizeof(FiducialHit));
 }
 
+TEST(World, models_carry_neither_less_than_no_flag_nor_more_than_can_be_counted) {
+  const scene::SceneDesc scene = small_scene();
+  World world(scene, 1);
+  add_flags(world, {1}, 3);
+  add_flags(world, {1}, -1);
+  EXPECT_EQ(world.models.flags[1], 2);
+  add_flags(world, {1}, std::numeric_limits<std::int64_t>::min());
+  EXPECT_EQ(world.models.flags[1], 0);
+  add_flags(world, {1}, 5);
+  add_flags(world, {1}, std::numeric_limits<std::int64_t>::max());
+  EXPECT_EQ(world.models.flags[1], std::numeric_limits<std::int32_t>::max());
+}
+
 TEST(World, whoever_watches_changes_the_hash_of_what_is_sensed_alone) {
   const scene::SceneDesc scene = small_scene();
   World watched(scene, 1), alone(scene, 1);

@@ -67,6 +67,7 @@ inline void measure(world::World& world, const std::vector<float>& beams) {
 inline void decide(world::World& world) {
   for (const auto& decider : world.deciders) decider->follow(world);
   for (const auto& decider : world.deciders) decider->decide(world, 0, decider->size());
+  for (const auto& decider : world.deciders) decider->deliver(world);
 }
 
 }  // namespace playhouse::controllers::testing
