@@ -1,7 +1,8 @@
 """C++ for what world files can hold: playhouse/scene/generated/.
 
 kind_descs.h has the descriptions, one struct per kind with members; read_kinds.h/.cc read them from properties, with
-their errors; kind_tables.cc has what playhouse/scene/kinds.h gives to everybody: types, words, interfaces.
+their errors; write_kinds.h/.cc write them as files have them; kind_tables.cc has what playhouse/scene/kinds.h gives to
+everybody: types, words, interfaces.
 """
 
 from __future__ import annotations
@@ -32,6 +33,8 @@ def emit(kinds: Kinds) -> dict[str, str]:
         f"{FOLDER}/kind_descs.h": _descs(kinds),
         f"{FOLDER}/read_kinds.h": _readers_header(kinds),
         f"{FOLDER}/read_kinds.cc": _readers(kinds),
+        f"{FOLDER}/write_kinds.h": _writers_header(kinds),
+        f"{FOLDER}/write_kinds.cc": _writers(kinds),
         f"{FOLDER}/kind_tables.cc": _tables(kinds),
     }
 
@@ -290,6 +293,95 @@ def _check(word: Word, key: str, to: str) -> list[str]:
     return [f"require({to} >= 0, properties, {key}, \"must not be negative\");"]
 
 
+# --- writing -------------------------------------------------------------------------------------------------------
+
+
+def _writers_header(kinds: Kinds) -> str:
+    lines = [BANNER.rstrip(), "#pragma once", ""]
+    lines += _comment("Writes the words in which a description differs from `unsaid`, that of an entity that says nothing, so that "
+                      "read() of read_kinds.h gives it back.")
+    lines += ["", '#include "playhouse/scene/generated/kind_descs.h"', '#include "playhouse/scene/write_word.h"', "",
+              "namespace playhouse::scene {", ""]
+    for kind in described(kinds):
+        if kind.name == BASE:
+            lines += [*_comment("`z` is the height, in the frame of the pose, from which the file counts: that of a parent on which "
+                                "the model stands. [m]"), f"{_write_signature(kind)};"]
+        elif not _through_kind(kind) and kind.entity != "part":
+            lines.append(f"{_write_signature(kind)};")
+    lines += ["", *_comment("Writes what models say beyond PlainDesc, and the entities that are parts of them.")]
+    lines += ["void write_kind(const KindDescs& from, const Units& units, Entity& to);", "", "}  // namespace playhouse::scene", ""]
+    return "\n".join(lines)
+
+
+def _write_signature(kind: Kind) -> str:
+    height = ", double z" if kind.name == BASE else ""
+    return f"void write(const {kind.desc}& from, const {kind.desc}& unsaid{height}, Words& to)"
+
+
+def _writers(kinds: Kinds) -> str:
+    inner = [k for k in described(kinds) if _through_kind(k) or k.entity == "part"]
+    lines = [BANNER.rstrip(), f'#include "{FOLDER}/write_kinds.h"', "", "#include <algorithm>", "#include <string>", "", "namespace playhouse::scene {",
+             "namespace {", ""]
+    for kind in inner:
+        lines += [*_writer(kind), ""]
+    lines += ["}  // namespace", ""]
+    for kind in described(kinds):
+        if kind not in inner:
+            lines += [*_writer(kind), ""]
+    lines += ["void write_kind(const KindDescs& from, const Units& units, Entity& to) {", "  Words words(units, to.words);"]
+    for kind in inner:
+        if kind.entity != "part":
+            lines.append(f"  if (from.{kind.name}) write(*from.{kind.name}, {{}}, words);")
+    for kind in inner:
+        if kind.entity == "part":
+            lines += [f"  for (const {kind.desc}& part : from.{kind.table}) {{",
+                      f"    Words words_of_part(units, to.parts.emplace_back(Entity{{{_text(kind.name)}, {{}}, {{}}}}).words);",
+                      "    write(part, {}, words_of_part);", "  }"]
+    lines += ["}", "", "}  // namespace playhouse::scene", ""]
+    return "\n".join(lines)
+
+
+def _writer(kind: Kind) -> list[str]:
+    lines = [f"{_write_signature(kind)} {{"]
+    for word in kind.members:
+        lines += [f"  {line}" for line in _write(word)]
+    return [*lines, "}"]
+
+
+def _write(word: Word) -> list[str]:
+    """Writes what `from` has, unless it is what counts where there is no word."""
+    key, has = _text(word.name), f"from.{word.member}"
+    if word.counted_by:
+        numbered = f'{_text(word.name + "[")} + std::to_string(i) + "]"'
+        return [f"for (std::size_t i = 0; i < {has}.size(); ++i) to.{_write_call(word, numbered, f'{has}[i]')};"]
+    if word.type == "tuple":
+        members = [part.member for part in word.parts]
+        scales = "".join("D" if p.unit == "deg" and p.scale == "N" else p.scale for p in word.parts)
+        differs = " || ".join(f"from.{m} != unsaid.{m}" for m in members)
+        return [f"const double {word.name}[] = {{{', '.join(f'from.{m}' for m in members)}}};",
+                f"if ({differs}) to.tuple({key}, {_text(scales)}, {word.name});"]
+    if word.type == "bounds":
+        return [f"if (!std::ranges::equal({has}, unsaid.{word.member})) to.bounds({key}, {_text(word.scales)}, {has});"]
+    differs = has if word.optional else f"{has} != unsaid.{word.member}"
+    value = f"*{has}" if word.optional else has
+    if word.type == "choice":
+        words = ", ".join(_text(v.word) for v in word.values)
+        return [f"static constexpr std::string_view {_choices(word)}[] = {{{words}}};",
+                f"if ({differs}) to.text({key}, {_choices(word)}[static_cast<std::size_t>({value})]);"]
+    return [f"if ({differs}) to.{_write_call(word, key, value)};"]
+
+
+def _write_call(word: Word, key: str, value: str) -> str:
+    if word.type == "color":
+        return f"color({value})"
+    if word.type == "twist":
+        return f"twist({key}, {_text(word.scales)}, {value})"
+    if word.type == "pose" and word.frame == "X_PM":
+        return f"pose({key}, {value}, z)"
+    name = "integer" if word.type == "count" else "milliseconds" if word.unit == "ms" else word.type
+    return f"{name}({key}, {value})"
+
+
 # --- tables --------------------------------------------------------------------------------------------------------
 
 
@@ -321,7 +413,7 @@ def _words(kind: Kind) -> list[str]:
     for word in kind.words:
         use = "kSilent" if not kind.simulated else enumerator(word.use)
         fields = [("type", word.type), ("form", form_text(word)), ("unit", unit_text(word)), ("otherwise", default_text(word)),
-                  ("told", word.default_text), ("limits", limits_text(word)), ("doc", doc_text(word))]
+                  ("told", word.default_text), ("limits", limits_text(word)), ("counted_by", word.counted_by), ("doc", doc_text(word))]
         told = "".join(f", .{name} = {_text(text)}" for name, text in fields if text)
         lines.append(f"    {{.name = {_text(word.name)}, .use = Use::{use}{told}}},")
     lines += [f"    {{.name = {_text(name)}, .use = Use::kSilent}}," for name in kind.silent]

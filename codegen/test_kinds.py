@@ -283,7 +283,7 @@ class Checked(unittest.TestCase):
 
 
 class Generated(unittest.TestCase):
-    """A kind that becomes simulated needs no other file for its words, description, reading and page."""
+    """A kind that becomes simulated needs no other file for its words, description, reading, writing and page."""
 
     def test_a_number_is_all_that_the_words_of_a_kind_need(self):
         parsed = [(f"kinds/{p.name}", tomllib.loads(p.read_text(encoding="utf-8"))) for p in (ROOT / "kinds").glob("*.toml")]
@@ -297,6 +297,9 @@ class Generated(unittest.TestCase):
         reading = files["playhouse/scene/generated/read_kinds.cc"]
         self.assertIn('properties.tuple("range", "LL", range, "[min max]");', reading)
         self.assertIn("read(properties, to.camera.emplace());", reading)
+        writing = files["playhouse/scene/generated/write_kinds.cc"]
+        self.assertIn('to.tuple("range", "LL", range);', writing)
+        self.assertIn("if (from.camera) write(*from.camera, {}, words);", writing)
         self.assertIn('{.name = "pantilt", .use = Use::kRead,', files["playhouse/scene/generated/kind_tables.cc"])
 
     def test_a_word_that_is_counted_is_a_list(self):

@@ -64,7 +64,7 @@ Stretch stretch_of(const Shape& shape, const geom::Size& size) {
   const auto widen = [&stretch](Bounds z) {
     stretch.z = {std::min(stretch.z.min, z.min), std::max(stretch.z.max, z.max)};
   };
-  for (const Shape::Prism& prism : shape.prisms) {
+  for (const Prism& prism : shape.prisms) {
     for (const geom::Vec2 p : prism.points) stretch.box.add(p);
     if (prism.z) widen(*prism.z);
   }
@@ -77,9 +77,9 @@ Stretch stretch_of(const Shape& shape, const geom::Size& size) {
 
 }  // namespace
 
-Shape::Prism read_block(const Properties& properties) {
+Prism read_block(const Properties& properties) {
   LoadState& state = properties.state();
-  Shape::Prism prism{{}, {}, properties.where("points")};
+  Prism prism{{}, {}, properties.where("points")};
   const int count = properties.integer("points", 0);
   if (count < 2) state.fail(prism.where, "a block needs \"points\" of at least 2");
   std::string first_missing;
@@ -111,7 +111,7 @@ Shape::Prism read_block(const Properties& properties) {
 void fit_shape(const Shape& shape, const geom::Size& size, LoadState& state, ModelDesc& model) {
   const Stretch stretch = stretch_of(shape, size);
   if (stretch.box.empty()) return;
-  for (const Shape::Prism& prism : shape.prisms) {
+  for (const Prism& prism : shape.prisms) {
     const Bounds z = stretch(prism.z);
     Block block{stretch(prism.points), z.min, z.max};
     if (stretch.flat() || block.points.size() == 2) {
@@ -131,19 +131,20 @@ void fit_shape(const Shape& shape, const geom::Size& size, LoadState& state, Mod
   model.bitmaps.push_back(std::move(contours));
 }
 
-std::optional<geom::Size> body_size(const geom::Size& size, const Properties& properties) {
+std::optional<geom::Size> body_size(const geom::Size& size) {
+  if (size.x == 0 && size.y == 0) return std::nullopt;
+  return geom::Size{size.x > 0 ? size.x : kWall, size.y > 0 ? size.y : kWall, size.z};
+}
+
+void check_body_size(const geom::Size& size, const Properties& properties) {
   const auto warn = [&](std::string_view what) {
     properties.state().warnings.add(Warning::kShape, properties.where("size"),
                                     "\"size\" has no extent in " + std::string(what));
   };
-  if (size.x == 0 && size.y == 0) {
-    warn("x and y, so the model has no body");
-    return std::nullopt;
-  }
+  if (size.x == 0 && size.y == 0) return warn("x and y, so the model has no body");
   if (size.x == 0) warn("x; the body is 0.01 m thick there");
   if (size.y == 0) warn("y; the body is 0.01 m thick there");
   if (size.z == 0) warn("z, so the body collides with nothing");
-  return geom::Size{size.x > 0 ? size.x : kWall, size.y > 0 ? size.y : kWall, size.z};
 }
 
 Block box_block(const geom::Size& size) {

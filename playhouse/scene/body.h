@@ -12,28 +12,24 @@ namespace playhouse::scene {
 
 /// Blocks and contours in the file's own units, before they are stretched.
 struct Shape {
-  /// A block without z, or without extent in z, is as high as the whole model.
-  struct Prism {
-    std::vector<geom::Vec2> points;
-    std::optional<Bounds> z;
-    SourceLine where;
-  };
   std::vector<Prism> prisms;
   std::vector<std::vector<geom::Vec2>> contours;  // of one bitmap, in pixels; z from 0 to 1
 };
 
 /// Reads a `block ( points N point[i] [x y] ... z [min max] )`. A missing point is [0 0] and a missing z the
 /// height of the model, each with a warning.
-Shape::Prism read_block(const Properties& properties);
+Prism read_block(const Properties& properties);
 
 /// Stretches `shape` so that its bounding box is `size`: centred on the origin in x and y. In z it is the
 /// interval from the floor, z = 0, to the highest point that is stretched, so that what floats stays above
 /// the floor. A block that is a line becomes a thin wall, with a warning.
 void fit_shape(const Shape& shape, const geom::Size& size, LoadState& state, ModelDesc& model);
 
-/// The size for a body to fill: `size`, but a wall's thickness where that has no extent in x or y. Warns of
-/// that, and of a body without height. Nothing, with a warning, if both x and y are 0.
-std::optional<geom::Size> body_size(const geom::Size& size, const Properties& properties);
+/// The size for a body to fill: `size`, but a wall's thickness where that has no extent in x or y. Nothing if
+/// both are 0.
+std::optional<geom::Size> body_size(const geom::Size& size);
+/// Warns of a size that has no extent in x, y or z.
+void check_body_size(const geom::Size& size, const Properties& properties);
 
 /// One block that fills `size`.
 Block box_block(const geom::Size& size);

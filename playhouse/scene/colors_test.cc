@@ -38,6 +38,26 @@ TEST(Colors, channels_beyond_what_a_screen_has_keep_to_themselves) {
   EXPECT_EQ(rgba8({std::nanf(""), HUGE_VALF, 0, 1}), 0x000000FFu);
 }
 
+TEST(Colors, are_called_by_the_shortest_name_that_x11_has_for_them) {
+  EXPECT_EQ(color_name(rgb(0, 255, 0)), "green");
+  EXPECT_EQ(color_name(rgb(0, 255, 255)), "cyan");
+  EXPECT_EQ(color_name(rgb(47, 79, 79)), "DarkSlateGray");
+  EXPECT_EQ(color_name(rgb(26, 26, 26)), "gray10");
+  EXPECT_EQ(color_name(rgb(192, 192, 192)), "");
+  EXPECT_EQ(color_name(rgb(192, 192, 192), true), "silver");
+  EXPECT_EQ(color_name({1, 0, 0, 0.5f}), "");
+  EXPECT_EQ(color_name({-1e9f, 1e9f, 0, 1}), "");
+  int named = 0;
+  for (int rgb_cube = 0; rgb_cube < 256 * 256; ++rgb_cube) {
+    const Color color = rgb(rgb_cube >> 8, rgb_cube & 0xFF, 0);
+    const std::string name = color_name(color, true);
+    if (name.empty()) continue;
+    EXPECT_EQ(color_by_name(name), color) << name;
+    ++named;
+  }
+  EXPECT_GT(named, 20);
+}
+
 TEST(Colors, other_words_are_none) {
   for (const char* word : {"", "re", "redd", "gray-1", "zzz"}) EXPECT_FALSE(color_by_name(word)) << word;
   EXPECT_EQ(color_hint("ornage"), " (did you mean \"orange\"?)");

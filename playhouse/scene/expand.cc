@@ -9,6 +9,20 @@
 #include "playhouse/base/nearest_word.h"
 
 namespace playhouse::scene {
+namespace {
+
+struct Unit {
+  std::string_view name, also;  // as the file says it, and as somebody may have meant it
+  double factor;
+};
+constexpr Unit kLengths[] = {{"m", "metres", 1}, {"cm", "centimetres", 0.01}, {"mm", "millimetres", 0.001}};
+constexpr Unit kAngles[] = {{"degrees", "deg", geom::kPi / 180}, {"radians", "rad", 1}};
+
+std::string_view word_of(std::span<const Unit> units, double factor) {
+  return std::ranges::find(units, factor, &Unit::factor)->name;
+}
+
+}  // namespace
 
 bool Macros::define(const Statement& statement) {
   return macros_.emplace(statement.section.name, &statement).second;
@@ -69,13 +83,6 @@ const Field* FieldSet::find(std::string_view key) const {
 }
 
 Result<Units> read_units(const Document& document, const FieldSet& fields) {
-  struct Unit {
-    std::string_view name, also;  // as the file says it, and as somebody may have meant it
-    double factor;
-  };
-  static constexpr Unit kLengths[] = {
-      {"m", "metres", 1}, {"cm", "centimetres", 0.01}, {"mm", "millimetres", 0.001}};
-  static constexpr Unit kAngles[] = {{"degrees", "deg", geom::kPi / 180}, {"radians", "rad", 1}};
   const auto read = [&](std::string_view key, std::span<const Unit> units, double& factor) -> Result<void> {
     const Field* field = fields.find(key);
     if (!field) return {};
@@ -103,6 +110,14 @@ Result<Units> read_units(const Document& document, const FieldSet& fields) {
   if (const auto length = read("unit_length", kLengths, units.length); !length) return length.error();
   if (const auto angle = read("unit_angle", kAngles, units.angle); !angle) return angle.error();
   return units;
+}
+
+std::string_view length_word(const Units& units) {
+  return word_of(kLengths, units.length);
+}
+
+std::string_view angle_word(const Units& units) {
+  return word_of(kAngles, units.angle);
 }
 
 std::optional<double> parse_number(std::string_view text) {

@@ -55,14 +55,12 @@ class FieldSet {
   std::vector<const Field*> fields_;
 };
 
-/// Metres per unit of length and radians per unit of angle of a file.
-struct Units {
-  double length = 1;
-  double angle = geom::kPi / 180;
-};
-
 /// Reads unit_length ("m", "cm", "mm") and unit_angle ("degrees", "radians").
 Result<Units> read_units(const Document& document, const FieldSet& fields);
+
+/// "m", "cm" or "mm", and "degrees" or "radians", as read_units() reads them.
+std::string_view length_word(const Units& units);
+std::string_view angle_word(const Units& units);
 
 /// The number that `text` spells completely, as in "-1.5", "+.5", "2."; none for anything else or beyond
 /// 1e300.

@@ -37,6 +37,14 @@ const Kind& world_kind() {
   return *found;
 }
 
+PlainDesc unsaid(const Kind& kind, bool at_top) {
+  PlainDesc desc;
+  desc.size = kind.size;
+  desc.color = kind.color;
+  desc.gui_move = at_top;
+  return desc;
+}
+
 bool is_part_of(const Kind& part, const Kind& model) {
   return part.entity == EntityForm::kPart && (part.inside == kBase || part.inside == model.name);
 }

@@ -23,12 +23,13 @@ enum class Use : std::uint8_t {
 struct Word {
   std::string_view name;
   Use use = Use::kRead;
-  std::string_view type = {};       // flag, number, length, pose, choice, ...; "" of silent and old words
-  std::string_view form = {};       // [x y z heading], or the words of a choice
-  std::string_view unit = {};       // by default: "m", "m, m, m, deg"
-  std::string_view otherwise = {};  // what counts without the word, as a file would say it
-  std::string_view told = {};       // the same in words, where it is no value
-  std::string_view limits = {};     // "above 0"
+  std::string_view type = {};        // flag, number, length, pose, choice, ...; "" of silent and old words
+  std::string_view form = {};        // [x y z heading], or the words of a choice
+  std::string_view unit = {};        // by default: "m", "m, m, m, deg"
+  std::string_view otherwise = {};   // what counts without the word, as a file would say it
+  std::string_view told = {};        // the same in words, where it is no value
+  std::string_view limits = {};      // "above 0"
+  std::string_view counted_by = {};  // the word that says how many there are, word[0], word[1], ...
   std::string_view doc = {};
   std::string_view instead = {};  // of old words: what to write
 };
@@ -95,6 +96,9 @@ const Kind* find_entity(std::string_view name);
 const Kind* find_model_type(std::string_view name);
 /// The kind of the file itself.
 const Kind& world_kind();
+
+/// A model of that kind that says nothing, at the top level or inside another.
+PlainDesc unsaid(const Kind& kind, bool at_top);
 
 /// Whether `part` belongs into models of that kind.
 bool is_part_of(const Kind& part, const Kind& model);

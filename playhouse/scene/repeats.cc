@@ -39,7 +39,8 @@ void append(std::string& key, const Section& section) {
 bool is_same(const ModelDesc& a, const ModelDesc& b) {
   return static_cast<const PlainDesc&>(a) == static_cast<const PlainDesc&>(b) &&
          static_cast<const KindDescs&>(a) == static_cast<const KindDescs&>(b) && a.type == b.type &&
-         a.kind == b.kind && a.stacked == b.stacked && a.blocks == b.blocks && a.bitmaps == b.bitmaps;
+         a.kind == b.kind && a.stacked == b.stacked && a.stacks_children == b.stacks_children &&
+         a.blocks == b.blocks && a.bitmaps == b.bitmaps && a.body == b.body && a.kept == b.kept;
 }
 
 /// A default name begins with the parent's name, so equal ones are of parts of equal parents.

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -23,6 +24,35 @@ namespace playhouse::scene {
 struct SourceLine {
   std::uint32_t file = 0;  // row of SceneDesc::files
   std::uint32_t line = 0;  // from 1; 0: nowhere (a default)
+};
+
+/// Metres per unit of length and radians per unit of angle of a file.
+struct Units {
+  double length = 1;
+  double angle = geom::kPi / 180;
+};
+
+/// A word that Stage 4 reads and this build does not, and what stands behind it, as a file has them.
+struct KeptWord {
+  std::string key, value;
+  friend bool operator==(const KeptWord&, const KeptWord&) = default;
+};
+
+/// A `block` as a file says it, before it is stretched: without z it is as high as the whole model.
+struct Prism {
+  std::vector<geom::Vec2> points;
+  std::optional<Bounds> z;
+  SourceLine where;
+  /// Wherever they were said.
+  friend bool operator==(const Prism& a, const Prism& b) { return a.points == b.points && a.z == b.z; }
+};
+
+/// What a file says of a body; ModelDesc::blocks and bitmaps are made of it and of the size.
+struct BodyDesc {
+  std::string bitmap;  // path under which it was read; empty: none
+  bool noblocks = false, boundary = false;
+  std::vector<Prism> prisms;
+  friend bool operator==(const BodyDesc&, const BodyDesc&) = default;
 };
 
 /// A solid prism: polygon in B, counter-clockwise, extruded in z. Scaled to the model's size already.
@@ -56,8 +86,11 @@ struct ModelDesc : PlainDesc, KindDescs {
   SourceLine where;
 
   double stacked = 0;  // m, height of the parent on top of which it stands; 0 if that does not stack
+  bool stacks_children = true;
   std::vector<Block> blocks;
   std::vector<Contours> bitmaps;
+  BodyDesc body;  // for who writes the file again; nothing of a model made in code
+  std::vector<KeptWord> kept;
 };
 
 /// A tree of models in the world: its prototype, and what it has for itself.
@@ -74,6 +107,8 @@ struct SceneDesc : WorldDesc {
   std::string path;                // of the top-level file
   std::vector<std::string> files;  // all files read; row 0 is the top-level one
   WindowDesc window;
+  Units units;                                 // of the top-level file
+  std::vector<KeptWord> kept, kept_of_window;  // of the world and of the window
   /// Every description once, tree by tree: parents before children, siblings in file order.
   std::vector<ModelDesc> models;
   /// What is in the world, in file order. None, as in scenes made in code, stands for one_of_each().

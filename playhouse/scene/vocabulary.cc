@@ -5,6 +5,7 @@
 
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
+#include "playhouse/scene/write_word.h"
 
 namespace playhouse::scene {
 namespace {
@@ -40,6 +41,22 @@ std::string what_instead(std::string_view name, std::span<const std::string_view
 std::string place_of(const Kind& kind) {
   return kind.entity == EntityForm::kPart ? "a " + std::string(kind.inside)
                                           : "no model, but at the top level";
+}
+
+std::vector<KeptWord> kept_words(const Kind& kind, const Properties& properties) {
+  std::vector<KeptWord> kept;
+  for (const Field* field : properties.fields().all()) {
+    const Word* word = find_word(kind, without_index(field->key));
+    if (!word || (word->use != Use::kSilent && word->use != Use::kLater) || field->values.empty()) continue;
+    std::vector<std::string> values;
+    for (const Value& value : field->values) {
+      const std::optional<double> number =
+          value.kind == ValueKind::kNumber ? parse_number(value.text) : std::nullopt;
+      values.push_back(number ? number_text(*number) : quoted_text(value.text));
+    }
+    kept.push_back({std::string(field->key), values.size() == 1 ? values.front() : in_brackets(values)});
+  }
+  return kept;
 }
 
 void VocabularyCheck::check(const Kind& kind, const Properties& properties) {

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "playhouse/scene/kinds.h"
 #include "playhouse/scene/properties.h"
@@ -19,6 +20,9 @@ std::string what_instead(std::string_view name, std::span<const std::string_view
 
 /// Where an entity belongs that is no model: "a ranger".
 std::string place_of(const Kind& kind);
+
+/// What an entity says that Stage 4 reads and this build does not.
+std::vector<KeptWord> kept_words(const Kind& kind, const Properties& properties);
 
 /// Warns of properties that do nothing: once per line for words that are unknown, once per load for words
 /// that older or other versions of Stage know, or that stand for something this build does not simulate.

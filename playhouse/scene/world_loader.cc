@@ -106,9 +106,11 @@ class WorldLoader {
   void check_holds_nothing(const Instance& entity);
   /// The shape of a model from its bitmap and its `block` entities.
   void read_body(const Properties& properties, const Kind& kind, Shape shape, ModelDesc& model);
-  const Loops* load_bitmap(const Properties& properties);
+  /// The path under which the model's bitmap was read, and its contours; null where it has none.
+  using TracedBitmap = std::map<std::string, Loops>::value_type;
+  const TracedBitmap* load_bitmap(const Properties& properties);
   /// `path` was tried last; the error tells of `why.where`.
-  const Loops* fail_bitmap(const std::string& path, SourceLine where, const Error& why);
+  const TracedBitmap* fail_bitmap(const std::string& path, SourceLine where, const Error& why);
   /// Macros and bitmaps make much of little text: a fault when the world has no room for `amount` more.
   void spend(Budget& budget, std::size_t amount, SourceLine where);
   /// The kind of a model; null, and a fault, when it has none.
@@ -123,7 +125,6 @@ class WorldLoader {
   VocabularyCheck vocabulary_;
   SceneDesc scene_;
   TokenNames names_{scene_, state_};
-  std::vector<bool> stacks_children_;  // by row of models
   std::map<std::string, Loops> bitmaps_;
   std::set<std::string_view> plain_types_;                           // warned of
   std::set<std::pair<std::uint32_t, std::uint32_t>> unknown_types_;  // files and lines told
@@ -257,7 +258,6 @@ std::uint32_t WorldLoader::share_tree(std::uint32_t first, std::string_view word
   }
   names_.share(before);
   scene_.models.resize(first);
-  stacks_children_.resize(first);
   return before;
 }
 
@@ -269,9 +269,10 @@ void WorldLoader::read_globals() {
     state_.end(units.error());
     return;
   }
-  state_.units = *units;
+  state_.units = scene_.units = *units;
   scene_.name = scene_.path;
   read(properties, scene_);
+  scene_.kept = kept_words(world_kind(), properties);
 }
 
 void WorldLoader::define(const Statement& statement) {
@@ -301,6 +302,7 @@ void WorldLoader::load_window(const Instance& window, const Kind& kind) {
   const Properties properties(state_, window);
   vocabulary_.check(kind, properties);
   read(properties, scene_.window);
+  scene_.kept_of_window = kept_words(kind, properties);
   follow_where_ = properties.where("follow_model");
 }
 
@@ -336,12 +338,12 @@ const Kind* WorldLoader::kind_of(const Instance& entity) {
 }
 
 void WorldLoader::read_words(const Properties& properties, const Kind& kind, ModelDesc& model) {
-  model.size = kind.size;
-  model.color = kind.color;
-  model.gui_move = model.parent < 0;
+  static_cast<PlainDesc&>(model) = unsaid(kind, model.parent < 0);
   read(properties, number_of(scene_.models.size()), model);
   model.update_interval = std::max(model.update_interval, scene_.interval);
   read_kind(properties, kind.kind, model);
+  model.stacks_children = properties.flag("stack_children", true);
+  model.kept = kept_words(kind, properties);
 }
 
 void WorldLoader::load_model(const Instance& entity, std::int32_t parent, Siblings& siblings) {
@@ -357,7 +359,7 @@ void WorldLoader::load_model(const Instance& entity, std::int32_t parent, Siblin
   model.kind = kind->kind;
   read_words(properties, *kind, model);
   if (parent < 0) colors_with_top_ = state_.random_colors;
-  if (parent >= 0 && stacks_children_[static_cast<std::size_t>(parent)]) {
+  if (parent >= 0 && scene_.models[static_cast<std::size_t>(parent)].stacks_children) {
     model.stacked = scene_.models[static_cast<std::size_t>(parent)].size.z;
     model.X_PM.z += model.stacked;
   }
@@ -375,7 +377,6 @@ void WorldLoader::load_model(const Instance& entity, std::int32_t parent, Siblin
   Shape shape;
   const std::vector<Instance> children = load_parts(entity, *kind, model, shape);
   read_body(properties, *kind, std::move(shape), model);
-  stacks_children_.push_back(properties.flag("stack_children", true));
   if (row >= limits_.descriptions)
     return state_.end(document_.error(entity.where, "the world holds more than " +
                                                         std::to_string(limits_.descriptions) +
@@ -432,18 +433,19 @@ void WorldLoader::check_holds_nothing(const Instance& entity) {
 }
 
 void WorldLoader::read_body(const Properties& properties, const Kind& kind, Shape shape, ModelDesc& model) {
-  const Loops* loops = load_bitmap(properties);
+  const TracedBitmap* bitmap = load_bitmap(properties);
   if (state_.error) return;  // the world does not load, so nobody needs bodies
-  const bool boundary = properties.flag("boundary", false);
-  const bool replaced = loops || boundary || !shape.prisms.empty() || properties.flag("noblocks", false);
-  const bool is_box = kind.solid && !replaced;
-  if (!is_box && !loops && !boundary && shape.prisms.empty()) return;
-  const std::optional<geom::Size> size = body_size(model.size, properties);
+  const bool boundary = properties.flag("boundary", false), noblocks = properties.flag("noblocks", false);
+  model.body = {bitmap ? bitmap->first : "", noblocks, boundary, shape.prisms};
+  const bool is_box = kind.solid && !bitmap && !boundary && shape.prisms.empty() && !noblocks;
+  if (!is_box && !bitmap && !boundary && shape.prisms.empty()) return;
+  check_body_size(model.size, properties);
+  const std::optional<geom::Size> size = body_size(model.size);
   if (!size) return;
-  if (loops) {
-    for (const auto& loop : *loops) spend(corners_, loop.size(), properties.where("bitmap"));
+  if (bitmap) {
+    for (const auto& loop : bitmap->second) spend(corners_, loop.size(), properties.where("bitmap"));
     if (state_.error) return;
-    shape.contours = *loops;
+    shape.contours = bitmap->second;
   }
   fit_shape(shape, *size, state_, model);
   if (is_box) model.blocks.push_back(box_block(*size));
@@ -452,7 +454,7 @@ void WorldLoader::read_body(const Properties& properties, const Kind& kind, Shap
   }
 }
 
-const WorldLoader::Loops* WorldLoader::load_bitmap(const Properties& properties) {
+const WorldLoader::TracedBitmap* WorldLoader::load_bitmap(const Properties& properties) {
   const std::string name = properties.text("bitmap", "");
   if (name.empty() || state_.over) return nullptr;
   const SourceLine where = properties.where("bitmap");
@@ -460,11 +462,11 @@ const WorldLoader::Loops* WorldLoader::load_bitmap(const Properties& properties)
   // well.
   const std::string beside_world = resolve(folder_of(scene_.path), name);
   std::string path = beside_world;
-  if (const auto known = bitmaps_.find(path); known != bitmaps_.end()) return &known->second;
+  if (const auto known = bitmaps_.find(path); known != bitmaps_.end()) return &*known;
   Result<std::string> bytes = files_.read(path);
   if (!bytes) {
     path = resolve(folder_of(scene_.files[where.file]), name);
-    if (const auto known = bitmaps_.find(path); known != bitmaps_.end()) return &known->second;
+    if (const auto known = bitmaps_.find(path); known != bitmaps_.end()) return &*known;
     Result<std::string> beside = files_.read(path);
     if (beside) bytes = std::move(beside);
   }
@@ -482,13 +484,13 @@ const WorldLoader::Loops* WorldLoader::load_bitmap(const Properties& properties)
   if (loops->empty())
     state_.warnings.add(Warning::kShape, where,
                         "bitmap " + in_quotes(path) + " has no dark pixel, so it is no body");
-  return &bitmaps_.emplace(std::move(path), std::move(*loops)).first->second;
+  return &*bitmaps_.emplace(std::move(path), std::move(*loops)).first;
 }
 
-const WorldLoader::Loops* WorldLoader::fail_bitmap(const std::string& path, SourceLine where,
-                                                   const Error& why) {
+const WorldLoader::TracedBitmap* WorldLoader::fail_bitmap(const std::string& path, SourceLine where,
+                                                          const Error& why) {
   state_.fail(where, "bitmap " + in_quotes(why.where) + " " + why.text);
-  return &bitmaps_.emplace(path, Loops{}).first->second;  // it is not read again for the next model
+  return &*bitmaps_.emplace(path, Loops{}).first;  // it is not read again for the next model
 }
 
 void WorldLoader::spend(Budget& budget, std::size_t amount, SourceLine where) {

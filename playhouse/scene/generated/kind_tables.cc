@@ -127,8 +127,8 @@ constexpr KindInterface kInterfacesOfBlobfinder[1] = {
 
 constexpr Word kWordsOfBumper[3] = {
     {.name = "bcount", .use = Use::kRead, .type = "count", .otherwise = "0", .limits = "from 0 to 256", .doc = "How many switches it has."},
-    {.name = "bpose", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .otherwise = "[0 0 0 0]", .doc = "The middle of the face of a switch, counted from 0, and where the face looks; without a number that of all others."},
-    {.name = "blength", .use = Use::kRead, .type = "length", .unit = "m", .otherwise = "0", .limits = "not negative", .doc = "The length of the face of a switch, counted from 0; without a number that of all others."},
+    {.name = "bpose", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .otherwise = "[0 0 0 0]", .counted_by = "bcount", .doc = "The middle of the face of a switch, counted from 0, and where the face looks; without a number that of all others."},
+    {.name = "blength", .use = Use::kRead, .type = "length", .unit = "m", .otherwise = "0", .limits = "not negative", .counted_by = "bcount", .doc = "The length of the face of a switch, counted from 0; without a number that of all others."},
 };
 
 constexpr KindInterface kInterfacesOfBumper[1] = {

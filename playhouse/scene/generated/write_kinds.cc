@@ -1,0 +1,110 @@
+// Generated from kinds/ by codegen (python3 -m codegen). Do not edit.
+#include "playhouse/scene/generated/write_kinds.h"
+
+#include <algorithm>
+#include <string>
+
+namespace playhouse::scene {
+namespace {
+
+void write(const PositionDesc& from, const PositionDesc& unsaid, Words& to) {
+  static constexpr std::string_view kWordsOfDrive[] = {"diff", "omni", "car"};
+  if (from.drive != unsaid.drive) to.text("drive", kWordsOfDrive[static_cast<std::size_t>(from.drive)]);
+  static constexpr std::string_view kWordsOfLocalization[] = {"gps", "odom"};
+  if (from.localization != unsaid.localization) to.text("localization", kWordsOfLocalization[static_cast<std::size_t>(from.localization)]);
+  if (from.localization_origin) to.pose("localization_origin", *from.localization_origin);
+  if (from.velocity != unsaid.velocity) to.twist("velocity", "LLLA", from.velocity);
+  if (!std::ranges::equal(from.velocity_bounds, unsaid.velocity_bounds)) to.bounds("velocity_bounds", "LLLLLLAA", from.velocity_bounds);
+  if (!std::ranges::equal(from.acceleration_bounds, unsaid.acceleration_bounds)) to.bounds("acceleration_bounds", "LLLLLLAA", from.acceleration_bounds);
+  if (from.wheelbase != unsaid.wheelbase) to.length("wheelbase", from.wheelbase);
+  if (from.odom_error) to.twist("odom_error", "NNNN", *from.odom_error);
+}
+
+void write(const FiducialDesc& from, const FiducialDesc& unsaid, Words& to) {
+  if (from.range_min != unsaid.range_min) to.length("range_min", from.range_min);
+  if (from.range_max != unsaid.range_max) to.length("range_max", from.range_max);
+  if (from.range_max_id != unsaid.range_max_id) to.length("range_max_id", from.range_max_id);
+  if (from.fov != unsaid.fov) to.angle("fov", from.fov);
+  if (from.ignore_zloc != unsaid.ignore_zloc) to.flag("ignore_zloc", from.ignore_zloc);
+}
+
+void write(const BlobfinderDesc& from, const BlobfinderDesc& unsaid, Words& to) {
+  if (from.colors_count != unsaid.colors_count) to.integer("colors_count", from.colors_count);
+  if (from.colors != unsaid.colors) to.colors("colors", from.colors);
+  const double image[] = {from.width, from.height};
+  if (from.width != unsaid.width || from.height != unsaid.height) to.tuple("image", "NN", image);
+  if (from.range != unsaid.range) to.number("range", from.range);
+  if (from.fov != unsaid.fov) to.angle("fov", from.fov);
+  if (from.pan != unsaid.pan) to.angle("pan", from.pan);
+}
+
+void write(const BumperDesc& from, const BumperDesc& unsaid, Words& to) {
+  if (from.bcount != unsaid.bcount) to.integer("bcount", from.bcount);
+  for (std::size_t i = 0; i < from.X_BS.size(); ++i) to.pose("bpose[" + std::to_string(i) + "]", from.X_BS[i]);
+  for (std::size_t i = 0; i < from.blength.size(); ++i) to.length("blength[" + std::to_string(i) + "]", from.blength[i]);
+}
+
+void write(const RangerSensorDesc& from, const RangerSensorDesc& unsaid, Words& to) {
+  if (from.X_BS != unsaid.X_BS) to.pose("pose", from.X_BS);
+  if (from.size != unsaid.size) to.size("size", from.size);
+  const double range[] = {from.range_min, from.range_max};
+  if (from.range_min != unsaid.range_min || from.range_max != unsaid.range_max) to.tuple("range", "LL", range);
+  if (from.fov != unsaid.fov) to.angle("fov", from.fov);
+  if (from.samples != unsaid.samples) to.integer("samples", from.samples);
+  const double noise[] = {from.noise_constant, from.noise_proportional, from.noise_angular};
+  if (from.noise_constant != unsaid.noise_constant || from.noise_proportional != unsaid.noise_proportional || from.noise_angular != unsaid.noise_angular) to.tuple("noise", "LNA", noise);
+  if (from.color != unsaid.color) to.color(from.color);
+}
+
+}  // namespace
+
+void write(const PlainDesc& from, const PlainDesc& unsaid, double z, Words& to) {
+  if (from.X_PM != unsaid.X_PM) to.pose("pose", from.X_PM, z);
+  if (from.X_MB != unsaid.X_MB) to.pose("origin", from.X_MB);
+  if (from.size != unsaid.size) to.size("size", from.size);
+  if (from.color != unsaid.color) to.color(from.color);
+  if (from.obstacle_return != unsaid.obstacle_return) to.flag("obstacle_return", from.obstacle_return);
+  if (from.ranger_return != unsaid.ranger_return) to.number("ranger_return", from.ranger_return);
+  if (from.fiducial_return != unsaid.fiducial_return) to.integer("fiducial_return", from.fiducial_return);
+  if (from.fiducial_key != unsaid.fiducial_key) to.integer("fiducial_key", from.fiducial_key);
+  if (from.gripper_return != unsaid.gripper_return) to.flag("gripper_return", from.gripper_return);
+  if (from.mass != unsaid.mass) to.number("mass", from.mass);
+  if (from.update_interval != unsaid.update_interval) to.milliseconds("update_interval", from.update_interval);
+  if (from.alwayson != unsaid.alwayson) to.flag("alwayson", from.alwayson);
+  if (from.gui_move != unsaid.gui_move) to.flag("gui_move", from.gui_move);
+  if (from.say != unsaid.say) to.text("say", from.say);
+  if (from.trail_length != unsaid.trail_length) to.integer("trail_length", from.trail_length);
+  if (from.ctrl != unsaid.ctrl) to.texts("ctrl", from.ctrl);
+}
+
+void write(const WindowDesc& from, const WindowDesc& unsaid, Words& to) {
+  if (from.center != unsaid.center) to.point("center", from.center);
+  if (from.scale != unsaid.scale) to.number("scale", from.scale);
+  const double rotate[] = {from.pitch, from.yaw};
+  if (from.pitch != unsaid.pitch || from.yaw != unsaid.yaw) to.tuple("rotate", "DD", rotate);
+  if (from.show_data != unsaid.show_data) to.flag("show_data", from.show_data);
+  if (from.follow_model != unsaid.follow_model) to.text("follow_model", from.follow_model);
+}
+
+void write(const WorldDesc& from, const WorldDesc& unsaid, Words& to) {
+  if (from.name != unsaid.name) to.text("name", from.name);
+  if (from.interval != unsaid.interval) to.milliseconds("interval_sim", from.interval);
+  if (from.resolution != unsaid.resolution) to.number("resolution", from.resolution);
+  if (from.quit_time != unsaid.quit_time) to.number("quit_time", from.quit_time);
+  if (from.speedup != unsaid.speedup) to.number("speedup", from.speedup);
+  if (from.paused != unsaid.paused) to.flag("paused", from.paused);
+}
+
+void write_kind(const KindDescs& from, const Units& units, Entity& to) {
+  Words words(units, to.words);
+  if (from.position) write(*from.position, {}, words);
+  if (from.fiducial) write(*from.fiducial, {}, words);
+  if (from.blobfinder) write(*from.blobfinder, {}, words);
+  if (from.bumper) write(*from.bumper, {}, words);
+  for (const RangerSensorDesc& part : from.sensors) {
+    Words words_of_part(units, to.parts.emplace_back(Entity{"sensor", {}, {}}).words);
+    write(part, {}, words_of_part);
+  }
+}
+
+}  // namespace playhouse::scene

@@ -1,0 +1,68 @@
+#pragma once
+
+/// How single words are written, so that reading them (read_word.h, Properties) gives the same values. The
+/// functions that write whole entities are generated from kinds/*.toml (generated/write_kinds.h) and call
+/// these.
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "playhouse/scene/scene_desc.h"
+
+namespace playhouse::scene {
+
+/// An entity as a file has it: words with their values, and the entities inside it.
+struct Entity {
+  std::string type;
+  std::vector<std::string> words;
+  std::vector<Entity> parts;
+  friend bool operator==(const Entity&, const Entity&) = default;
+};
+
+/// The number with the least digits that reads as this one. Stage knows no exponents, so there is none.
+std::string number_text(double value);
+/// In quotes. What no string of a file can hold, quotes and ends of lines, becomes something like it.
+std::string quoted_text(std::string_view text);
+std::string in_brackets(std::span<const std::string> values);
+
+/// Appends words to an entity. Numbers have the fewest digits that read as the same value in the file's
+/// units; where no number does, as with most headings in degrees, they are the nearest.
+class Words {
+ public:
+  Words(const Units& units, std::vector<std::string>& to) : units_(units), to_(to) {}
+
+  void flag(std::string_view key, bool value) { integer(key, value ? 1 : 0); }
+  void integer(std::string_view key, std::int64_t value);
+  void number(std::string_view key, double value) { add(key, scaled(value, 'N')); }
+  void length(std::string_view key, double value) { add(key, scaled(value, 'L')); }
+  void angle(std::string_view key, double value) { add(key, scaled(value, 'A')); }
+  /// Of seconds.
+  void milliseconds(std::string_view key, double value) { add(key, scaled(value, 'M')); }
+  void text(std::string_view key, std::string_view value) { add(key, quoted_text(value)); }
+  void texts(std::string_view key, std::span<const std::string> values);
+  /// As `color`, by its name, or as `color_rgba`.
+  void color(const Color& value);
+  void colors(std::string_view key, std::span<const Color> values);
+  /// `z` is the height in the frame from which the file counts.
+  void pose(std::string_view key, const geom::Pose& value, double z = 0);
+  void size(std::string_view key, const geom::Size& value);
+  void point(std::string_view key, geom::Vec2 value);
+  void twist(std::string_view key, std::string_view scales, const geom::Twist& value);
+  void bounds(std::string_view key, std::string_view scales, std::span<const Bounds> values);
+  /// `scales` as in Properties::tuple(), and D for degrees whatever the file's unit.
+  void tuple(std::string_view key, std::string_view scales, std::span<const double> values);
+  void kept(const KeptWord& word) { add(word.key, word.value); }
+
+ private:
+  void add(std::string_view key, const std::string& value);
+  std::string scaled(double value, char scale) const;
+  double heading(double value) const;
+
+  const Units& units_;
+  std::vector<std::string>& to_;
+};
+
+}  // namespace playhouse::scene

@@ -1,0 +1,164 @@
+#include "playhouse/world/as_scene.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "playhouse/world/columns.h"
+
+namespace playhouse::world {
+namespace {
+
+class StandingScene {
+ public:
+  explicit StandingScene(const World& world) : world_(world), from_(world.scene()) {}
+
+  scene::SceneDesc make();
+
+ private:
+  /// How a tree differs from its prototype beyond what each tree has for itself.
+  enum class Change : std::uint8_t {
+    kNone,
+    kTop,    // the top says something else, or has something attached to it
+    kParts,  // something inside it is another
+  };
+
+  void find_attached();
+  void add_tree(std::uint32_t row);
+  Change change_of(std::uint32_t row, std::uint32_t size) const;
+  bool is_another(std::uint32_t row) const;
+  /// Descriptions of a model as it stands and of all inside it, behind those there are.
+  void describe(std::uint32_t row, std::int32_t parent, std::string alias);
+  void describe_children(std::uint32_t row, std::uint32_t desc);
+  /// Of one more child of its type.
+  using Siblings = std::map<std::string_view, int>;
+  std::string unsaid_name(ModelRow row, std::string_view before, Siblings& siblings) const;
+  void note_renamed(std::uint32_t row, std::uint32_t size);
+
+  const World& world_;
+  const scene::SceneDesc& from_;
+  scene::SceneDesc scene_;
+  std::map<std::uint32_t, std::vector<std::uint32_t>> attached_;  // rows, by that of the parent
+  Siblings tops_{{"model", 1}};                                   // as files count them
+};
+
+scene::SceneDesc StandingScene::make() {
+  static_cast<scene::WorldDesc&>(scene_) = from_;
+  scene_.path = from_.path;
+  scene_.files = from_.files;
+  scene_.window = from_.window;
+  scene_.units = from_.units;
+  scene_.kept = from_.kept;
+  scene_.kept_of_window = from_.kept_of_window;
+  scene_.models = from_.models;
+  find_attached();
+  for (std::uint32_t row = 0; row < world_.models.size(); ++row)
+    if (!ModelRow{world_.models.parent[row]}) add_tree(row);
+  if (scene_.trees.empty()) scene_.models.clear();  // no list of trees would stand for one of each
+  return std::move(scene_);
+}
+
+void StandingScene::find_attached() {
+  for (std::uint32_t row = 0; row < world_.models.size(); ++row) {
+    const ModelRow parent{world_.models.parent[row]};
+    if (parent && world_.desc({row}).parent < 0) attached_[parent.index].push_back(row);
+  }
+}
+
+void StandingScene::add_tree(std::uint32_t row) {
+  const std::uint32_t top = world_.models.desc[row], size = scene::tree_size(from_, top);
+  scene::TreeDesc tree{top,
+                       world_.name({row}),
+                       unsaid_name({row}, {}, tops_),
+                       world_.where({row}),
+                       world_.models.X_PM[row],
+                       world_.models.color[row],
+                       world_.models.fiducial_return[row]};
+  const Change change = change_of(row, size);
+  if (change == Change::kNone) {
+    note_renamed(row, size);
+  } else {
+    tree.top = static_cast<std::uint32_t>(scene_.models.size());
+    describe(row, -1, tree.alias);
+    if (change == Change::kParts) scene_.models[tree.top].prototype = tree.name;
+  }
+  scene_.trees.push_back(std::move(tree));
+}
+
+StandingScene::Change StandingScene::change_of(std::uint32_t row, std::uint32_t size) const {
+  // A tree's own models are in rows one after the other.
+  for (std::uint32_t part = row + 1; part < row + size; ++part)
+    if (is_another(part) || attached_.contains(part)) return Change::kParts;
+  return world_.models.say[row] != world_.desc({row}).say || attached_.contains(row) ? Change::kTop
+                                                                                     : Change::kNone;
+}
+
+bool StandingScene::is_another(std::uint32_t row) const {
+  const Models& models = world_.models;
+  const scene::ModelDesc& desc = world_.desc({row});
+  return models.X_PM[row] != desc.X_PM || models.color[row] != desc.color ||
+         models.fiducial_return[row] != desc.fiducial_return || models.say[row] != desc.say;
+}
+
+std::string StandingScene::unsaid_name(ModelRow row, std::string_view before, Siblings& siblings) const {
+  const std::string& type = world_.desc(row).type;
+  return std::string(before) + type + ":" + std::to_string(siblings[type]++);
+}
+
+void StandingScene::describe(std::uint32_t row, std::int32_t parent, std::string alias) {
+  scene::ModelDesc desc = world_.desc({row});
+  const bool is_attached = parent >= 0 && desc.parent < 0;
+  desc.name = world_.name({row});
+  desc.alias = std::move(alias);
+  desc.parent = parent;
+  desc.X_PM = world_.models.X_PM[row];
+  desc.color = world_.models.color[row];
+  desc.fiducial_return = world_.models.fiducial_return[row];
+  desc.say = world_.models.say[row];
+  if (is_attached) {
+    const scene::ModelDesc& below = scene_.models[static_cast<std::size_t>(parent)];
+    desc.stacked = below.stacks_children ? below.size.z : 0;
+  }
+  const auto made = static_cast<std::uint32_t>(scene_.models.size());
+  scene_.models.push_back(std::move(desc));
+  describe_children(row, made);
+}
+
+void StandingScene::describe_children(std::uint32_t row, std::uint32_t desc) {
+  const std::string before = scene_.models[desc].name + ".";
+  Siblings siblings;
+  const auto describe_one = [&](std::uint32_t child) {
+    describe(child, static_cast<std::int32_t>(desc), unsaid_name({child}, before, siblings));
+  };
+  for (const std::uint32_t child : world_.children({row}))
+    if (world_.desc({child}).parent >= 0) describe_one(child);
+  if (const auto attached = attached_.find(row); attached != attached_.end())
+    std::ranges::for_each(attached->second, describe_one);
+}
+
+/// Parts of the tree that is about to become the last one.
+void StandingScene::note_renamed(std::uint32_t row, std::uint32_t size) {
+  if (from_.renamed.empty()) return;
+  const auto tree = static_cast<std::uint32_t>(scene_.trees.size());
+  const std::string top = world_.name({row});
+  const std::string& prototype = world_.desc({row}).name;
+  for (std::uint32_t place = 1; place < size; ++place) {
+    const scene::ModelDesc& part = world_.desc({row + place});
+    std::string name = world_.name({row + place}), alias = world_.alias({row + place});
+    if (name == scene::token_in(part.name, prototype, top) &&
+        alias == scene::token_in(part.alias, prototype, top))
+      continue;
+    scene_.renamed[{tree, place}] = {std::move(name), std::move(alias)};
+  }
+}
+
+}  // namespace
+
+scene::SceneDesc as_scene(const World& world) {
+  return StandingScene(world).make();
+}
+
+}  // namespace playhouse::world
