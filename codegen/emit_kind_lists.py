@@ -1,10 +1,10 @@
-"""Lists of what is written per kind elsewhere, so that a kind adds files and changes none: playhouse/behaviour/generated/,
+"""What engines and drivers know of every kind: its draw, and lists of what is written per kind elsewhere, so that a kind adds files and changes none: playhouse/behaviour/generated/,
 playhouse/stage/generated/ and playhouse/drivers/generated/."""
 
 from __future__ import annotations
 
-from codegen.emit_kinds_cpp import BANNER
-from codegen.kinds import Kinds
+from codegen.emit_kinds_cpp import BANNER, enumerator
+from codegen.kinds import BASE, Kinds
 
 BEHAVIOUR = "playhouse/behaviour/generated"
 STAGE = "playhouse/stage/generated"
@@ -13,7 +13,8 @@ DRIVERS = "playhouse/drivers/generated"
 
 def emit(kinds: Kinds) -> dict[str, str]:
     """Path from the root of the tree -> content."""
-    return {f"{BEHAVIOUR}/acts.h": _acts(kinds), f"{STAGE}/senses.h": _senses(kinds), f"{DRIVERS}/device_makers.h": _devices(kinds)}
+    return {f"{BEHAVIOUR}/acts.h": _acts(kinds), f"{BEHAVIOUR}/draws.h": _draws(kinds), f"{STAGE}/senses.h": _senses(kinds),
+            f"{DRIVERS}/device_makers.h": _devices(kinds)}
 
 
 def _acts(kinds: Kinds) -> str:
@@ -24,6 +25,20 @@ def _acts(kinds: Kinds) -> str:
     lines += ["", "inline void add_acts(Acts& acts) {"]
     lines += [f"  acts.add(make_{k.name}_act());" for k in found]
     return "\n".join([*lines, "}", "", "}  // namespace playhouse::behaviour", ""])
+
+
+def _draws(kinds: Kinds) -> str:
+    lines = [BANNER.rstrip(), "#pragma once", "", '#include "playhouse/scene/scene_desc.h"', "", "namespace playhouse::behaviour {", "",
+             "/// What a model draws while it is subscribed, however it moves: what its kind does, else what its words say. [W]",
+             "inline double draw_of(const scene::ModelDesc& model) {", "  switch (model.kind) {"]
+    for kind in kinds.simulated():  # the switch has a default: other kinds have no draw of their own
+        parts = [p for p in kinds.parts_of(kind) if p.watts is not None and kind.name != BASE]
+        if kind.watts is None and not parts:
+            continue
+        terms = [f"{kind.watts!r}"] if kind.watts is not None else []
+        terms += [f"{p.watts!r} * static_cast<double>(model.{p.table}.size())" for p in parts]
+        lines += [f"    case scene::ModelKind::{enumerator(kind.kind)}:", f"      return {' + '.join(terms)};"]
+    return "\n".join([*lines, "    default:", "      return model.watts;", "  }", "}", "", "}  // namespace playhouse::behaviour", ""])
 
 
 def _senses(kinds: Kinds) -> str:
@@ -38,7 +53,7 @@ def _senses(kinds: Kinds) -> str:
 
 
 def _devices(kinds: Kinds) -> str:
-    found = {s.name: s.code for k in kinds.simulated() for s in k.interfaces}
+    found = {s.name: s.code for k in kinds.simulated() + kinds.traits() for s in k.interfaces}
     lines = [BANNER.rstrip(), "#pragma once", "",
              "/// The device of each interface that a simulated model can have; playhouse/drivers/simulated/NAME.cc defines it.", "",
              "#include <cstdint>", "#include <memory>", "", '#include "playhouse/drivers/simulated/simulated_device.h"', "",

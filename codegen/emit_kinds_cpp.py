@@ -80,9 +80,17 @@ def _descs(kinds: Kinds) -> str:
             lines.append(f"  std::optional<{kind.desc}> {kind.name};  // {enumerator(kind.kind)}")
         lines += [f"  std::vector<{part.desc}> {part.table};  // {enumerator(kind.kind)}" for part in kinds.parts_of(kind)
                   if part.members]
-    lines += ["", "  friend bool operator==(const KindDescs&, const KindDescs&) = default;", "};", "",
-              "}  // namespace playhouse::scene", ""]
+    lines += ["", "  friend bool operator==(const KindDescs&, const KindDescs&) = default;", "};", ""]
+    for trait in kinds.traits():
+        lines += [*_comment(f"Whether a model has a {trait.name}: {trait.doc[0].lower()}{trait.doc[1:]}"),
+                  f"inline bool has_{trait.name}(const {kinds.find(BASE).desc}& model) {{",
+                  "  return " + " || ".join(f"model.{m}" for m in _givers(kinds, trait)) + ";", "}", ""]
+    lines += ["}  // namespace playhouse::scene", ""]
     return "\n".join(lines)
+
+
+def _givers(kinds: Kinds, trait: Kind) -> list[str]:
+    return [next(w.member for w in kinds.find(BASE).words if w.name == name) for name in trait.given_by]
 
 
 def _enum(word: Word) -> list[str]:
@@ -230,6 +238,8 @@ def _read(word: Word, key: str, to: str) -> list[str]:
     """Reads what the file has behind `key` into `to`, which has what counts where there is none."""
     if word.type == "number" and word.unit == "ms":
         return [f"{to} = read_milliseconds(properties, {key}, {to});"]
+    if word.type in READERS and word.optional:
+        return [f"if (properties.has({key})) {to} = properties.{READERS[word.type]}({key}, {{}});"]
     if word.type in READERS:
         return [f"{to} = properties.{READERS[word.type]}({key}, {to});"]
     if word.type == "texts":
@@ -285,6 +295,8 @@ def _check(word: Word, key: str, to: str) -> list[str]:
     """What read_count() and tuples have not checked yet."""
     if word.type in ("count", "tuple") or (word.min is None and word.above is None):
         return []
+    if word.optional:
+        to += ".value_or(0)"
     if word.clamp:
         return [f"{to} = at_least_zero(properties, {key}, {to}, {_text(word.clamp)});"]
     if word.above is not None:
@@ -456,4 +468,6 @@ def _row(kind: Kind) -> list[str]:
         fields.append(f".words = {_table(kind, 'Words')}")
     if kind.interfaces:
         fields.append(f".interfaces = {_table(kind, 'Interfaces')}")
+    if kind.entity == "trait":
+        fields.append(f".has = has_{kind.name}")
     return [f"    {{{', '.join(fields)}}},"]

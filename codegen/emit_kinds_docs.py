@@ -64,7 +64,7 @@ def _rows(kinds: list[Kind]) -> list[str]:
 
 
 def _page(kinds: Kinds, kind: Kind) -> str:
-    lines = [_banner(kind.source), f"# {kind.name}", "", kind.doc, "", *_place(kind)]
+    lines = [_banner(kind.source), f"# {kind.name}", "", kind.doc, "", *_place(kinds, kind)]
     read = [w for w in kind.words if w.use == "read"]
     if read:
         lines += ["## Words", "", *_words(read)]
@@ -76,10 +76,13 @@ def _page(kinds: Kinds, kind: Kind) -> str:
     return "\n".join(lines).rstrip() + "\n"
 
 
-def _place(kind: Kind) -> list[str]:
+def _place(kinds: Kinds, kind: Kind) -> list[str]:
     if kind.entity == "part":
         return [f"`{kind.name}( ... )` stands inside a [{kind.inside}]({kind.inside}.md)"
                 f"{', of whatever kind' if kind.inside == BASE else ''}.", ""]
+    if kind.entity == "trait":
+        words = ", ".join(f"`{name}`" for name in kind.given_by)
+        return [f"A [model]({BASE}.md) of any kind has one if it says one of {words}.", ""]
     if kind.entity == "window":
         return [f"`{kind.name}( ... )` stands at the top level.", ""]
     if kind.body is None:
@@ -89,6 +92,10 @@ def _place(kind: Kind) -> list[str]:
     body = "a box that fills its size, unless blocks or a bitmap say otherwise" if kind.body.solid else "none, unless blocks or a bitmap make one"
     lines = [f"`{kind.name}( ... )` stands at the top level or inside another model. Without words of its own: size [{size}] m, "
              f"color [{color}]; body: {body}.", ""]
+    draws = [("", kind)] + [(f" for each `{p.name}`", p) for p in kinds.parts_of(kind) if kind.name != BASE]
+    told = [f"{each.watts:g} W{of}" for of, each in draws if each.watts is not None]
+    if told:
+        lines += [f"While it is subscribed it draws {' and '.join(told)} from its battery, whatever `watts` says.", ""]
     if not kind.simulated:
         lines += ["It is not simulated yet: it loads as a plain model, with one warning, and its words have no effect.", ""]
     return lines

@@ -22,9 +22,9 @@ def emit(kinds: Kinds) -> dict[str, str]:
 
 
 def tabled(kinds: Kinds) -> list[Kind]:
-    """Kinds with a table of their own, and after each the parts of it that have one."""
+    """Kinds with a table of their own, after each the parts of it that have one, and traits behind them all."""
     models = [k for k in kinds.simulated() if k.table and k.name != BASE]
-    return [each for k in models for each in [k, *(p for p in kinds.parts_of(k) if p.table)]]
+    return [each for k in models for each in [k, *(p for p in kinds.parts_of(k) if p.table)]] + kinds.traits()
 
 
 def _title(name: str) -> str:
@@ -89,7 +89,7 @@ def _struct(kinds: Kinds, kind: Kind) -> list[str]:
 
 def _columns(kinds: Kinds) -> str:
     found = tabled(kinds)
-    lines = [BANNER.rstrip(), "#pragma once", "", "/// The columns of the kinds' tables, and which kind has which table. For columns.h alone.", "",
+    lines = [BANNER.rstrip(), "#pragma once", "", "/// The columns of the kinds' and traits' tables, and which of them has which table. For columns.h alone.", "",
              "namespace playhouse::world {", ""]
     for kind in found:
         lines += ["template <>", f"inline constexpr auto kColumns<{_table(kind)}> = std::tuple{{"]
@@ -98,15 +98,24 @@ def _columns(kinds: Kinds) -> str:
             lines.append(f'    Column{{"{kind.table}.{c.name}", Role::{enumerator(c.role)}, "{c.unit}", "{c.frame}", "{c.writer}", '
                          f"&{_table(kind)}::{c.name}{per}}},")
         lines += ["};", ""]
-    lines += _comment("The kind whose models have a row each; of parts' tables there is none.")
+    lines += _comment("The kind whose models have a row each; of parts' and traits' tables there is none.")
     lines += ["template <typename Table>", "inline constexpr auto kKindOf = nullptr;"]
     for kind in found:
         if kind.entity == "model":
             lines += ["template <>",
                       f"inline constexpr scene::ModelKind kKindOf<{_table(kind)}> = scene::ModelKind::{enumerator(kind.kind)};"]
+    lines += ["", *_comment("The trait whose models have a row each; of other tables there is none."), "template <typename Table>",
+              "inline constexpr auto kHas = nullptr;"]
+    for kind in kinds.traits():
+        lines += ["template <>", f"inline constexpr auto kHas<{_table(kind)}> = scene::has_{kind.name};"]
+    lines += ["template <typename Table>", "inline constexpr auto kTraitTable = nullptr;"]
+    for kind in kinds.traits():
+        lines += ["template <>", f"inline constexpr auto kTraitTable<{_table(kind)}> = &Tables::{kind.table};"]
     members = ", ".join(["&Tables::models", *(f"&Tables::{k.table}" for k in found)])
     lines += ["", f"inline constexpr std::tuple kTables{{{members}}};", "",
               *_comment("Those of kinds: a row for each model of the kind, in the order of the models."),
-              "inline constexpr std::tuple kKindTables{" + ", ".join(f"&Tables::{k.table}" for k in found if k.entity == "model") + "};",
+              "inline constexpr std::tuple kKindTables{" + ", ".join(f"&Tables::{k.table}" for k in found if k.entity == "model") + "};", "",
+              *_comment("Those of traits: a row for each model that has it, in the order of the models."),
+              "inline constexpr std::tuple kTraitTables{" + ", ".join(f"&Tables::{k.table}" for k in kinds.traits()) + "};",
               "", "}  // namespace playhouse::world", ""]
     return "\n".join(lines)

@@ -22,7 +22,7 @@ BITS = 8
 
 # Quantum -> (C++ that gives the whole number, what one is worth in SI units).
 QUANTA = {"mm": ("quantize({}, 1000)", 1e-3), "mm/s": ("quantize({}, 1000)", 1e-3), "mrad/s": ("quantize({}, 1000)", 1e-3),
-          "mrad": ("quantize({}, 1000)", 1e-3), "mW": ("quantize({}, 1000)", 1e-3), "px": ("static_cast<std::int32_t>({})", 1),
+          "mrad": ("quantize({}, 1000)", 1e-3), "mW": ("quantize({}, 1000)", 1e-3), "J": ("quantize({}, 1)", 1), "px": ("static_cast<std::int32_t>({})", 1),
           "1/65536 turn": ("quantize_angle({})", None)}
 CODES = {"varint": "kVarint", "zigzag": "kZigzag", "turn": "kTurn", "rgba": "kRgba"}
 # Type of a word -> C++ that writes the member as JSON (functions of playhouse/replicate/json_text.h), and its type there.
@@ -47,7 +47,7 @@ def emit(kinds: Kinds) -> dict[str, str]:
 
 
 def views(kinds: Kinds) -> list[View]:
-    return [v for k in kinds.simulated() if k.name != BASE and (v := _view(k))]
+    return [v for k in kinds.simulated() + kinds.traits() if k.name != BASE and (v := _view(k))]
 
 
 def _view(kind: Kind) -> View | None:
@@ -79,21 +79,33 @@ def _cpp(kinds: Kinds) -> str:
     shown = views(kinds)
     lines = [BANNER.rstrip(), '#include "playhouse/replicate/views.h"', "", "#include <fmt/format.h>", "", "#include <iterator>", "#include <string>",
              "", '#include "playhouse/replicate/json_text.h"', '#include "playhouse/replicate/quantize.h"',
-             '#include "playhouse/scene/colors.h"', "",
+             '#include "playhouse/scene/colors.h"', '#include "playhouse/world/traits.h"', "",
              "namespace playhouse::replicate {", "namespace {", ""]
     for view in shown:
-        lines += _capture(view)
+        lines += _row_of(view.kind) + _capture(view)
     for view in shown:
         codes = ", ".join(f"Code::{CODES[s.code]}" for s in view.fields)
         lines.append(f"constexpr Code kCodesOf{enumerator(view.kind.name)[1:]}[] = {{{codes}}};")
     lines += ["", f"constexpr View kViews[{len(shown)}] = {{"]
     for view in shown:
         name = enumerator(view.kind.name)[1:]
-        lines.append(f"    {{scene::ModelKind::{enumerator(view.kind.kind)}, When::k{view.when.title()}, "
-                     f"{'true' if view.column else 'false'}, kCodesOf{name}, capture_{view.kind.name}}},")
+        lines.append(f"    {{When::k{view.when.title()}, {_bool(view.kind.measures)}, {_bool(view.column)}, kCodesOf{name}, "
+                     f"row_of_{view.kind.name}, capture_{view.kind.name}}},")
     lines += ["};", "", "}  // namespace", "", "std::span<const View> views() { return kViews; }", ""]
     lines += _state(kinds) + _sensing(kinds) + _json(kinds)
     return "\n".join([*lines, "}  // namespace playhouse::replicate", ""])
+
+
+def _bool(value: object) -> str:
+    return "true" if value else "false"
+
+
+def _row_of(kind: Kind) -> list[str]:
+    """The model's row in the table of its kind, or of the trait."""
+    found = f"world.models.kind[model] == scene::ModelKind::{enumerator(kind.kind)} ? world.models.part[model] : world::ModelRow::kNone"
+    if kind.entity == "trait":
+        found = f"world::trait_row(world.{kind.table}, model)"
+    return [f"std::uint32_t row_of_{kind.name}(const world::World& world, std::uint32_t model) {{", f"  return {found};", "}", ""]
 
 
 def _value(view: View, shown: Shown) -> str:
@@ -185,11 +197,19 @@ def _json(kinds: Kinds) -> list[str]:
         lines += ["}", ""]
         cases += [f"    case scene::ModelKind::{enumerator(kind.kind)}:", f"      tell_{kind.name}(model, text);", "      break;"]
     lines += ["}  // namespace", "", "void tell_kind(const scene::ModelDesc& model, std::string& text) {", "  switch (model.kind) {"]
-    lines += cases + ["    default:", "      break;", "  }", "}", "", "std::string_view kind_name(scene::ModelKind kind) {",
+    lines += cases + ["    default:", "      break;", "  }", *_traits(kinds), "}", "", "std::string_view kind_name(scene::ModelKind kind) {",
                       "  switch (kind) {"]
     for kind in kinds.simulated():
         lines += [f"    case scene::ModelKind::{enumerator(kind.kind)}:", f'      return "{kind.kind}";']
     return [*lines, "  }", '  return "";', "}", ""]
+
+
+def _traits(kinds: Kinds) -> list[str]:
+    """Statements that append which traits a model has."""
+    lines = ["  std::string traits;"]
+    for trait in kinds.traits():
+        lines.append(f'  if (scene::has_{trait.name}(model)) traits += R"(,"{trait.name}")";')
+    return [*lines, """  if (!traits.empty()) text += R"(,"traits":[)" + traits.substr(1) + ']';"""]
 
 
 # --- the page ------------------------------------------------------------------------------------------------------
@@ -199,6 +219,7 @@ def _typescript(kinds: Kinds) -> str:
     shown = views(kinds)
     lines = [BANNER.rstrip(), "import type { Pose, Rgba } from '../scene';", "", "/** What a model is. */",
              "export type Kind = " + " | ".join(f"'{k.kind}'" for k in kinds.simulated()) + ";", "",
+             "/** What models of any kind may have. */", "export type Trait = " + " | ".join(f"'{k.name}'" for k in kinds.traits()) + ";", "",
              "/** Bits of a model's state; those of a kind count for models of that kind. */",
              "export const kBits = {", f"  subscribed: {SUBSCRIBED},"]
     for kind in kinds.simulated():
@@ -228,7 +249,7 @@ def _pascal(kind: Kind) -> str:
 
 
 def _unit(shown: Shown) -> str:
-    units = {"mm": "m", "mm/s": "m/s", "mrad/s": "rad/s", "mrad": "rad", "mW": "W", "px": "px", "1/65536 turn": "rad, in (-pi, pi]"}
+    units = {"mm": "m", "mm/s": "m/s", "mrad/s": "rad/s", "mrad": "rad", "mW": "W", "J": "J", "px": "px", "1/65536 turn": "rad, in (-pi, pi]"}
     return f" // {units[shown.quantum]}" if shown.quantum else ""
 
 
@@ -251,7 +272,7 @@ def _starts(kinds: Kinds) -> list[str]:
             continue
         lines += [line.replace(": ", "?: ", 1) for line in _fields(kind, base)]
         lines += [f"  {part.table}?: {_pascal(part)}[]; // {kind.name}" for part in kinds.parts_of(kind) if _start(part)]
-    return [*_unique(lines), "}", ""]
+    return [*_unique(lines), "  traits?: Trait[];", "}", ""]
 
 
 def _unique(lines: list[str]) -> list[str]:

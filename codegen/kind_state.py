@@ -23,7 +23,7 @@ MEASURED = {"float32", "float64", "size", "pose", "twist"}
 ROLES = ("population", "motion", "mark", "sensed", "use", "derived")
 UNCHANGED = {"population", "derived"}  # may be written with the population alone, and by nobody later
 # Phases of the tick, and the ways to change the world between ticks.
-WRITERS = ("decide", "act", "move", "sense", "commands", "devices", "place", "attach", "detach", "set_odometry",
+WRITERS = ("decide", "act", "move", "sense", "energy", "commands", "devices", "place", "attach", "detach", "set_odometry",
            "set_fiducial_return", "set_color", "set_say", "add_flags", "subscribe", "unsubscribe", "subscribe_controller")
 # When a viewer gets a field: once with the scene; whenever it differs; that while its robot is selected; that while its
 # robot is selected, or in view of a page that shows sensors.
@@ -32,7 +32,7 @@ TIMES = ("start", "changed", "selected", "shown")
 # model's state; and as what the names say.
 CODES = ("json", "difference", "turn", "bit", "rgba", "fraction", "varint", "zigzag")
 # What 1 stands for in the whole numbers that travel.
-QUANTA = ("mm", "mm/s", "mrad/s", "mrad", "mW", "px", "1/65536 turn", "1/65535 of range_max")
+QUANTA = ("mm", "mm/s", "mrad/s", "mrad", "mW", "J", "px", "1/65536 turn", "1/65535 of range_max")
 QUANTIZED = {"difference", "turn", "fraction"}
 
 RECORD = re.compile(r"[A-Z][A-Za-z0-9]*$")

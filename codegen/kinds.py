@@ -1,6 +1,7 @@
 """Loads kinds/*.toml into plain values and refuses what a world file cannot mean.
 
-A kind is what a scene can hold: a model type, a part of one, the window, or the world file itself. Emitters read the
+A kind is what a scene can hold: a model type, a part of one, a trait that models of any type may have, the window, or the
+world file itself. Emitters read the
 values below and nothing else. A `SchemaError` names the file, the line and entry, the key, and what is wrong.
 """
 
@@ -16,7 +17,7 @@ from codegen.kind_state import State, state
 from codegen.kind_words import WORD, Word, check_together, word
 from codegen.model import Schema
 
-ENTITIES = ("model", "part", "window", "world")
+ENTITIES = ("model", "part", "trait", "window", "world")
 BASE = "model"  # the type whose words every model has
 
 # How the indices of an interface count in the automatic map: there is one; it is that of the robot, whose further
@@ -26,8 +27,8 @@ INDICES = ("one", "robot", "count")
 NEEDS = ("scanner", "several sensors")
 
 KEY_TYPES = {key: str for key in ("name", "entity", "doc", "kind", "inside", "table", "index", "when", "listed_when")}
-KEY_TYPES |= {"number": int, "body": dict, "old": dict, "old_types": dict, "size": list, "color": list, "solid": bool}
-KEY_TYPES |= {key: list for key in ("silent", "word", "interface", "record", "column", "viewer")}
+KEY_TYPES |= {"number": int, "watts": (int, float), "body": dict, "old": dict, "old_types": dict, "size": list, "color": list, "solid": bool}
+KEY_TYPES |= {key: list for key in ("given_by", "silent", "word", "interface", "record", "column", "viewer")}
 
 
 @dataclass
@@ -58,6 +59,8 @@ class Kind:
     number: int | None      # of ModelKind; None for what is not simulated, and for what is no model
     inside: str             # of parts: the type they belong into
     table: str              # of the world's state, "" for none
+    watts: float | None     # that it draws while it is subscribed; of parts each; None: what the word `watts` says
+    given_by: list[str]     # of traits: the words that give a model one
     body: Body | None
     words: list[Word] = field(default_factory=list)
     silent: list[str] = field(default_factory=list)
@@ -104,6 +107,9 @@ class Kinds:
 
     def find(self, name: str) -> Kind:
         return next(k for k in self.all if k.name == name)
+
+    def traits(self) -> list[Kind]:
+        return [k for k in self.all if k.entity == "trait"]
 
     def parts_of(self, kind: Kind) -> list[Kind]:
         return [k for k in self.all if k.entity == "part" and k.inside == kind.name]
@@ -154,7 +160,7 @@ def build_kinds(parsed: list[tuple[str, dict]], schema: Schema) -> Kinds:
         _check_neighbours(out, kind)
     for source, table in parsed:
         kind = out.find(table["name"])
-        kind.state = state(source, table, kind.words + (out.find(BASE).words if kind.entity == "model" else []))
+        kind.state = state(source, table, kind.words + (out.find(BASE).words if kind.entity in ("model", "trait") else []))
         if kind.state.columns and not kind.table:
             raise SchemaError(f"{source}: columns need a table")
     return out
@@ -162,8 +168,8 @@ def build_kinds(parsed: list[tuple[str, dict]], schema: Schema) -> Kinds:
 
 def _check_head(source: str, table: dict) -> None:
     keys(source, table, {"name", "entity", "doc"}, {
-        "kind", "number", "inside", "table", "body", "silent", "old", "old_types", "word", "interface", "record", "column",
-        "viewer"})
+        "kind", "number", "inside", "table", "watts", "given_by", "body", "silent", "old", "old_types", "word", "interface",
+        "record", "column", "viewer"})
     typed(source, table, KEY_TYPES)
     if not WORD.match(table["name"]):
         raise SchemaError(f"{source}: name {table['name']!r} is not a word in lower case")
@@ -177,15 +183,20 @@ def _kind(source: str, table: dict, schema: Schema) -> Kind:
     entity, number = table["entity"], table.get("number")
     if number is not None and entity != "model":
         raise SchemaError(f"{source}: number is for a model, not for a {entity}")
-    for key, wanted in (("inside", "part"), ("body", "model")):
+    for key, wanted in (("inside", "part"), ("body", "model"), ("given_by", "trait")):
         if (key in table) != (entity == wanted):
             raise SchemaError(f"{source}: a {wanted}, and only a {wanted}, has {key}")
     out = Kind(table["name"], entity, table["doc"], source, table.get("kind", table["name"] if number is not None else ""),
-               number, table.get("inside", ""), table.get("table", ""), _body(f"{source}: body", table.get("body")))
+               number, table.get("inside", ""), table.get("table", ""), table.get("watts"), table.get("given_by", []),
+               _body(f"{source}: body", table.get("body")))
     if "kind" in table and number is None:
         raise SchemaError(f"{source}: kind names a number of ModelKind, and there is none")
     if out.number is not None and not out.table:
         raise SchemaError(f"{source}: table is missing: a model that is simulated has one")
+    if out.watts is not None and (out.entity not in ("model", "part") or out.watts < 0):
+        raise SchemaError(f"{source}: watts are what a model or a part of it draws, at least 0")
+    if out.entity == "trait" and not out.table:
+        raise SchemaError(f"{source}: table is missing: of a trait the world keeps something")
     for row in table.get("word", []):
         line = row.pop("line", 0)
         where = f"{source}{f':{line}' if line else ''}: word {row.get('name', '?')}"
@@ -234,6 +245,9 @@ def _check_neighbours(kinds: Kinds, kind: Kind) -> None:
         for name in [w.name for w in kind.words] + kind.silent:
             if name in taken:
                 raise SchemaError(f"{kind.source}: word {name}: every model has that word (kinds/{BASE}.toml)")
+    optional = [w.name for w in kinds.find(BASE).words if w.has_member and w.optional]
+    for name in kind.given_by:
+        one_of(f"{kind.source}: given_by", "word", name, optional)
     for name in kind.old_types:
         if name in models:
             raise SchemaError(f"{kind.source}: old_types: {name} is a type, see {models[name].source}")

@@ -75,6 +75,21 @@ class Refused(unittest.TestCase):
         self.refuse("word reach: doc is missing", word=[without(word(), "doc")])
         self.refuse("word reach: default is missing", word=[without(word(), "default")])
 
+    def test_a_trait_is_given_by_words_that_a_model_may_leave_out(self):
+        trait = {"name": "pack", "entity": "trait", "doc": "A battery.", "table": "packs", "given_by": ["charge"],
+                 "column": [column(name="stored", unit="J", writer="energy")]}
+        charge = word(name="charge", type="number", unit="J", optional=True) | {"default_text": "none"}
+        del charge["default"]
+        parsed = tables()
+        parsed[0][1]["word"].append(charge)
+        self.assertEqual([k.name for k in build_kinds([*parsed, ("kinds/pack.toml", trait)], SCHEMA).traits()], ["pack"])
+        for changes, text in (({"given_by": ["mass"]}, "given_by: unknown word 'mass'"), ({"table": ""}, "table is missing"),
+                              ({"watts": 1}, "watts are what a model or a part of it draws")):
+            parsed = tables()
+            parsed[0][1]["word"].append(dict(charge))
+            self.refuse_tables(f"kinds/pack.toml: {text}", [*parsed, ("kinds/pack.toml", trait | changes)])
+        self.refuse("a trait, and only a trait, has given_by", given_by=["charge"])
+
     def test_a_value_of_another_type(self):
         self.refuse("number '1' is not a whole number", number="1")
         self.refuse("silent 'x' is not a list", silent="x")
@@ -268,7 +283,7 @@ class Checked(unittest.TestCase):
         self.assertEqual(sorted(k.name for k in self.kinds.models()),
                          ["actuator", "blinkenlight", "blobfinder", "bumper", "camera", "fiducial", "gripper",
                           "lightindicator", "model", "position", "ranger"])
-        self.assertEqual([k.name for k in self.kinds.all if k.entity != "model"], ["block", "sensor", "window", "world"])
+        self.assertEqual([k.name for k in self.kinds.all if k.entity != "model"], ["block", "sensor", "pack", "window", "world"])
 
     def test_columns_of_all_models_are_those_of_the_world(self):
         listed = (ROOT / "playhouse/world/columns.h").read_text(encoding="utf-8")

@@ -18,7 +18,7 @@ using scene::KindInterface;
 using scene::Word;
 
 // By enumerator.
-constexpr std::array<std::string_view, 4> kForms = {"model", "part", "window", "world"};
+constexpr std::array<std::string_view, 5> kForms = {"model", "part", "trait", "window", "world"};
 constexpr std::array<std::string_view, 4> kUses = {"read", "silent", "later", "old"};
 constexpr std::array<std::string_view, 3> kIndices = {"one", "robot", "count"};
 constexpr std::array<std::string_view, 3> kNeeds = {"", "scanner", "several sensors"};

@@ -16,6 +16,7 @@ void PhasedEngine::step() {
   take_changes();               // who came, went, was taken up or put        -> the engine's tables
   move();                       // trees of models                            -> poses, odometry, stall
   sense(world_.tick() + 1);     // of those subscribed and due                -> ranges, fiducials
+  flow();                       // from batteries to who draws                -> batteries
   freeze();                     // tick + 1
 }
 
@@ -37,6 +38,10 @@ void PhasedEngine::take_changes() {
   if (changes.empty()) return;
   next_change_ = world_.changes.end();
   ingest(changes);
+}
+
+void PhasedEngine::flow() {
+  energy_.flow(world_, workers_);
 }
 
 void PhasedEngine::freeze() {

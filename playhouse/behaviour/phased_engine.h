@@ -8,6 +8,7 @@
 #include <span>
 
 #include "playhouse/behaviour/act_phase.h"
+#include "playhouse/behaviour/energy.h"
 #include "playhouse/world/engine.h"
 #include "playhouse/world/workers.h"
 
@@ -37,9 +38,11 @@ class PhasedEngine : public world::Engine {
   void decide();
   void deliver();
   void take_changes();
+  void flow();
   void freeze();
 
   Acts acts_;
+  Energy energy_;
   std::uint64_t next_change_ = 0;  // of world_.changes
 };
 

@@ -81,7 +81,7 @@ Layout::Layout(const world::World& world, const Prototypes& prototypes, const De
     words[row] = is_known ? before->words[known]
                           : std::make_shared<const std::string>(words_of(world, {row}, devices));
     for (std::size_t view = 0; view < views().size(); ++view)
-      if (views()[view].kind == models.kind[row]) viewed[view].push_back(row);
+      if (views()[view].row_of(world, row) != world::ModelRow::kNone) viewed[view].push_back(row);
   }
   group(root, models.size(), tree_start_, tree_rows_);
 

@@ -82,9 +82,9 @@ class Capture {
   void view(std::uint32_t view, std::uint32_t model) {
     const View& what = replicate::views()[view];
     const bool wanted = selected(model) || (what.when == When::kShown && in_view(model));
-    if (!wanted || (measures(what.kind) && !runs(model))) return;
+    if (!wanted || (what.measures && !runs(model))) return;
     const auto first = static_cast<std::uint32_t>(out_.values.size());
-    if (!what.capture(world_, world_.models.part[model], out_.values)) return;
+    if (!what.capture(world_, what.row_of(world_, model), out_.values)) return;
     out_.viewed.push_back({view, model, first, static_cast<std::uint32_t>(out_.values.size()) - first});
   }
 

@@ -1,8 +1,9 @@
 #pragma once
 
-/// Views: what travels of each kind of model beyond its pose, made from the `[[viewer]]` fields of
-/// kinds/*.toml (generated/views.cc). A kind has one view at most: a record, or a list of records, of whole
-/// numbers. Quanta and units are in docs/kinds/ and in the page's own table, web/src/protocol/generated/.
+/// Views: what travels of each kind of model, and of each trait, beyond its pose, made from the `[[viewer]]`
+/// fields of kinds/*.toml (generated/views.cc). A kind has one view at most: a record, or a list of records,
+/// of whole numbers. Quanta and units are in docs/kinds/ and in the page's own table,
+/// web/src/protocol/generated/.
 
 #include <cstdint>
 #include <span>
@@ -21,15 +22,17 @@ enum class Code : std::uint8_t { kVarint, kZigzag, kTurn, kRgba };
 enum class When : std::uint8_t { kSelected, kShown };
 
 struct View {
-  scene::ModelKind kind;
   When when;
+  bool measures;                // it does while somebody subscribes
   bool list;                    // any number of records; else one
   std::span<const Code> codes;  // of one record
-  /// Appends the numbers of a row of the kind's table. False: it has not measured yet.
+  /// The model's row in the table of the kind, or Row::kNone if it is of another.
+  std::uint32_t (*row_of)(const world::World& world, std::uint32_t model);
+  /// Appends the numbers of a row of that table. False: it has not measured yet.
   bool (*capture)(const world::World& world, std::uint32_t row, std::vector<std::int32_t>& out);
 };
 
-/// In the order of their kinds.
+/// In the order of their kinds; traits come behind them.
 std::span<const View> views();
 
 /// The bits of a model's state: kSubscribed, and those of its kind.

@@ -23,7 +23,8 @@ const Kind* find_kind(std::string_view name) {
 
 const Kind* find_entity(std::string_view name) {
   const Kind* kind = find_kind(name);
-  return kind && kind->entity == EntityForm::kWorld ? nullptr : kind;
+  const bool has_brackets = kind && kind->entity != EntityForm::kWorld && kind->entity != EntityForm::kTrait;
+  return has_brackets ? kind : nullptr;
 }
 
 const Kind* find_model_type(std::string_view name) {

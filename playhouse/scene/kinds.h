@@ -58,6 +58,7 @@ struct KindInterface {
 enum class EntityForm : std::uint8_t {
   kModel,   // at the top level, or inside another model
   kPart,    // inside a model of the type `inside`; of any, where that is "model"
+  kTrait,   // nowhere: words of a model of any type give it one
   kWindow,  // at the top level
   kWorld,   // it is the file
 };
@@ -76,6 +77,7 @@ struct Kind {
   Color color = {};
   std::span<const Word> words = {};  // its own; every model has those of "model" besides
   std::span<const KindInterface> interfaces = {};
+  bool (*has)(const PlainDesc& model) = nullptr;  // of a trait: whether the model has it
 };
 
 /// A type of Stage 1 to 3, and what to write in its place.
@@ -83,14 +85,15 @@ struct OldType {
   std::string_view name, instead;
 };
 
-/// Model types that are simulated in the order of their numbers, other model types, parts, the window, the
-/// world.
+/// Model types that are simulated in the order of their numbers, other model types, parts, traits, the
+/// window, the world.
 std::span<const Kind> kinds();
 std::span<const OldType> old_types();
 
 /// The kind of that name, or null.
 const Kind* find_kind(std::string_view name);
-/// The same of what a file writes with brackets: no file has an entity that is the world.
+/// The same of what a file writes with brackets: no file has an entity that is the world or a
+/// trait.
 const Kind* find_entity(std::string_view name);
 /// The same of models alone.
 const Kind* find_model_type(std::string_view name);

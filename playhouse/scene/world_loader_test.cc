@@ -9,6 +9,7 @@
 #include <fstream>
 #include <thread>
 
+#include "playhouse/scene/charge.h"
 #include "playhouse/scene/kinds.h"
 #include "playhouse/scene/testing_expanded.h"
 
@@ -687,6 +688,24 @@ TEST(WorldModels, a_ranger_has_its_sensors) {
               HasSubstr("\"range\" needs 2 values [min max], found 1"));
 }
 
+TEST(WorldModels, a_battery_is_full_of_what_it_has_unless_its_capacity_is_told) {
+  const auto charge = [](const std::string& words) {
+    const ModelDesc model = model_of("model( " + words + " )");
+    EXPECT_TRUE(has_pack(model)) << words;
+    const Charge charge = charge_of(model);
+    return std::pair(charge.stored, charge.capacity);
+  };
+  EXPECT_FALSE(has_pack(model_of("model( watts 5 give_watts 1 take_watts 2 )")));
+  EXPECT_EQ(charge("joules 5"), std::pair(5.0, 5.0));
+  EXPECT_EQ(charge("joules_capacity 8"), std::pair(0.0, 8.0));
+  EXPECT_EQ(charge("joules_capacity 8 joules 5"), std::pair(5.0, 8.0)) << "in whatever order";
+  EXPECT_EQ(charge("joules 5 joules_capacity 3"), std::pair(3.0, 3.0));
+  EXPECT_EQ(charge("joules 5 joules_capacity 800 kjoules 1"), std::pair(1000.0, 1000.0));
+  EXPECT_EQ(charge("joules 500 kjoules_capacity 2"), std::pair(500.0, 2000.0));
+  EXPECT_LT(charge("joules -1").first, 0) << "without end";
+  EXPECT_LT(charge("joules -1 joules_capacity 10").first, 0);
+}
+
 TEST(WorldModels, a_fiducial_finder_has_its_ranges) {
   const FiducialDesc defaults = model_of("fiducial( )").fiducial.value();
   EXPECT_EQ(defaults.range_max, 8);
@@ -773,6 +792,9 @@ TEST(WorldModels, types_and_forms_of_older_stages_are_errors_that_say_what_to_wr
   EXPECT_THAT(error_of("model( size [1 2] )"), HasSubstr("\"size\" needs 3 values [x y z]"));
   EXPECT_THAT(error_of("model( pose [1 2 3] )"), HasSubstr("\"pose\" needs 4 values [x y z heading]"));
   EXPECT_THAT(error_of("model( size 1 )"), HasSubstr("\"size\" needs 3 values"));
+  EXPECT_THAT(error_of("model( joules \"much\" )"), HasSubstr("\"joules\" needs a number, found \"much\""));
+  EXPECT_EQ(error_of("model(\ntake_watts -1 )"), "w/t.world:2: \"take_watts\" must not be negative");
+  EXPECT_EQ(error_of("model( joules_capacity -1 )"), "w/t.world:1: \"joules_capacity\" must not be negative");
   EXPECT_THAT(error_of("model( mass \"heavy\" )"), HasSubstr("\"mass\" needs a number, found \"heavy\""));
   EXPECT_THAT(error_of("model( mass 1.2.3 )"), HasSubstr("found \"1.2.3\""));
   EXPECT_THAT(error_of("model( pose [1e300 0 0 0] )"), HasSubstr("at most 1e9"));
@@ -844,14 +866,12 @@ TEST(WorldWarnings, of_each_kind_the_first_are_lines_and_the_rest_a_count) {
 TEST(WorldWarnings, words_of_other_versions_say_that_they_have_no_effect) {
   const SceneDesc scene = loaded(
       "interval_real 100\nmodel( laser_return 1 ) model( laser_return 1 )\nranger( samples 32 sensor( "
-      "range_max 30 ) )\n"
-      "model( joules 5 )");
+      "range_max 30 ) )");
   EXPECT_THAT(scene.warnings,
               ElementsAre("w/t.world:1: \"interval_real\" of the world has no effect",
                           "w/t.world:2: \"laser_return\" of model has no effect: Stage 4 has ranger_return",
                           "w/t.world:3: \"samples\" of ranger has no effect: it belongs into a sensor( ... )",
-                          "w/t.world:3: \"range_max\" of sensor has no effect: write range [min max]",
-                          "w/t.world:4: \"joules\" is not simulated yet and has no effect"));
+                          "w/t.world:3: \"range_max\" of sensor has no effect: write range [min max]"));
 }
 
 TEST(WorldWarnings, words_for_display_and_scheduling_are_silent) {

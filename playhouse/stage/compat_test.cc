@@ -133,6 +133,26 @@ TEST(Compat, odometry_error_is_a_fraction_of_the_way) {
   expect_pose(engine->world().positions.X_OM[0], est, 0.04, "est");  // the order of turning, as above
 }
 
+TEST(Compat, batteries_drain_as_in_stage) {
+  SKIP_WITHOUT_REFERENCE();
+  const scene::SceneDesc scene = load(kRecorded / "energy.world");
+  const auto engine = subscribed(scene);
+  world::World& world = engine->world();
+  ASSERT_TRUE(world::command_velocity(world, {0}, {0.5, 0, 0, 0.1}));
+  const std::vector<std::string> lines = lines_of("energy");
+  ASSERT_GE(lines.size(), 10u);
+  for (const std::string& line : lines) {
+    // Recorded before the energy of the update flowed.
+    const std::vector<double> pp = numbers(line, "pp");
+    ASSERT_EQ(pp.size(), 4u) << line;
+    EXPECT_NEAR(world.packs.stored[0], pp[0], 1e-6) << line;
+    EXPECT_EQ(world.packs.capacity[0], pp[1]) << line;
+    EXPECT_NEAR(world.packs.dissipated[0], pp[2], 1e-6) << line;
+    EXPECT_EQ(world.packs.charging[0], pp[3]) << line;
+    engine->step();
+  }
+}
+
 TEST(Compat, position_control_of_a_diff_robot_asks_for_the_same_velocities) {
   SKIP_WITHOUT_REFERENCE();
   const scene::SceneDesc scene = load(kRecorded / "diff_posctrl.world");

@@ -1,7 +1,7 @@
 #pragma once
 
 /// The columns of the world, each listed once: name, role, unit, frame, writer, member; those of the kinds'
-/// tables as kinds/*.toml have them (generated/table_columns.h). What is done with
+/// and traits' tables as kinds/*.toml have them (generated/table_columns.h). What is done with
 /// every column goes through these lists: rows that come and go, the hashes, save and load, comparison, the
 /// count of memory, the return to the start, the tests. A column or a table that is not listed does not
 /// compile.
@@ -9,6 +9,7 @@
 #include <tuple>
 #include <type_traits>
 
+#include "playhouse/world/traits.h"
 #include "playhouse/world/world.h"
 
 namespace playhouse::world {
@@ -105,6 +106,12 @@ void each_kind_table(const Visit& visit) {
   std::apply([&](auto... table) { (visit(table), ...); }, kKindTables);
 }
 
+/// Calls visit(table) for every table of a trait; visit is a template.
+template <typename Visit>
+void each_trait_table(const Visit& visit) {
+  std::apply([&](auto... table) { (visit(table), ...); }, kTraitTables);
+}
+
 /// Calls visit(column, values...) for every column of every table, with its values in each of the worlds
 /// given.
 template <typename Visit, typename... Worlds>
@@ -130,6 +137,9 @@ Range range_of(const Tables& tables, std::uint32_t model, Per per) {
   } else if constexpr (std::is_same_v<decltype(kKindOf<Table>), const scene::ModelKind>) {
     const std::uint32_t part = models.part[model];
     return models.kind[model] == kKindOf<Table> ? Range{part, part + 1} : Range{};
+  } else if constexpr (!std::is_null_pointer_v<std::remove_const_t<decltype(kHas<Table>)>>) {
+    const std::uint32_t row = trait_row(tables.*kTraitTable<Table>, model);
+    return row == ModelRow::kNone ? Range{} : Range{row, row + 1};
   } else {
     static_assert(std::is_same_v<Table, Sensors>);
     if (models.kind[model] != scene::ModelKind::kRanger) return {};

@@ -10,6 +10,7 @@
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/limits.h"
 #include "playhouse/base/rng.h"
+#include "playhouse/scene/charge.h"
 #include "playhouse/world/columns.h"
 
 namespace playhouse::world {
@@ -60,6 +61,14 @@ void fill_row(World& world, Rangers& rangers, const scene::ModelDesc& model, Mod
     sensors.ranges.insert(sensors.ranges.end(), sensor.samples, static_cast<float>(sensor.range_max));
     sensors.intensities.insert(sensors.intensities.end(), sensor.samples, 0.0f);
   }
+}
+
+void fill_row(World&, Packs& packs, const scene::ModelDesc& model, ModelRow) {
+  const scene::Charge charge = scene::charge_of(model);
+  packs.stored.back() = charge.stored;
+  packs.capacity.back() = charge.capacity;
+  packs.takes.back() = 1;
+  packs.gives.back() = 1;
 }
 
 /// A row of zeros at the end of a table; lists get room for what is usual.
@@ -171,6 +180,14 @@ void Population::begin(std::span<const scene::TreeDesc> trees) {
   make_room(&Tables::models, models);
   make_room(&Tables::sensors, sensors);
   each_kind_table([&]<typename Table>(Table Tables::*table) { make_room(table, of_kind[kKindOf<Table>]); });
+  each_trait_table([&]<typename Table>(Table Tables::*table) {
+    std::size_t rows = 0;
+    for (std::size_t row = 0, trees_of_it = 0; row < descs.size(); ++row) {
+      if (descs[row].parent < 0) trees_of_it = count[row];
+      if (kHas<Table>(descs[row])) rows += trees_of_it;
+    }
+    make_room(table, rows);
+  });
 }
 
 ModelRow Population::append(ModelId id, std::uint32_t desc_row, ModelRow parent, const geom::Pose& X_PM) {
@@ -218,6 +235,13 @@ void Population::add_part(ModelRow row) {
     if (kKindOf<Table> != desc.kind) return;
     Table& table = world_.*member;
     world_.models.part[row.index] = count32(table.model);
+    add_row(table);
+    table.model.back() = row;
+    fill_row(world_, table, desc, row);
+  });
+  each_trait_table([&]<typename Table>(Table Tables::*member) {
+    if (!kHas<Table>(desc)) return;
+    Table& table = world_.*member;
     add_row(table);
     table.model.back() = row;
     fill_row(world_, table, desc, row);
@@ -318,6 +342,11 @@ void Population::derive_parts() {
       model[part] = {row};
       models.part[row] = part++;
     }
+  });
+  each_trait_table([&]<typename Table>(Table Tables::*member) {
+    std::uint32_t next = 0;
+    for (std::uint32_t row = 0; row < models.size(); ++row)
+      if (kHas<Table>(world_.desc({row}))) (world_.*member).model[next++] = {row};
   });
   std::uint32_t sensor = 0, beam = 0;
   for (std::uint32_t ranger = 0; ranger < world_.rangers.size(); ++ranger) {

@@ -251,6 +251,7 @@ class EveryColumn : public ::testing::Test {
       scene::ModelDesc model;
       model.kind = kind.kind;
       model.parent = 0;
+      model.joules = 5;
       place = scene.models.insert(place, model) + 1;
     }
     return scene;

@@ -66,10 +66,10 @@ void AutoMap::map_tree(const world::World& world, world::ModelRow top, std::opti
 }
 
 void AutoMap::visit(const world::World& world, world::ModelRow model) {
-  const std::span<const KindInterface> interfaces = interfaces_of(world, model);
-  for (const KindInterface& each : interfaces) {
-    if (!has(world, model, each.listed)) continue;
-    const bool is_its_own = &each == interfaces.data();
+  const KindInterface* const own = interfaces_of(world, model).data();
+  each_interface(world, model, [&](const KindInterface& each) {
+    if (!has(world, model, each.listed)) return;
+    const bool is_its_own = &each == own;
     if (each.index == Index::kRobot && robot_ && numbered_.insert(each.code).second) {
       add(each.code, *robot_, model);
     } else if (each.index == Index::kCount || is_its_own) {
@@ -77,7 +77,7 @@ void AutoMap::visit(const world::World& world, world::ModelRow model) {
     } else {
       further_.emplace_back(each.code, model);
     }
-  }
+  });
   for (const std::uint32_t child : world.children(model)) visit(world, {child});
 }
 

@@ -89,7 +89,7 @@ position( name "b" fiducial( name "f" ) laser( name "l" ) laser( name "m" ) sona
 }
 
 TEST(AutoMap, every_interface_of_what_is_simulated_has_a_device) {
-  std::string text = std::string(kMacros) + "position( laser( ) sonars( ) )";
+  std::string text = std::string(kMacros) + "position( joules 1 laser( ) sonars( ) )";
   for (const scene::Kind& kind : scene::kinds())
     if (kind.entity == scene::EntityForm::kModel && kind.simulated) text += fmt::format(" {}( )", kind.name);
   testing::StillSimulation still(text);

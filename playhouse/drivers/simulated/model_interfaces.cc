@@ -30,9 +30,11 @@ bool has(const world::World& world, world::ModelRow model, Need need) {
 }
 
 bool fits(const world::World& world, world::ModelRow model, std::uint16_t interf) {
-  return std::ranges::any_of(interfaces_of(world, model), [&](const KindInterface& each) {
-    return each.code == interf && has(world, model, each.when);
+  bool fits = false;
+  each_interface(world, model, [&](const KindInterface& each) {
+    fits = fits || (each.code == interf && has(world, model, each.when));
   });
+  return fits;
 }
 
 bool is_simulated(std::uint16_t interf) {

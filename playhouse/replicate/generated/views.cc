@@ -9,9 +9,14 @@
 #include "playhouse/replicate/json_text.h"
 #include "playhouse/replicate/quantize.h"
 #include "playhouse/scene/colors.h"
+#include "playhouse/world/traits.h"
 
 namespace playhouse::replicate {
 namespace {
+
+std::uint32_t row_of_position(const world::World& world, std::uint32_t model) {
+  return world.models.kind[model] == scene::ModelKind::kPosition ? world.models.part[model] : world::ModelRow::kNone;
+}
 
 bool capture_position(const world::World& world, std::uint32_t row, std::vector<std::int32_t>& out) {
   out.push_back(quantize(world.positions.velocity[row].x, 1000));
@@ -21,6 +26,10 @@ bool capture_position(const world::World& world, std::uint32_t row, std::vector<
   out.push_back(quantize(world.positions.X_OM[row].y, 1000));
   out.push_back(quantize_angle(world.positions.X_OM[row].a));
   return true;
+}
+
+std::uint32_t row_of_fiducial(const world::World& world, std::uint32_t model) {
+  return world.models.kind[model] == scene::ModelKind::kFiducial ? world.models.part[model] : world::ModelRow::kNone;
 }
 
 bool capture_fiducial(const world::World& world, std::uint32_t row, std::vector<std::int32_t>& out) {
@@ -35,6 +44,10 @@ bool capture_fiducial(const world::World& world, std::uint32_t row, std::vector<
   return true;
 }
 
+std::uint32_t row_of_blobfinder(const world::World& world, std::uint32_t model) {
+  return world.models.kind[model] == scene::ModelKind::kBlobfinder ? world.models.part[model] : world::ModelRow::kNone;
+}
+
 bool capture_blobfinder(const world::World& world, std::uint32_t row, std::vector<std::int32_t>& out) {
   if (world.blobfinders.measured_tick[row] == 0) return false;
   for (const auto& item : world.blobfinders.blobs[row]) {
@@ -46,6 +59,10 @@ bool capture_blobfinder(const world::World& world, std::uint32_t row, std::vecto
   return true;
 }
 
+std::uint32_t row_of_bumper(const world::World& world, std::uint32_t model) {
+  return world.models.kind[model] == scene::ModelKind::kBumper ? world.models.part[model] : world::ModelRow::kNone;
+}
+
 bool capture_bumper(const world::World& world, std::uint32_t row, std::vector<std::int32_t>& out) {
   if (world.bumpers.measured_tick[row] == 0) return false;
   for (const auto& item : world.bumpers.hits[row]) {
@@ -54,16 +71,30 @@ bool capture_bumper(const world::World& world, std::uint32_t row, std::vector<st
   return true;
 }
 
+std::uint32_t row_of_pack(const world::World& world, std::uint32_t model) {
+  return world::trait_row(world.packs, model);
+}
+
+bool capture_pack(const world::World& world, std::uint32_t row, std::vector<std::int32_t>& out) {
+  out.push_back(quantize(world.packs.stored[row], 1));
+  out.push_back(quantize(world.packs.capacity[row], 1));
+  out.push_back(quantize(world.packs.watts[row], 1000));
+  out.push_back(static_cast<std::int32_t>(world.packs.charging[row]));
+  return true;
+}
+
 constexpr Code kCodesOfPosition[] = {Code::kZigzag, Code::kZigzag, Code::kZigzag, Code::kZigzag, Code::kZigzag, Code::kTurn};
 constexpr Code kCodesOfFiducial[] = {Code::kVarint, Code::kZigzag, Code::kVarint, Code::kTurn, Code::kTurn};
 constexpr Code kCodesOfBlobfinder[] = {Code::kRgba, Code::kVarint, Code::kVarint, Code::kVarint};
 constexpr Code kCodesOfBumper[] = {Code::kZigzag};
+constexpr Code kCodesOfPack[] = {Code::kZigzag, Code::kZigzag, Code::kZigzag, Code::kVarint};
 
-constexpr View kViews[4] = {
-    {scene::ModelKind::kPosition, When::kSelected, false, kCodesOfPosition, capture_position},
-    {scene::ModelKind::kFiducial, When::kShown, true, kCodesOfFiducial, capture_fiducial},
-    {scene::ModelKind::kBlobfinder, When::kShown, true, kCodesOfBlobfinder, capture_blobfinder},
-    {scene::ModelKind::kBumper, When::kShown, true, kCodesOfBumper, capture_bumper},
+constexpr View kViews[5] = {
+    {When::kSelected, false, false, kCodesOfPosition, row_of_position, capture_position},
+    {When::kShown, true, true, kCodesOfFiducial, row_of_fiducial, capture_fiducial},
+    {When::kShown, true, true, kCodesOfBlobfinder, row_of_blobfinder, capture_blobfinder},
+    {When::kShown, true, true, kCodesOfBumper, row_of_bumper, capture_bumper},
+    {When::kSelected, false, false, kCodesOfPack, row_of_pack, capture_pack},
 };
 
 }  // namespace
@@ -159,6 +190,9 @@ void tell_kind(const scene::ModelDesc& model, std::string& text) {
     default:
       break;
   }
+  std::string traits;
+  if (scene::has_pack(model)) traits += R"(,"pack")";
+  if (!traits.empty()) text += R"(,"traits":[)" + traits.substr(1) + ']';
 }
 
 std::string_view kind_name(scene::ModelKind kind) {

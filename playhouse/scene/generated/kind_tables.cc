@@ -20,20 +20,20 @@ constexpr Word kWordsOfModel[50] = {
     {.name = "fiducial_return", .use = Use::kRead, .type = "integer", .otherwise = "0", .doc = "The number that fiducial finders see; 0: none sees it."},
     {.name = "fiducial_key", .use = Use::kRead, .type = "integer", .otherwise = "0", .doc = "Finders see marks of their own key only."},
     {.name = "gripper_return", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "Grippers can take it; read and kept, nothing uses it yet."},
-    {.name = "mass", .use = Use::kRead, .type = "number", .unit = "kg", .otherwise = "0", .doc = "Read and kept; nothing uses it yet."},
+    {.name = "mass", .use = Use::kRead, .type = "number", .unit = "kg", .otherwise = "0", .limits = "not negative", .doc = "Driving it takes 10 W for each kg and m/s, and for each rad/s."},
     {.name = "update_interval", .use = Use::kRead, .type = "number", .unit = "ms", .otherwise = "100", .limits = "not negative", .doc = "Time between two measurements of a sensor, at least a tick."},
     {.name = "alwayson", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "It moves or measures although nobody has opened it."},
     {.name = "gui_move", .use = Use::kRead, .type = "flag", .told = "1, inside another model 0", .doc = "A person may drag it in the page."},
     {.name = "say", .use = Use::kRead, .type = "text", .otherwise = "\"\"", .doc = "What it says; controllers read it, nothing shows it yet."},
     {.name = "trail_length", .use = Use::kRead, .type = "integer", .otherwise = "20", .limits = "not negative", .doc = "How many places of the past the page draws."},
     {.name = "ctrl", .use = Use::kRead, .type = "texts", .doc = "The controllers that drive it, each a name and its arguments."},
-    {.name = "watts", .use = Use::kLater, .type = "number", .unit = "W", .otherwise = "0", .doc = "Power that it takes."},
-    {.name = "joules", .use = Use::kLater, .type = "number", .unit = "J", .doc = "Energy in its battery; below 0 without end."},
-    {.name = "kjoules", .use = Use::kLater, .type = "number", .unit = "kJ", .doc = "The same in thousands."},
-    {.name = "joules_capacity", .use = Use::kLater, .type = "number", .unit = "J", .doc = "Energy that its battery can hold."},
-    {.name = "kjoules_capacity", .use = Use::kLater, .type = "number", .unit = "kJ", .doc = "The same in thousands."},
-    {.name = "give_watts", .use = Use::kLater, .type = "number", .unit = "W", .otherwise = "0", .doc = "Power with which it charges others."},
-    {.name = "take_watts", .use = Use::kLater, .type = "number", .unit = "W", .otherwise = "0", .doc = "Power with which it can be charged."},
+    {.name = "watts", .use = Use::kRead, .type = "number", .unit = "W", .otherwise = "0", .limits = "not negative", .doc = "Power that it draws from its battery, or its parent's; kinds that say what they draw have that instead."},
+    {.name = "joules", .use = Use::kRead, .type = "number", .unit = "J", .told = "no battery", .doc = "Energy in its battery, which is full of it; below 0 without end."},
+    {.name = "joules_capacity", .use = Use::kRead, .type = "number", .unit = "J", .told = "what is in it", .limits = "not negative", .doc = "Energy that its battery can hold; what does not fit is not in it."},
+    {.name = "kjoules", .use = Use::kRead, .type = "number", .unit = "kJ", .told = "no battery", .doc = "As joules, in thousands; counts after both words in joules."},
+    {.name = "kjoules_capacity", .use = Use::kRead, .type = "number", .unit = "kJ", .told = "what is in it", .limits = "not negative", .doc = "As joules_capacity, in thousands; counts last."},
+    {.name = "give_watts", .use = Use::kRead, .type = "number", .unit = "W", .otherwise = "0", .limits = "not negative", .doc = "Power with which it charges others that touch it."},
+    {.name = "take_watts", .use = Use::kRead, .type = "number", .unit = "W", .otherwise = "0", .limits = "not negative", .doc = "Power with which others may charge it."},
     {.name = "blob_return", .use = Use::kSilent},
     {.name = "friction", .use = Use::kSilent},
     {.name = "map_resolution", .use = Use::kSilent},
@@ -205,6 +205,10 @@ constexpr Word kWordsOfSensor[14] = {
     {.name = "alwayson", .use = Use::kOld},
 };
 
+constexpr KindInterface kInterfacesOfPack[1] = {
+    {"power", 2, Index::kRobot, Need::kNothing, Need::kNothing},
+};
+
 constexpr Word kWordsOfWindow[51] = {
     {.name = "center", .use = Use::kRead, .type = "point", .form = "[x y]", .unit = "m", .otherwise = "[0 0]", .doc = "The place in the middle of the window, in metres whatever the file's unit."},
     {.name = "scale", .use = Use::kRead, .type = "number", .unit = "px/m", .otherwise = "0", .limits = "not negative", .doc = "Pixels per metre; 0: the whole scene is shown."},
@@ -287,7 +291,7 @@ constexpr KindInterface kInterfacesOfWorld[1] = {
     {"simulation", 31, Index::kOne, Need::kNothing, Need::kNothing},
 };
 
-constexpr Kind kKinds[15] = {
+constexpr Kind kKinds[16] = {
     {.name = "model", .doc = "A plain body; its words are those of every model, whatever its kind.", .entity = EntityForm::kModel, .table = "models", .kind = ModelKind::kPlain, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfModel},
     {.name = "position", .doc = "A robot that drives in the plane.", .entity = EntityForm::kModel, .table = "positions", .kind = ModelKind::kPosition, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfPosition, .interfaces = kInterfacesOfPosition},
     {.name = "ranger", .doc = "Range finders of any kind: a laser has one sensor with many samples, a ring of sonars many with one.", .entity = EntityForm::kModel, .table = "rangers", .kind = ModelKind::kRanger, .simulated = true, .solid = false, .size = {0.15, 0.15, 0.2}, .color = {0, 0, 0.5f, 1}, .words = kWordsOfRanger, .interfaces = kInterfacesOfRanger},
@@ -301,6 +305,7 @@ constexpr Kind kKinds[15] = {
     {.name = "lightindicator", .doc = "A body that is darker while it is off.", .entity = EntityForm::kModel, .simulated = false, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}},
     {.name = "block", .doc = "A prism, as a part of a model's body; all blocks together are stretched to fill the model's size.", .entity = EntityForm::kPart, .inside = "model", .simulated = true, .words = kWordsOfBlock},
     {.name = "sensor", .doc = "One transducer or scanner of a ranger.", .entity = EntityForm::kPart, .inside = "ranger", .table = "sensors", .simulated = true, .words = kWordsOfSensor},
+    {.name = "pack", .doc = "A battery, from which a model draws, and what is inside it and has none of its own.", .entity = EntityForm::kTrait, .table = "packs", .simulated = true, .interfaces = kInterfacesOfPack, .has = has_pack},
     {.name = "window", .doc = "How to look at the scene; the first window of a file counts.", .entity = EntityForm::kWindow, .simulated = true, .words = kWordsOfWindow},
     {.name = "world", .doc = "The world file itself: words that stand outside of all entities, anywhere in the file.", .entity = EntityForm::kWorld, .simulated = true, .words = kWordsOfWorld, .interfaces = kInterfacesOfWorld},
 };

@@ -74,6 +74,7 @@ void read(const Properties& properties, std::size_t row, PlainDesc& to) {
   to.fiducial_key = properties.integer("fiducial_key", to.fiducial_key);
   to.gripper_return = properties.flag("gripper_return", to.gripper_return);
   to.mass = properties.number("mass", to.mass);
+  to.mass = at_least_zero(properties, "mass", to.mass, "no mass is meant");
   to.update_interval = read_milliseconds(properties, "update_interval", to.update_interval);
   to.update_interval = at_least_zero(properties, "update_interval", to.update_interval, "every tick is meant");
   to.alwayson = properties.flag("alwayson", to.alwayson);
@@ -82,6 +83,18 @@ void read(const Properties& properties, std::size_t row, PlainDesc& to) {
   to.trail_length = properties.integer("trail_length", to.trail_length);
   to.trail_length = at_least_zero(properties, "trail_length", to.trail_length, "no trail is meant");
   to.ctrl = read_texts(properties, "ctrl");
+  to.watts = properties.number("watts", to.watts);
+  require(to.watts >= 0, properties, "watts", "must not be negative");
+  if (properties.has("joules")) to.joules = properties.number("joules", {});
+  if (properties.has("joules_capacity")) to.joules_capacity = properties.number("joules_capacity", {});
+  require(to.joules_capacity.value_or(0) >= 0, properties, "joules_capacity", "must not be negative");
+  if (properties.has("kjoules")) to.kjoules = properties.number("kjoules", {});
+  if (properties.has("kjoules_capacity")) to.kjoules_capacity = properties.number("kjoules_capacity", {});
+  require(to.kjoules_capacity.value_or(0) >= 0, properties, "kjoules_capacity", "must not be negative");
+  to.give_watts = properties.number("give_watts", to.give_watts);
+  require(to.give_watts >= 0, properties, "give_watts", "must not be negative");
+  to.take_watts = properties.number("take_watts", to.take_watts);
+  require(to.take_watts >= 0, properties, "take_watts", "must not be negative");
 }
 
 void read(const Properties& properties, std::size_t row, RangerSensorDesc& to) {

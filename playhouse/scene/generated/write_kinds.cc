@@ -75,6 +75,13 @@ void write(const PlainDesc& from, const PlainDesc& unsaid, double z, Words& to) 
   if (from.say != unsaid.say) to.text("say", from.say);
   if (from.trail_length != unsaid.trail_length) to.integer("trail_length", from.trail_length);
   if (from.ctrl != unsaid.ctrl) to.texts("ctrl", from.ctrl);
+  if (from.watts != unsaid.watts) to.number("watts", from.watts);
+  if (from.joules) to.number("joules", *from.joules);
+  if (from.joules_capacity) to.number("joules_capacity", *from.joules_capacity);
+  if (from.kjoules) to.number("kjoules", *from.kjoules);
+  if (from.kjoules_capacity) to.number("kjoules_capacity", *from.kjoules_capacity);
+  if (from.give_watts != unsaid.give_watts) to.number("give_watts", from.give_watts);
+  if (from.take_watts != unsaid.take_watts) to.number("take_watts", from.take_watts);
 }
 
 void write(const WindowDesc& from, const WindowDesc& unsaid, Words& to) {

@@ -1,7 +1,7 @@
 // Generated from kinds/ by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
-/// The columns of the kinds' tables, and which kind has which table. For columns.h alone.
+/// The columns of the kinds' and traits' tables, and which of them has which table. For columns.h alone.
 
 namespace playhouse::world {
 
@@ -57,7 +57,19 @@ inline constexpr auto kColumns<Bumpers> = std::tuple{
     Column{"bumpers.measured_tick", Role::kSensed, "", "", "sense", &Bumpers::measured_tick},
 };
 
-/// The kind whose models have a row each; of parts' tables there is none.
+template <>
+inline constexpr auto kColumns<Packs> = std::tuple{
+    Column{"packs.model", Role::kDerived, "", "", "", &Packs::model},
+    Column{"packs.stored", Role::kMotion, "J", "", "energy", &Packs::stored},
+    Column{"packs.capacity", Role::kDerived, "J", "", "", &Packs::capacity},
+    Column{"packs.dissipated", Role::kMotion, "J", "", "energy", &Packs::dissipated},
+    Column{"packs.watts", Role::kMotion, "W", "", "energy", &Packs::watts},
+    Column{"packs.charging", Role::kMotion, "", "", "energy", &Packs::charging},
+    Column{"packs.takes", Role::kMotion, "", "", "devices", &Packs::takes},
+    Column{"packs.gives", Role::kMotion, "", "", "devices", &Packs::gives},
+};
+
+/// The kind whose models have a row each; of parts' and traits' tables there is none.
 template <typename Table>
 inline constexpr auto kKindOf = nullptr;
 template <>
@@ -71,9 +83,22 @@ inline constexpr scene::ModelKind kKindOf<Blobfinders> = scene::ModelKind::kBlob
 template <>
 inline constexpr scene::ModelKind kKindOf<Bumpers> = scene::ModelKind::kBumper;
 
-inline constexpr std::tuple kTables{&Tables::models, &Tables::positions, &Tables::rangers, &Tables::sensors, &Tables::fiducials, &Tables::blobfinders, &Tables::bumpers};
+/// The trait whose models have a row each; of other tables there is none.
+template <typename Table>
+inline constexpr auto kHas = nullptr;
+template <>
+inline constexpr auto kHas<Packs> = scene::has_pack;
+template <typename Table>
+inline constexpr auto kTraitTable = nullptr;
+template <>
+inline constexpr auto kTraitTable<Packs> = &Tables::packs;
+
+inline constexpr std::tuple kTables{&Tables::models, &Tables::positions, &Tables::rangers, &Tables::sensors, &Tables::fiducials, &Tables::blobfinders, &Tables::bumpers, &Tables::packs};
 
 /// Those of kinds: a row for each model of the kind, in the order of the models.
 inline constexpr std::tuple kKindTables{&Tables::positions, &Tables::rangers, &Tables::fiducials, &Tables::blobfinders, &Tables::bumpers};
+
+/// Those of traits: a row for each model that has it, in the order of the models.
+inline constexpr std::tuple kTraitTables{&Tables::packs};
 
 }  // namespace playhouse::world

@@ -18,6 +18,7 @@ using SensorRow = Row<struct SensorTable>;
 using FiducialRow = Row<struct FiducialTable>;
 using BlobfinderRow = Row<struct BlobfinderTable>;
 using BumperRow = Row<struct BumperTable>;
+using PackRow = Row<struct PackTable>;
 
 /// A robot that drives in the plane.
 struct Positions {
@@ -124,6 +125,19 @@ struct Bumpers {
   std::size_t size() const { return model.size(); }
 };
 
+/// A battery, from which a model draws, and what is inside it and has none of its own.
+struct Packs {
+  std::vector<ModelRow> model;  // The model that has it.
+  std::vector<double> stored;  // What is in it; below 0 it never ends. [J]
+  std::vector<double> capacity;  // What it can hold. [J]
+  std::vector<double> dissipated;  // What was drawn from it since the start, without what it gave to others. [J]
+  std::vector<double> watts;  // What flowed out of it in the last tick; below 0 it was charged with more than it lost. [W]
+  std::vector<std::uint8_t> charging;  // It was charged in the last tick.
+  std::vector<std::uint8_t> takes;  // It may be charged.
+  std::vector<std::uint8_t> gives;  // It may charge others.
+  std::size_t size() const { return model.size(); }
+};
+
 /// The state, in columns; columns.h lists them all, with what each is to a run.
 struct Tables {
   Models models;
@@ -133,6 +147,7 @@ struct Tables {
   Fiducials fiducials;
   Blobfinders blobfinders;
   Bumpers bumpers;
+  Packs packs;
 };
 
 }  // namespace playhouse::world

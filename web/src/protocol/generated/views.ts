@@ -4,6 +4,9 @@ import type { Pose, Rgba } from '../scene';
 /** What a model is. */
 export type Kind = 'plain' | 'position' | 'ranger' | 'fiducial' | 'blobfinder' | 'bumper';
 
+/** What models of any kind may have. */
+export type Trait = 'pack';
+
 /** Bits of a model's state; those of a kind count for models of that kind. */
 export const kBits = {
   subscribed: 1,
@@ -42,12 +45,21 @@ export interface BumperView {
   hit: number;
 }
 
+/** A battery, from which a model draws, and what is inside it and has none of its own. SI units and radians. */
+export interface PackView {
+  stored: number; // J
+  capacity: number; // J
+  watts: number; // W
+  charging: number;
+}
+
 /** Per kind, what comes of a model while somebody looks. */
 export interface Views {
   position: PositionView;
   fiducial: FiducialView[];
   blobfinder: BlobfinderView[];
   bumper: BumperView[];
+  pack: PackView;
 }
 
 export type Code = 'varint' | 'zigzag' | 'turn' | 'rgba';
@@ -64,6 +76,7 @@ export const kViews: readonly ViewFormat[] = [
   { kind: 'fiducial', list: true, fields: [['target', 'varint', 1], ['id', 'zigzag', 1], ['range', 'varint', 0.001], ['bearing', 'turn', 1], ['heading', 'turn', 1]] },
   { kind: 'blobfinder', list: true, fields: [['color', 'rgba', 1], ['left', 'varint', 1], ['right', 'varint', 1], ['range', 'varint', 0.001]] },
   { kind: 'bumper', list: true, fields: [['hit', 'zigzag', 1]] },
+  { kind: 'pack', list: false, fields: [['stored', 'zigzag', 1], ['capacity', 'zigzag', 1], ['watts', 'zigzag', 0.001], ['charging', 'varint', 1]] },
 ];
 
 /** One transducer or scanner of a ranger. */
@@ -86,4 +99,5 @@ export interface KindStart {
   image?: [number, number]; // px
   bpose?: Pose[]; // m, m, m, rad
   blength?: number[]; // m
+  traits?: Trait[];
 }

@@ -1,0 +1,67 @@
+#include "playhouse/behaviour/energy.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "playhouse/behaviour/generated/draws.h"
+
+namespace playhouse::behaviour {
+namespace {
+
+constexpr double kWattsPerMomentum =
+    10;  // of a robot that drives, as in Stage; of each kg at 1 m/s or 1 rad/s
+
+double speed_of(const geom::Twist& velocity) {
+  return std::fabs(velocity.x) + std::fabs(velocity.y) + std::fabs(velocity.a);
+}
+
+}  // namespace
+
+void Energy::flow(world::World& world, world::Workers& workers) {
+  if (world.packs.size() == 0) return;
+  if (population_ != world.population()) populate(world);
+  workers.run(world.packs.size(), 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t pack = begin; pack < end; ++pack) drain(world, pack);
+  });
+}
+
+void Energy::populate(const world::World& world) {
+  const world::Models& models = world.models;
+  std::vector<world::PackRow> pack(models.size());
+  first_load_.assign(world.packs.size() + 1, 0);
+  for (std::uint32_t model = 0; model < models.size(); ++model) {
+    pack[model] = world::pack_of(world, {model});
+    if (pack[model]) ++first_load_[pack[model].index + 1];
+  }
+  for (std::size_t row = 0; row < world.packs.size(); ++row) first_load_[row + 1] += first_load_[row];
+  loads_.resize(first_load_.back());
+  std::vector<std::uint32_t> next = first_load_;
+  for (std::uint32_t model = 0; model < models.size(); ++model) {
+    if (!pack[model]) continue;
+    const scene::ModelDesc& desc = world.desc({model});
+    const world::PositionRow position = world.position(models.id[model]);
+    loads_[next[pack[model].index]++] = {model, draw_of(desc), position.index, kWattsPerMomentum * desc.mass};
+  }
+  population_ = world.population();
+}
+
+double Energy::drawn_by(const world::World& world, const Load& load) const {
+  if (world.models.subscribers[load.model] == 0) return 0;
+  if (load.position == world::PositionRow::kNone) return load.watts;
+  return load.watts + load.watts_per_speed * speed_of(world.positions.velocity[load.position]);
+}
+
+void Energy::drain(world::World& world, std::size_t pack) const {
+  world::Packs& packs = world.packs;
+  const double dt = world.scene().interval;
+  double watts = 0;
+  for (std::uint32_t load = first_load_[pack]; load < first_load_[pack + 1]; ++load)
+    watts += drawn_by(world, loads_[load]);
+  const bool is_endless = packs.stored[pack] < 0;
+  const double joules = is_endless ? watts * dt : std::min(watts * dt, packs.stored[pack]);
+  if (!is_endless) packs.stored[pack] -= joules;
+  packs.dissipated[pack] += joules;
+  packs.watts[pack] = joules / dt;
+}
+
+}  // namespace playhouse::behaviour

@@ -1,0 +1,22 @@
+// Generated from kinds/ by codegen (python3 -m codegen). Do not edit.
+#pragma once
+
+#include "playhouse/scene/scene_desc.h"
+
+namespace playhouse::behaviour {
+
+/// What a model draws while it is subscribed, however it moves: what its kind does, else what its words say. [W]
+inline double draw_of(const scene::ModelDesc& model) {
+  switch (model.kind) {
+    case scene::ModelKind::kPosition:
+      return 1;
+    case scene::ModelKind::kRanger:
+      return 0.2 * static_cast<double>(model.sensors.size());
+    case scene::ModelKind::kBlobfinder:
+      return 2;
+    default:
+      return model.watts;
+  }
+}
+
+}  // namespace playhouse::behaviour
