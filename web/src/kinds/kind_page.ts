@@ -1,14 +1,14 @@
 import type { Object3D } from 'three';
 import type { Motion } from '../motion';
-import type { Kind } from '../protocol/generated/views';
+import type { Kind, Trait } from '../protocol/generated/views';
 import type { Replica } from '../protocol/replica';
 import type { Model, Scene } from '../protocol/scene';
 import type { Layers } from '../view/stage_view';
 import type { Theme } from '../view/theme';
 
-/** What the page does with models of a kind beyond their bodies: a file of this folder each, found by itself. */
+/** What the page does with models of a kind, or with a trait, beyond their bodies: a file of this folder each, found by itself. */
 export interface KindPage {
-  kind: Kind;
+  kind: Kind | Trait;
   /** What the panel says of one model. */
   panel?(model: Model, panel: PanelTools): Node[];
   /** What is drawn over the world, of all models of the kind. */

@@ -1,4 +1,4 @@
-import { kKindPages, type PanelTools } from '../kinds/kind_page';
+import { kKindPages, type KindPage, type PanelTools } from '../kinds/kind_page';
 import { kStalled, kSubscribed, radiansOf, type Replica } from '../protocol/replica';
 import { devicesOf, type Model, type Scene } from '../protocol/scene';
 import { css, el, icon, setText } from './dom';
@@ -52,9 +52,9 @@ export class DevicePanel {
   }
 
   private part(model: Model): Node[] {
-    const page = kKindPages.find(({ kind }) => kind === model.kind);
-    if (page?.panel) return page.panel(model, this.tools);
-    return model.devices ? [el('h3', {}, shortName(model.name), ...codes(model))] : [];
+    const panelOf = (what: KindPage['kind']) => kKindPages.find(({ kind }) => kind === what)?.panel?.(model, this.tools);
+    const plain = () => (model.devices ? [el('h3', {}, shortName(model.name), ...codes(model))] : []);
+    return [...(panelOf(model.kind) ?? plain()), ...(model.traits ?? []).flatMap((trait) => panelOf(trait) ?? [])];
   }
 
   /** Row of a model now. */
