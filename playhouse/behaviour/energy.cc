@@ -17,8 +17,7 @@ double speed_of(const geom::Twist& velocity) {
 
 }  // namespace
 
-void Energy::flow(world::World& world, world::Workers& workers) {
-  if (world.packs.size() == 0) return;
+void Energy::drain(world::World& world, world::Workers& workers) {
   if (population_ != world.population()) populate(world);
   workers.run(world.packs.size(), 64, [&](std::size_t begin, std::size_t end) {
     for (std::size_t pack = begin; pack < end; ++pack) drain(world, pack);
@@ -26,6 +25,9 @@ void Energy::flow(world::World& world, world::Workers& workers) {
 }
 
 void Energy::populate(const world::World& world) {
+  population_ = world.population();
+  loads_.clear(), first_load_.clear(), givers_.clear(), takers_.clear();
+  if (world.packs.size() == 0) return;
   const world::Models& models = world.models;
   std::vector<world::PackRow> pack(models.size());
   first_load_.assign(world.packs.size() + 1, 0);
@@ -42,7 +44,18 @@ void Energy::populate(const world::World& world) {
     const world::PositionRow position = world.position(models.id[model]);
     loads_[next[pack[model].index]++] = {model, draw_of(desc), position.index, kWattsPerMomentum * desc.mass};
   }
-  population_ = world.population();
+  find_givers(world, pack);
+}
+
+/// `pack` is from which each model draws.
+void Energy::find_givers(const world::World& world, std::span<const world::PackRow> pack) {
+  for (std::uint32_t model = 0; model < pack.size(); ++model) {
+    const double watts = world.desc({model}).give_watts;
+    if (pack[model] && watts > 0) givers_.push_back({{model}, pack[model], watts});
+  }
+  if (givers_.empty()) return;
+  for (std::uint32_t model = 0; model < pack.size(); ++model)
+    takers_.push_back(pack[model] && world.desc({model}).take_watts > 0 ? 1 : 0);
 }
 
 double Energy::drawn_by(const world::World& world, const Load& load) const {
@@ -62,6 +75,33 @@ void Energy::drain(world::World& world, std::size_t pack) const {
   if (!is_endless) packs.stored[pack] -= joules;
   packs.dissipated[pack] += joules;
   packs.watts[pack] = joules / dt;
+  packs.charging[pack] = 0;
+}
+
+bool Energy::gives(const world::World& world, const Giver& giver) {
+  const std::uint32_t pack = giver.pack.index;
+  return world.models.subscribers[giver.model.index] > 0 && world.packs.gives[pack] != 0 &&
+         world.packs.stored[pack] != 0;
+}
+
+void Energy::charge(world::World& world, const Giver& giver, std::span<const std::uint32_t> takers) {
+  world::Packs& packs = world.packs;
+  const double dt = world.scene().interval;
+  const std::uint32_t from = giver.pack.index;
+  for (const std::uint32_t taker : takers) {
+    const std::uint32_t to = world::pack_of(world, {taker}).index;
+    if (packs.takes[to] == 0 || packs.stored[to] < 0) continue;
+    const double room = packs.capacity[to] - packs.stored[to];
+    const bool is_endless = packs.stored[from] < 0;
+    double joules = std::min(std::min(giver.watts, world.desc({taker}).take_watts) * dt, room);
+    if (!is_endless) joules = std::min(joules, packs.stored[from]);
+    if (joules <= 0) continue;
+    if (!is_endless) packs.stored[from] -= joules;
+    packs.stored[to] += joules;
+    packs.charging[to] = 1;
+    packs.watts[from] += joules / dt;
+    packs.watts[to] -= joules / dt;
+  }
 }
 
 }  // namespace playhouse::behaviour

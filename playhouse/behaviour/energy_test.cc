@@ -40,7 +40,7 @@ class EnergyTest : public ::testing::Test {
     return scene;
   }
 
-  void tick() { energy_.flow(world_, workers_); }
+  void tick() { energy_.drain(world_, workers_); }
   void subscribe(std::uint32_t model) { world::subscribe(world_, {model}); }
 
   const scene::SceneDesc scene_ = make_scene();

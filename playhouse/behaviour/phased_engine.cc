@@ -16,7 +16,7 @@ void PhasedEngine::step() {
   take_changes();               // who came, went, was taken up or put        -> the engine's tables
   move();                       // trees of models                            -> poses, odometry, stall
   sense(world_.tick() + 1);     // of those subscribed and due                -> ranges, fiducials
-  flow();                       // from batteries to who draws                -> batteries
+  flow();                       // from batteries to who draws and touches    -> batteries
   freeze();                     // tick + 1
 }
 
@@ -41,7 +41,13 @@ void PhasedEngine::take_changes() {
 }
 
 void PhasedEngine::flow() {
-  energy_.flow(world_, workers_);
+  energy_.drain(world_, workers_);
+  for (const Energy::Giver& giver : energy_.givers()) {
+    if (!Energy::gives(world_, giver)) continue;
+    touching_.clear();
+    touching(giver.model, energy_.takers(), touching_);
+    Energy::charge(world_, giver, touching_);
+  }
 }
 
 void PhasedEngine::freeze() {

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "playhouse/behaviour/act_phase.h"
 #include "playhouse/behaviour/energy.h"
@@ -31,6 +32,11 @@ class PhasedEngine : public world::Engine {
   /// Measures with what is subscribed and due for `tick`.
   virtual void sense(std::uint64_t tick) = 0;
 
+  /// Appends the models of other trees whose bodies touch or overlap that of `model`, whatever their heights,
+  /// and that are `wanted` (by row of the models): ascending, each once.
+  virtual void touching(world::ModelRow model, std::span<const std::uint8_t> wanted,
+                        std::vector<std::uint32_t>& out) const = 0;
+
   world::World world_;
   world::Workers workers_;
 
@@ -43,7 +49,8 @@ class PhasedEngine : public world::Engine {
 
   Acts acts_;
   Energy energy_;
-  std::uint64_t next_change_ = 0;  // of world_.changes
+  std::vector<std::uint32_t> touching_;  // the one that charges others
+  std::uint64_t next_change_ = 0;        // of world_.changes
 };
 
 }  // namespace playhouse::behaviour

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "playhouse/base/log.h"
+#include "playhouse/scene/charge.h"
 #include "playhouse/scene/generated/read_kinds.h"
 #include "playhouse/stage/generated/senses.h"
 #include "playhouse/stage/stage_engine.h"
@@ -37,6 +38,11 @@ Result<void> check_model(const scene::SceneDesc& scene, const scene::ModelDesc& 
     return Error{scene.at(model.where), "model " + model.name + text};
   };
   if (!finite(model)) return fault(" has a pose or a point that is not a finite number");
+  for (const double value : {model.mass, model.watts, model.give_watts, model.take_watts})
+    if (!(value >= 0) || !std::isfinite(value)) return fault(" has a mass or a power that makes no sense");
+  const scene::Charge charge = scene::charge_of(model);
+  if (!std::isfinite(charge.stored) || !std::isfinite(charge.capacity) || charge.capacity < charge.stored)
+    return fault(" has a battery that makes no sense");
   if (!scene::is_described(model.kind, model)) return fault(" lacks the description of its kind");
   for (const scene::RangerSensorDesc& sensor : model.sensors) {
     if (sensor.samples == 0) return fault(" has a sensor without samples");

@@ -85,6 +85,20 @@ bool outline_enters(const Outline& polygon, const Outline& other) {
   return false;
 }
 
+/// Whether a-b and c-d cross, each in its inside.
+bool cross_each_other(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+  const auto on_both_sides = [](Vec2 from, Vec2 to, Vec2 p, Vec2 q) {
+    return (geom::cross(to - from, p - from) > 0) != (geom::cross(to - from, q - from) > 0);
+  };
+  return on_both_sides(a, b, c, d) && on_both_sides(c, d, a, b);
+}
+
+bool segments_meet(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+  return cross_each_other(a, b, c, d) ||
+         std::min(std::min(distance_to_segment(a, c, d), distance_to_segment(b, c, d)),
+                  std::min(distance_to_segment(c, a, b), distance_to_segment(d, a, b))) <= kTouch;
+}
+
 }  // namespace
 
 double length_inside(const Outline& polygon, Vec2 a, Vec2 b) {
@@ -99,6 +113,13 @@ bool overlap(const Outline& first, const Outline& second) {
   return outline_enters(first, second) || outline_enters(second, first) ||
          (first.convex && is_inside(second, first.center)) ||
          (second.convex && is_inside(first, second.center));
+}
+
+bool touch(std::span<const Vec2> first, std::span<const Vec2> second) {
+  for (std::size_t i = 0; i < first.size(); ++i)
+    for (std::size_t k = 0; k < second.size(); ++k)
+      if (segments_meet(first[i], corner_after(first, i), second[k], corner_after(second, k))) return true;
+  return is_inside_any(first, second[0]) || is_inside_any(second, first[0]);
 }
 
 }  // namespace playhouse::stage

@@ -28,4 +28,8 @@ bool is_inside(const Outline& polygon, geom::Vec2 p);
 /// coincide when both are convex.
 bool overlap(const Outline& first, const Outline& second);
 
+/// True if the polygons touch or overlap: their outlines come within kTouch of each other, or one is within
+/// the other.
+bool touch(std::span<const geom::Vec2> first, std::span<const geom::Vec2> second);
+
 }  // namespace playhouse::stage

@@ -19,6 +19,8 @@ class StageEngine final : public behaviour::PhasedEngine {
   void ingest(std::span<const world::Change> changes) override;
   void move() override;
   void sense(std::uint64_t tick) override;
+  void touching(world::ModelRow model, std::span<const std::uint8_t> wanted,
+                std::vector<std::uint32_t>& out) const override;
   /// Makes every table anew that follows from who there is; those of what stands still only if `fixed`.
   void populate(bool fixed);
   void replace(const world::Change& change);

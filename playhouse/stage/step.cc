@@ -1,6 +1,7 @@
 /// The phases of the tick that know about bodies in a plane; their order is in behaviour/phased_engine.cc.
 
 #include "playhouse/stage/stage_engine.h"
+#include "playhouse/stage/touch.h"
 
 namespace playhouse::stage {
 
@@ -42,6 +43,11 @@ void StageEngine::index() {
 
 void StageEngine::sense(std::uint64_t tick) {
   rays_ += senses_.sense(world_, space(), tick, workers_);
+}
+
+void StageEngine::touching(world::ModelRow model, std::span<const std::uint8_t> wanted,
+                           std::vector<std::uint32_t>& out) const {
+  stage::touching(space(), trees_, world_.models, model, wanted, out);
 }
 
 }  // namespace playhouse::stage
