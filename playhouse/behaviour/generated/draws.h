@@ -14,6 +14,8 @@ inline double draw_of(const scene::ModelDesc& model) {
       return 0.2 * static_cast<double>(model.sensors.size());
     case scene::ModelKind::kBlobfinder:
       return 2;
+    case scene::ModelKind::kBumper:
+      return 0.1;
     default:
       return model.watts;
   }
