@@ -123,6 +123,22 @@ class SpringEngine final : public PhasedEngine {
 
   void sense(std::uint64_t tick) override { rays_ += senses_.sense(world_, discs_, tick, workers_); }
 
+  void touching(world::ModelRow model, std::span<const std::uint8_t> wanted,
+                std::vector<std::uint32_t>& out) const override {
+    const std::uint32_t own = world_.models.root[model.index];
+    const auto disc_of = [&](std::uint32_t root) {
+      return *std::ranges::find(discs_.all, root, &Discs::Disc::root);
+    };
+    const Discs::Disc mine = disc_of(own);
+    for (std::uint32_t row = 0; row < world_.models.size(); ++row) {
+      if (!wanted[row] || world_.models.root[row] == own) continue;
+      const Discs::Disc other = disc_of(world_.models.root[row]);
+      const geom::Vec2 between = other.center - mine.center;
+      const double reach = mine.radius + other.radius;
+      if (geom::dot(between, between) <= reach * reach) out.push_back(row);
+    }
+  }
+
   void populate() {
     place();
     senses_.populate(world_, discs_);
