@@ -19,6 +19,7 @@ class Nowhere final : public PhasedEngine {
   void ingest(std::span<const world::Change>) override {}
   void move() override {}
   void sense(std::uint64_t) override {}
+  void touching(world::ModelRow, std::span<const std::uint8_t>, std::vector<std::uint32_t>&) const override {}
 };
 
 /// Decides for every model: counts flags and letters of its neighbours, gives it a flag and a longer text.

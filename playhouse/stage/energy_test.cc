@@ -34,7 +34,7 @@ class Charging : public ::testing::Test {
     auto loaded = scene::load_world_text(kMacros + text, "test.world", none);
     ASSERT_TRUE(loaded) << loaded.error().line();
     scene_ = std::move(*loaded);
-    engine_ = std::move(*make_engine(scene_, {.seed = 1, .workers = workers}));
+    engine_ = *make_engine(scene_, {.seed = 1, .workers = workers});
   }
   world::World& world() { return engine_->world(); }
   void run(int ticks) {
