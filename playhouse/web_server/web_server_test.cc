@@ -362,11 +362,10 @@ TEST_F(WebServerTest, robots_are_added_copied_and_removed_and_viewers_follow) {
     EXPECT_THAT(next_text(*each, turning()),
                 AllOf(HasSubstr(R"({"gone":[],)"), HasSubstr(R"({"id":14,)"), HasSubstr(R"("name":"r0~2")"),
                       HasSubstr(R"({"id":15,)"), HasSubstr(R"("parent":14,)")));
-  world::set_color(small_.world, {14}, {0, 1, 0, 1});
+  world::set_fiducial_return(small_.world, {14}, 77);
   viewer.send_text(R"({"do":"copy","model":15,"x":5,"y":5,"a":1})");
   EXPECT_THAT(next_text(viewer, turning()), AllOf(HasSubstr(R"({"id":18,)"), HasSubstr(R"("name":"r0~3")")));
-  EXPECT_EQ(small_.world.models.color[18], (scene::Color{0, 1, 0, 1}));
-  EXPECT_EQ(small_.world.models.fiducial_return[18], small_.world.models.fiducial_return[14]);
+  EXPECT_EQ(small_.world.models.fiducial_return[18], 77);
   viewer.send_text(R"({"do":"remove","model":2})");
   EXPECT_THAT(next_text(viewer, turning()), HasSubstr(R"({"gone":[1,2,3,4],)"));
   EXPECT_EQ(small_.world.models.size(), 18u);
@@ -382,6 +381,21 @@ TEST_F(WebServerTest, robots_are_added_copied_and_removed_and_viewers_follow) {
   EXPECT_THAT(next_text(viewer, turning()), HasSubstr("no such model"));
   viewer.send_text(R"({"do":"add","robot":7,"x":3,"y":-4,"a":0})");
   EXPECT_THAT(next_text(viewer, turning()), HasSubstr("no such robot to add"));
+}
+
+TEST_F(WebServerTest, a_copy_has_the_color_that_the_original_has_now) {
+  constexpr scene::Color kGreen{0, 1, 0, 1};
+  const world::ModelRow puck = small_.world.find("puck");  // ticks of this world paint robots
+  WebClient viewer(port_);
+  ASSERT_TRUE(viewer.upgrade());
+  viewer.message();
+  world::set_color(small_.world, puck, kGreen);
+  viewer.send_text(R"({"do":"copy","model":)" + std::to_string(small_.world.id(puck).value) +
+                   R"(,"x":5,"y":5,"a":1})");
+  EXPECT_THAT(next_text(viewer, turning()), HasSubstr(R"("name":"puck~2")"));
+  const world::ModelRow copy = small_.world.find("puck~2");
+  ASSERT_TRUE(copy);
+  EXPECT_EQ(small_.world.models.color[copy.index], kGreen);
 }
 
 TEST_F(WebServerTest, a_viewer_that_comes_later_gets_the_population_of_then) {

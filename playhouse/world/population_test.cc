@@ -424,5 +424,14 @@ TEST(SharedColumn, is_a_column_of_values_whoever_has_them) {
   EXPECT_TRUE(std::signbit(zeros[0]));
 }
 
+TEST(SharedColumn, takes_the_value_of_another_row) {
+  std::vector<std::uint32_t> prototypes(100);
+  SharedColumn<double> column(prototypes);
+  column.set_prototypes({1});
+  column.set(0, 7);
+  for (std::size_t row = 1; row < prototypes.size(); ++row) column.set(row, column[row - 1]);
+  for (std::size_t row = 0; row < prototypes.size(); ++row) EXPECT_EQ(column[row], 7) << row;
+}
+
 }  // namespace
 }  // namespace playhouse::world

@@ -48,9 +48,9 @@ class SharedColumn {
     }
     return own_[at_[row]];
   }
-  /// Nothing becomes the row's own that it has already.
-  void set(std::size_t row, const T& value) {
-    if (is_own(row) || !is_same(operator[](row), value)) own(row) = value;
+  /// Nothing becomes the row's own that it has already. By value: it may be another row's, and those move.
+  void set(std::size_t row, T value) {
+    if (is_own(row) || !is_same(operator[](row), value)) own(row) = std::move(value);
   }
 
   /// Room for what rows have for themselves, if it is `rows` that have.
