@@ -33,6 +33,7 @@ class Charging : public ::testing::Test {
     scene::MemoryFiles none({});
     auto loaded = scene::load_world_text(kMacros + text, "test.world", none);
     ASSERT_TRUE(loaded) << loaded.error().line();
+    engine_.reset();  // it refers to the scene
     scene_ = std::move(*loaded);
     engine_ = *make_engine(scene_, {.seed = 1, .workers = workers});
   }
