@@ -25,7 +25,7 @@ class State:
 
 class Energy(HouseTest):
     def test_a_robot_pays_for_its_way_to_a_station_and_is_charged_there(self):
-        with self.run_house("--fast", world=self.world(WORLD)) as house, Client(house.port()) as client:
+        with self.run_house("--speed", 20, world=self.world(WORLD)) as house, Client(house.port()) as client:
             devices = [index for interf, index in client.devices() if interf == POWER]
             self.assertEqual(devices, [0, 2], "of the robot, and of the station behind all robots; of no other robot")
             self.assertEqual(client.open(POWER, 0).type, ACK)
