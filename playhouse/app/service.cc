@@ -181,7 +181,8 @@ Result<std::unique_ptr<drivers::Simulation>> Service::open_world(const std::stri
   if (cfg_) {
     if (const Result<void> read = read_world(path, scene::NamedBy::kFile); !read) return read.error();
   }
-  Result<std::unique_ptr<world::Engine>> engine = make_engine(scene_, running_, libraries_, warn_, engine_maker_);
+  Result<std::unique_ptr<world::Engine>> engine =
+      make_engine(scene_, running_, libraries_, warn_, engine_maker_);
   if (!engine) return engine.error();
   if (saved_) {
     const Result<void> loaded = world::load_state((*engine)->world(), saved_->state);

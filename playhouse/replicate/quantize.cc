@@ -7,6 +7,7 @@
 #include "playhouse/geom/pose.h"
 
 namespace playhouse::replicate {
+
 std::int32_t quantize(double value, double per_unit) {
   const double scaled = value * per_unit;
   if (!std::isfinite(scaled)) return 0;

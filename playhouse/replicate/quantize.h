@@ -4,8 +4,6 @@
 
 #include <cstdint>
 
-#include "playhouse/scene/values.h"
-
 namespace playhouse::replicate {
 
 /// [m] to [mm] and the like: rounds, clips to 32 bits, 0 for what is not a number.

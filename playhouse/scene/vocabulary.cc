@@ -32,8 +32,7 @@ std::string what_instead(std::string_view name, std::span<const std::string_view
   if (old != old_types().end()) return " (Stage 4 has none: " + std::string(old->instead) + ")";
   std::vector<std::string_view> candidates;
   for (const Kind& kind : kinds()) {
-    if (kind.entity != EntityForm::kWorld && kind.entity != EntityForm::kTrait)
-      candidates.push_back(kind.name);
+    if (find_entity(kind.name)) candidates.push_back(kind.name);
   }
   candidates.insert(candidates.end(), others.begin(), others.end());
   return did_you_mean(name, candidates);

@@ -11,7 +11,7 @@ class Engine {
  public:
   virtual ~Engine() = default;
 
-  /// One tick of scene().interval: ingest .. freeze (behaviour/phased_engine.h).
+  /// One tick of scene().interval: decide .. freeze (behaviour/phased_engine.h).
   virtual void step() = 0;
 
   /// The state; change it only between steps, with the functions of world.h.

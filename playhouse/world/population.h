@@ -21,8 +21,8 @@ namespace playhouse::world {
 /// no place, a name that is taken, and where the world has no room (base/limits.h).
 Result<ModelId> spawn(World& world, std::uint32_t prototype, const geom::Pose& X_WM, std::string name = {});
 
-/// A name like this one that nobody has: with the least number behind it, in place of the one that it may have
-/// ("r0~3" for "r0~2").
+/// A name like this one that nobody has: with the least number behind it, in place of the one that it may
+/// have ("r0~3" for "r0~2").
 std::string fresh_name(const World& world, std::string_view like);
 
 /// Takes a top-level model and all its own parts out of the world; what was attached to it stays where it

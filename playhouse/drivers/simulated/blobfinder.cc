@@ -1,8 +1,9 @@
 /// A blobfinder as interface blobfinder (docs/drivers.md).
 
+#include "playhouse/wire/generated/blobfinder.h"
+
 #include "playhouse/drivers/generated/device_makers.h"
 #include "playhouse/scene/colors.h"
-#include "playhouse/wire/generated/blobfinder.h"
 
 namespace playhouse::drivers {
 namespace {

@@ -23,8 +23,8 @@ lsr::Config configuration(const world::World& world, world::ModelRow model,
   config.max_range = static_cast<float>(sensor.range_max);
   config.range_res = static_cast<float>(world.scene().resolution);
   config.intensity = 1;
-  config.scanning_frequency =
-      static_cast<float>(1 / (static_cast<double>(world::update_ticks(world, model)) * world.scene().interval));
+  config.scanning_frequency = static_cast<float>(
+      1 / (static_cast<double>(world::update_ticks(world, model)) * world.scene().interval));
   return config;
 }
 

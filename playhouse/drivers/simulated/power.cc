@@ -1,6 +1,7 @@
 /// A battery as interface power (docs/drivers.md).
 
 #include "playhouse/wire/generated/power.h"
+
 #include "playhouse/drivers/generated/device_makers.h"
 #include "playhouse/world/periods.h"
 #include "playhouse/world/traits.h"
@@ -25,8 +26,7 @@ class Power final : public SimulatedDevice {
  public:
   Power(Simulation& simulation, world::ModelRow model)
       : SimulatedDevice(simulation, simulation.world().id(model)),
-        update_ticks_(world::ticks_of(simulation.world().desc(model).update_interval,
-                                      simulation.world().scene().interval)),
+        update_ticks_(world::update_ticks(simulation.world(), model)),
         can_be_charged_(drivers::can_be_charged(simulation.world(), model)) {}
 
   std::span<const Served> served() const override {
