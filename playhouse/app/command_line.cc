@@ -26,6 +26,7 @@ constexpr const char* kExamples = R"(Examples:
                                                      a minute of simulated time, as fast as it goes
   playhouse run my.world --save-at 60 minute.run     the state after a minute, into a file
   playhouse run --from minute.run                    on from there
+  playhouse run my.world --save-at 60 later.world    where everybody is after a minute, as a world file
   playhouse verify my.world --ticks 100              whether it is the same run on any number of workers
   playhouse serve simple.cfg                         devices as a Player configuration file names them
   playhouse devices 127.0.0.1:6665                   what a server offers
@@ -187,6 +188,9 @@ void add_running(CLI::App& app, Raw& raw, Running& running) {
       ->check(check_workers)
       ->capture_default_str();
   add_allowed_libraries(app, running);
+  app.add_option("--save-world", running.save_world,
+                 "the file into which clients may save the world as it stands (SAVE of simulation)")
+      ->type_name("FILE.world");
   app.add_flag("--paused", running.paused, "wait to be resumed by a viewer or a client");
   app.add_flag("--json", running.json, "print the result as the last line of standard output");
 }
@@ -202,7 +206,10 @@ void add_commands(CLI::App& app, Raw& raw) {
       ->type_name("FILE")
       ->excludes(world)
       ->excludes(run->get_option("--seed"));
-  run->add_option("--save-at", raw.saves, "save the state at a simulated time, and go on; may be given again")
+  run->add_option(
+         "--save-at", raw.saves,
+         "save the state at a simulated time, or the world as it stands into FILE.world, and go on; may be "
+         "given again")
       ->type_name("SECONDS FILE")
       ->expected(1)
       ->allow_extra_args(false)

@@ -73,6 +73,9 @@ TEST(CommandLine, a_run_begins_with_a_world_or_goes_on_from_a_saved_one) {
   EXPECT_EQ(run.saves[0].seconds, 2.5);
   EXPECT_EQ(run.saves[0].file, "a.run");
   EXPECT_EQ(run.saves[1].file, "b.run");
+  EXPECT_EQ(parsed<RunOptions>({"run", "w", "--save-world", "x.world"}).running.save_world, "x.world");
+  EXPECT_EQ(parsed<ServeOptions>({"serve", "c.cfg", "--save-world=x.world"}).running.save_world, "x.world");
+  EXPECT_EQ(parsed<RunOptions>({"run", "w"}).running.save_world, "") << "clients write no files";
   const auto on = parsed<RunOptions>({"run", "--from", "a.run", "--save-at", "9", "c.run"});
   EXPECT_EQ(on.from, "a.run");
   EXPECT_EQ(on.world, "");

@@ -31,15 +31,16 @@ struct Running {
   std::uint64_t seed = 1;
   unsigned workers = 1;
   std::vector<std::string>
-      allowed_libraries;  // of controllers, outside the folders where they are looked for
+      allowed_libraries;   // of controllers, outside the folders where they are looked for
+  std::string save_world;  // the file into which clients may save the world; empty: none
   bool paused = false;
   bool json = false;  // the result as the last line of standard output
 };
 
-/// A state to be saved while a run goes on.
+/// A state to be saved while a run goes on, or a world file of how the world stands.
 struct SaveAt {
   double seconds = 0;  // simulated; at the first tick at or after it
-  std::string file;
+  std::string file;    // .world: a world file
 };
 
 struct RunOptions {

@@ -9,6 +9,13 @@
 #include "playhouse/base/log.h"
 
 namespace playhouse::app {
+namespace {
+
+int code_of(const Service& service, int code) {
+  return code == kDone && !service.all_saved() ? kFailed : code;
+}
+
+}  // namespace
 
 int run(const RunOptions& options) {
   Service service(options.serving, options.running, QuitTime::kHonoured);
@@ -18,13 +25,14 @@ int run(const RunOptions& options) {
         return options.from.empty() ? service.read_world(options.world) : service.read_saved(options.from);
       },
       options.running, {}, options.saves);
-  return code == kDone && !service.all_saved() ? kFailed : code;
+  return code_of(service, code);
 }
 
 int serve(const ServeOptions& options) {
   Service service(options.serving, options.running, QuitTime::kIgnored);
-  return run_service(
+  const int code = run_service(
       service, [&] { return service.read_cfg(options.file); }, options.running);
+  return code_of(service, code);
 }
 
 }  // namespace playhouse::app

@@ -14,6 +14,9 @@ int run_service(Service& service, const std::function<Result<void>()>& read, con
   if (const Result<void> step = service.open_ports(); !step) return fail(step.error());
   if (const Result<void> step = service.make_devices(); !step)
     return fail_in_file(step.error(), service.other_errors());
+  if (!running.save_world.empty())
+    if (const Result<void> step = service.let_clients_save(running.save_world); !step)
+      return fail(step.error());
   for (const SaveAt& save : saves)
     if (const Result<void> step = service.save_at(save); !step) return fail(step.error());
   if (const Result<void> step = service.open_page(); !step) return fail(step.error());

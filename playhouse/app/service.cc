@@ -4,11 +4,13 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <set>
 #include <span>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -26,6 +28,10 @@ namespace playhouse::app {
 namespace {
 
 constexpr double kProgressSeconds = 0.5;
+
+bool is_world_file(const std::string& file) {
+  return file.ends_with(".world");
+}
 
 /// An address as people type it into a client; a server on every interface is shown at the loopback one.
 std::string shown_host(const std::string& bind) {
@@ -96,10 +102,20 @@ Result<void> Service::save(const world::World& world, const std::string& file) c
   return write_file(file, world::encode(run));
 }
 
+Result<void> Service::let_clients_save(const std::string& file) {
+  const std::string folder = scene::folder_of(file);
+  if (access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) != 0)
+    return Error{escaped(file), "cannot be written: " + std::generic_category().message(errno)};
+  simulation().save_by([this, file](const world::World& world) { world_saver_.save(world, file); });
+  return {};
+}
+
 Result<void> Service::save_at(const SaveAt& save) {
   // Who cannot be saved is told now, not after an hour.
   std::vector<std::byte> ignored;
-  if (const Result<void> saved = world::save_state(simulation().world(), ignored); !saved) return saved;
+  const Result<void> saved =
+      is_world_file(save.file) ? Result<void>() : world::save_state(simulation().world(), ignored);
+  if (!saved) return saved;
   if (saves_.empty())
     simulation().add_listener([this](const world::World& world, const world::Pace&) { save_due(world); });
   saves_.push_back(save);
@@ -110,6 +126,10 @@ Result<void> Service::save_at(const SaveAt& save) {
 void Service::save_due(const world::World& world) {
   std::erase_if(saves_, [&](const SaveAt& due) {
     if (world.time() < due.seconds) return false;
+    if (is_world_file(due.file)) {
+      world_saver_.save(world, due.file);
+      return true;
+    }
     const Result<void> saved = save(world, due.file);
     if (saved) {
       log::info("saved {:.1f} s to {}", world.time(), escaped(due.file));
@@ -264,6 +284,7 @@ Outcome Service::run(const std::function<void(int signal)>& ended) {
   signals.join();
   end_at_once_on_signals();  // the loop takes them no more
   if (shows_progress) log::show_progress("");
+  saving_works_ = world_saver_.finish() && saving_works_;
   for (const SaveAt& save : saves_)
     log::error("{}: not saved: the run ended at {} s, before {} s", escaped(save.file),
                simulation().world().time(), save.seconds);

@@ -15,6 +15,7 @@
 
 #include "playhouse/app/options.h"
 #include "playhouse/app/world_opener.h"
+#include "playhouse/app/world_saver.h"
 #include "playhouse/drivers/registry.h"
 #include "playhouse/drivers/simulated/auto_devices.h"
 #include "playhouse/drivers/site.h"
@@ -64,10 +65,12 @@ class Service final : private drivers::Surroundings {
   Result<void> read_cfg(const std::string& path);
   /// A saved run: its world goes on where it was saved, with its seed.
   Result<void> read_saved(const std::string& path);
-  /// Saves the state once the run has come to a time; before run(). Fails where a controller cannot be saved,
-  /// which make_devices() must have made.
+  /// Lets clients save the world into a file; before run(). Fails where nobody can write it.
+  Result<void> let_clients_save(const std::string& file);
+  /// Saves the state once the run has come to a time, or the world where the file's name says so; before
+  /// run(). Fails where a controller, which make_devices() must have made, has a state that cannot be saved.
   Result<void> save_at(const SaveAt& save);
-  /// False: something was not saved; the log says what.
+  /// After run(). False: something was not saved; the log says what.
   bool all_saved() const { return saves_.empty() && saving_works_; }
   /// A scene made in memory, in place of a file.
   void take_scene(scene::SceneDesc scene) { scene_ = std::move(scene); }
@@ -130,6 +133,7 @@ class Service final : private drivers::Surroundings {
   std::optional<world::SavedRun> saved_;
   std::vector<SaveAt> saves_;  // not done yet
   bool saving_works_ = true;
+  WorldSaver world_saver_;
   scene::SceneDesc scene_;
   net::IoLoop loop_;
   net::IoLoop

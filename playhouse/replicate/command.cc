@@ -14,8 +14,8 @@ namespace {
 
 namespace json = boost::json;
 
-constexpr std::array<std::string_view, 13> kWords = {"pause", "resume", "step",   "speed",  "rewind", "drag", "drive",
-                                                     "copy",  "add",    "remove", "select", "look",   "ack"};
+constexpr std::array<std::string_view, 14> kWords = {"pause", "resume", "step",   "speed", "rewind", "drag", "drive",
+                                                     "copy",  "add",    "remove", "save",  "select", "look", "ack"};
 
 /// Reads the members of one object; the first fault sticks. Done with nothing left over.
 class Members {
@@ -146,6 +146,7 @@ Result<Command> read(const json::object& object) {
   if (what == "copy") return in.finish(copy(in));
   if (what == "add") return in.finish(add(in));
   if (what == "remove") return in.finish(Remove{in.model("model")});
+  if (what == "save") return in.finish(Save{});
   if (what == "select") return in.finish(Select{in.model_or_null("model")});
   if (what == "look") return in.finish(look(in));
   if (what == "ack") return in.finish(Acknowledge{in.count("frame")});

@@ -50,6 +50,8 @@ struct Add {
 struct Remove {
   world::ModelId model;
 };
+/// Sends the world as it stands, as a world file, to this viewer.
+struct Save {};
 struct Select {
   std::optional<world::ModelId> model;  // none: nothing is selected any more
 };
@@ -61,8 +63,8 @@ struct Acknowledge {
   std::uint32_t frame = 0;
 };
 
-using Command = std::variant<Pause, Resume, Step, SetSpeed, Rewind, Drag, Drive, Copy, Add, Remove, Select,
-                             Look, Acknowledge>;
+using Command = std::variant<Pause, Resume, Step, SetSpeed, Rewind, Drag, Drive, Copy, Add, Remove, Save,
+                             Select, Look, Acknowledge>;
 
 inline constexpr double kSpeedMost = 1000;               // times real time
 inline constexpr double kTickMost = 9007199254740992.0;  // whole numbers are exact up to here

@@ -30,6 +30,7 @@ TEST(Command, every_command_is_read) {
   EXPECT_EQ(add.robot, 2u);
   EXPECT_EQ(add.x, 1);
   EXPECT_EQ(std::get<Remove>(*parse_command(R"({"do":"remove","model":9})")).model.value, 9u);
+  EXPECT_TRUE(std::holds_alternative<Save>(*parse_command(R"({"do":"save"})")));
   const auto look = std::get<Look>(
       *parse_command(R"({"do":"look","x_min":-1,"y_min":-2,"x_max":3,"y_max":4,"sensors":true})"));
   EXPECT_EQ(look.view.y_max, 4);

@@ -50,6 +50,10 @@ std::string history_text(const world::Past& past) {
   return fmt::format("{{\"history\":{{\"first\":{},\"steps\":[{}]}}}}\n", past.ticks.front(), steps);
 }
 
+std::string world_file_text(std::string_view name, std::string_view text) {
+  return fmt::format("{{\"world\":{{\"file\":{},\"text\":{}}}}}\n", quoted(name), quoted(text));
+}
+
 std::string changes_text(const Layout& from, const Layout& to) {
   std::string gone, models;
   compare(

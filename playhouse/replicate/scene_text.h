@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "playhouse/replicate/layout.h"
 #include "playhouse/world/control.h"
@@ -18,6 +19,9 @@ std::string changes_text(const Layout& from, const Layout& to);
 
 /// The instants that a viewer may go back to, or why there are none.
 std::string history_text(const world::Past& past);
+
+/// A world file for a viewer to keep under a name.
+std::string world_file_text(std::string_view name, std::string_view text);
 
 /// Calls gone(row of `from`), stays(row of `from`, row of `to`) and came(row of `to`) in the order of ids; a model
 /// with another parent goes and comes.

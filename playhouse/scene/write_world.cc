@@ -104,7 +104,7 @@ class WorldWriter {
  public:
   WorldWriter(const SceneDesc& scene, const std::string& path)
       : scene_(scene),
-        folder_(folder_of(path)),
+        path_(path),
         made_(scene.trees.empty() ? one_of_each(scene) : std::vector<TreeDesc>()),
         trees_(scene.trees.empty() ? made_ : scene.trees) {}
 
@@ -151,7 +151,7 @@ class WorldWriter {
   std::string bitmap_name(const std::string& path) const;
 
   const SceneDesc& scene_;
-  const std::string folder_;
+  const std::string path_;
   const std::vector<TreeDesc> made_;
   const std::vector<TreeDesc>& trees_;
   std::map<std::pair<std::string, std::string_view>, Group> groups_;  // by label and type
@@ -387,11 +387,12 @@ std::string WorldWriter::unsaid_token(const Kind& kind, const std::string& paren
 }
 
 std::string WorldWriter::bitmap_name(const std::string& path) const {
-  namespace fs = std::filesystem;
   std::error_code error;
-  const fs::path folder = fs::absolute(folder_.empty() ? "." : folder_, error).lexically_normal();
-  const fs::path file = fs::absolute(path, error).lexically_normal();
-  const fs::path below = file.lexically_relative(folder);
+  const auto file = std::filesystem::absolute(path, error).lexically_normal();
+  if (error) return path;
+  if (path_.empty()) return file.string();
+  const auto self = std::filesystem::absolute(path_, error).lexically_normal();
+  const auto below = file.lexically_relative(self.parent_path());
   return error || below.empty() || *below.begin() == ".." ? file.string() : below.string();
 }
 

@@ -11,11 +11,11 @@
 namespace playhouse::scene {
 
 /// The text of a file that will be at `path`, from whose folder bitmaps below it are named; others are named
-/// in full. Loaded there, it is the same scene: every tree with its names, descriptions and bodies, in order;
-/// lines, comments and words without any meaning are not kept, nor default names of models that lost theirs
-/// to others. Bodies of models made in code are written as their blocks. Fails, with a text that names no
-/// file, where the file would be larger, or models in it deeper inside each other, than the loader takes
-/// (base/limits.h).
+/// in full, and all where nobody knows the path, which is empty then. Loaded there, it is the same scene:
+/// every tree with its names, descriptions and bodies, in order; lines, comments and words without any
+/// meaning are not kept, nor default names of models that lost theirs to others. Bodies of models made in
+/// code are written as their blocks. Fails, with a text that names no file, where the file would be larger,
+/// or models in it deeper inside each other, than the loader takes (base/limits.h).
 Result<std::string> write_world(const SceneDesc& scene, const std::string& path);
 
 }  // namespace playhouse::scene

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cctype>
 #include <chrono>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <mutex>
@@ -23,6 +24,7 @@
 #include "playhouse/net/http.h"
 #include "playhouse/web_server/driven_robots.h"
 #include "playhouse/web_server/web_viewer.h"
+#include "playhouse/world/as_scene.h"
 #include "playhouse/world/population.h"
 
 namespace playhouse::web_server {
@@ -252,6 +254,7 @@ class WebServer::Impl final : public net::HttpService,
     if (const auto* copy = std::get_if<replicate::Copy>(&command)) return this->copy(*copy, from);
     if (const auto* add = std::get_if<replicate::Add>(&command)) return this->add(*add, from);
     if (const auto* remove = std::get_if<replicate::Remove>(&command)) return this->remove(*remove);
+    if (std::holds_alternative<replicate::Save>(command)) return save(from);
     if (std::holds_alternative<replicate::Select>(command) ||
         std::holds_alternative<replicate::Look>(command)) {
       interest_changed();
@@ -393,20 +396,48 @@ class WebServer::Impl final : public net::HttpService,
     });
   }
 
+  Result<void> save(WebViewer& from) {
+    if (!from.await_text()) return Error{"", "the world is on its way already"};
+    const auto posted = post_change([reach = reacher(from)](const world::World& world) {
+      const auto standing = std::make_shared<const scene::SceneDesc>(world::as_scene(world));
+      reach([standing, time = world.time()](WebViewer& viewer) { send_world(*standing, time, viewer); });
+    });
+    if (!posted) from.expect_no_text();
+    return posted;
+  }
+
+  static void send_world(const scene::SceneDesc& standing, double time, WebViewer& viewer) {
+    const Result<std::string> text = world::world_file(standing, time, {});
+    if (!text) {
+      viewer.expect_no_text();
+      return viewer.notice(text.error().text);
+    }
+    const std::string name = std::filesystem::path(standing.path).stem().string() + ".saved.world";
+    viewer.send_text(std::make_shared<const std::string>(replicate::world_file_text(name, *text)));
+  }
+
   Result<void> post_change(std::function<void(world::World&)> change) {
     if (control_.post(std::move(change))) return {};
     return Error{"", "the program is too busy to do that"};
   }
 
-  /// Tells a viewer a line, if it is still there. Any thread, and also when the server is gone.
-  std::function<void(std::string)> teller(const WebViewer& viewer) {
-    return [&loop = loop_, weak = weak_from_this(), viewer = &viewer](std::string text) {
-      loop.post([weak, viewer, text = std::move(text)] {
+  /// Does something with a viewer on the web thread, if it is still there. Any thread, and also when the
+  /// server is gone.
+  std::function<void(std::function<void(WebViewer&)>)> reacher(const WebViewer& viewer) {
+    return [&loop = loop_, weak = weak_from_this(), viewer = &viewer](std::function<void(WebViewer&)> task) {
+      loop.post([weak, viewer, task = std::move(task)] {
         const auto self = weak.lock();
         if (!self) return;
         for (const auto& other : self->viewers_)
-          if (other.get() == viewer) other->notice(text);
+          if (other.get() == viewer) return task(*other);
       });
+    };
+  }
+
+  /// Tells a viewer a line.
+  std::function<void(std::string)> teller(const WebViewer& viewer) {
+    return [reach = reacher(viewer)](std::string text) {
+      reach([text = std::move(text)](WebViewer& other) { other.notice(text); });
     };
   }
 

@@ -398,6 +398,24 @@ TEST_F(WebServerTest, a_copy_has_the_color_that_the_original_has_now) {
   EXPECT_EQ(small_.world.models.color[copy.index], kGreen);
 }
 
+TEST_F(WebServerTest, a_viewer_gets_the_world_as_it_stands_as_a_file) {
+  WebClient viewer(port_);
+  ASSERT_TRUE(viewer.upgrade());
+  viewer.message();
+  ASSERT_TRUE(world::spawn(small_.world, SmallWorld::robot(1), {7, 8, 0, 0}, "newcomer").ok());
+  EXPECT_THAT(next_text(viewer, turning()), HasSubstr("newcomer"));
+  viewer.send_text(R"({"do":"save"})");
+  viewer.send_text(R"({"do":"save"})");
+  EXPECT_THAT(next_text(viewer, [] {}), HasSubstr("the world is on its way already")) << "no tick came yet";
+  EXPECT_THAT(next_text(viewer, turning()),
+              AllOf(HasSubstr(R"({"world":{"file":")"), HasSubstr(R"(.world","text":"# As it stood at )"),
+                    HasSubstr(R"(name \"newcomer\" pose [)")));
+  EXPECT_TRUE(turn_until([&] {
+    viewer.send_text(R"({"do":"save"})");
+    return next_text(viewer, turning()).find(R"({"world":)") != std::string::npos;
+  })) << "once it is there, it can be had again";
+}
+
 TEST_F(WebServerTest, a_viewer_that_comes_later_gets_the_population_of_then) {
   WebClient early(port_);
   ASSERT_TRUE(early.upgrade());

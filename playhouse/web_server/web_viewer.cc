@@ -36,6 +36,16 @@ void WebViewer::notice(std::string_view text) {
   socket_->send_text(std::make_shared<const std::string>(fmt::format("{{\"notice\":{}}}", quoted)));
 }
 
+void WebViewer::send_text(std::shared_ptr<const std::string> text) {
+  text_is_under_way_ = true;
+  socket_->send_text(std::move(text));
+}
+
+void WebViewer::drained() {
+  if (std::exchange(text_is_under_way_, false)) awaits_text_ = false;
+  send_frame();
+}
+
 void WebViewer::received(std::string_view text) {
   // What comes over the budget of a turn waits with the system: nothing is lost, and only its sender notices.
   if (++commands_ >= limits::kViewerCommandsPerTurn) socket_->pause();

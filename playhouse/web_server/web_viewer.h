@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "playhouse/net/websocket.h"
@@ -62,12 +63,17 @@ class WebViewer final : public net::WebSocketEvents {
   /// A line for the person at the page; dropped when many wait already.
   void notice(std::string_view text);
 
+  /// A large text is to come for this viewer. False: one is on its way already.
+  bool await_text() { return !std::exchange(awaits_text_, true); }
+  void send_text(std::shared_ptr<const std::string> text);
+  void expect_no_text() { awaits_text_ = false; }
+
   const replicate::Wish& wish() const { return viewer_.wish(); }
   const std::string& peer() const { return socket_->peer(); }
 
  private:
   void received(std::string_view text) override;
-  void drained() override { send_frame(); }
+  void drained() override;
   void closed(const std::string& why) override { owner_.left(*this, why); }
 
   Result<void> execute(const replicate::Command& command);
@@ -78,6 +84,7 @@ class WebViewer final : public net::WebSocketEvents {
   WebViewerOwner& owner_;
   const replicate::Snapshot* newest_ = nullptr;
   std::shared_ptr<const std::string> told_history_;
+  bool awaits_text_ = false, text_is_under_way_ = false;
   // With the socket while a frame is under way, else ours alone and reused.
   std::shared_ptr<std::vector<std::byte>> frame_ = std::make_shared<std::vector<std::byte>>();
   std::chrono::steady_clock::time_point frame_time_;

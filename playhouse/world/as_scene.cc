@@ -1,13 +1,15 @@
 #include "playhouse/world/as_scene.h"
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <map>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "playhouse/world/columns.h"
+#include "playhouse/scene/write_world.h"
+#include "playhouse/world/population.h"
 
 namespace playhouse::world {
 namespace {
@@ -30,9 +32,11 @@ class StandingScene {
   void add_tree(std::uint32_t row);
   Change change_of(std::uint32_t row, std::uint32_t size) const;
   bool is_another(std::uint32_t row) const;
+  /// Who came during the run has no controllers, whatever its prototype says.
+  bool came(std::uint32_t top) const { return Population::given(world_).contains(world_.models.id[top]); }
   /// Descriptions of a model as it stands and of all inside it, behind those there are.
-  void describe(std::uint32_t row, std::int32_t parent, std::string alias);
-  void describe_children(std::uint32_t row, std::uint32_t desc);
+  void describe(std::uint32_t row, std::int32_t parent, std::string alias, bool came);
+  void describe_children(std::uint32_t row, std::uint32_t desc, bool came);
   /// Of one more child of its type.
   using Siblings = std::map<std::string_view, int>;
   std::string unsaid_name(ModelRow row, std::string_view before, Siblings& siblings) const;
@@ -82,25 +86,29 @@ void StandingScene::add_tree(std::uint32_t row) {
     note_renamed(row, size);
   } else {
     tree.top = static_cast<std::uint32_t>(scene_.models.size());
-    describe(row, -1, tree.alias);
+    describe(row, -1, tree.alias, came(row));
     if (change == Change::kParts) scene_.models[tree.top].prototype = tree.name;
   }
   scene_.trees.push_back(std::move(tree));
 }
 
 StandingScene::Change StandingScene::change_of(std::uint32_t row, std::uint32_t size) const {
+  const bool is_new = came(row);
+  const auto says_otherwise = [&](std::uint32_t model) {
+    const scene::ModelDesc& desc = world_.desc({model});
+    return world_.models.say[model] != desc.say || (is_new && !desc.ctrl.empty());
+  };
   // A tree's own models are in rows one after the other.
   for (std::uint32_t part = row + 1; part < row + size; ++part)
-    if (is_another(part) || attached_.contains(part)) return Change::kParts;
-  return world_.models.say[row] != world_.desc({row}).say || attached_.contains(row) ? Change::kTop
-                                                                                     : Change::kNone;
+    if (says_otherwise(part) || is_another(part) || attached_.contains(part)) return Change::kParts;
+  return says_otherwise(row) || attached_.contains(row) ? Change::kTop : Change::kNone;
 }
 
 bool StandingScene::is_another(std::uint32_t row) const {
   const Models& models = world_.models;
   const scene::ModelDesc& desc = world_.desc({row});
   return models.X_PM[row] != desc.X_PM || models.color[row] != desc.color ||
-         models.fiducial_return[row] != desc.fiducial_return || models.say[row] != desc.say;
+         models.fiducial_return[row] != desc.fiducial_return;
 }
 
 std::string StandingScene::unsaid_name(ModelRow row, std::string_view before, Siblings& siblings) const {
@@ -108,7 +116,7 @@ std::string StandingScene::unsaid_name(ModelRow row, std::string_view before, Si
   return std::string(before) + type + ":" + std::to_string(siblings[type]++);
 }
 
-void StandingScene::describe(std::uint32_t row, std::int32_t parent, std::string alias) {
+void StandingScene::describe(std::uint32_t row, std::int32_t parent, std::string alias, bool came) {
   scene::ModelDesc desc = world_.desc({row});
   const bool is_attached = parent >= 0 && desc.parent < 0;
   desc.name = world_.name({row});
@@ -118,25 +126,26 @@ void StandingScene::describe(std::uint32_t row, std::int32_t parent, std::string
   desc.color = world_.models.color[row];
   desc.fiducial_return = world_.models.fiducial_return[row];
   desc.say = world_.models.say[row];
+  if (came) desc.ctrl.clear();
   if (is_attached) {
     const scene::ModelDesc& below = scene_.models[static_cast<std::size_t>(parent)];
     desc.stacked = below.stacks_children ? below.size.z : 0;
   }
   const auto made = static_cast<std::uint32_t>(scene_.models.size());
   scene_.models.push_back(std::move(desc));
-  describe_children(row, made);
+  describe_children(row, made, came);
 }
 
-void StandingScene::describe_children(std::uint32_t row, std::uint32_t desc) {
+void StandingScene::describe_children(std::uint32_t row, std::uint32_t desc, bool came) {
   const std::string before = scene_.models[desc].name + ".";
   Siblings siblings;
-  const auto describe_one = [&](std::uint32_t child) {
-    describe(child, static_cast<std::int32_t>(desc), unsaid_name({child}, before, siblings));
+  const auto describe_one = [&](std::uint32_t child, bool child_came) {
+    describe(child, static_cast<std::int32_t>(desc), unsaid_name({child}, before, siblings), child_came);
   };
   for (const std::uint32_t child : world_.children({row}))
-    if (world_.desc({child}).parent >= 0) describe_one(child);
+    if (world_.desc({child}).parent >= 0) describe_one(child, came);
   if (const auto attached = attached_.find(row); attached != attached_.end())
-    std::ranges::for_each(attached->second, describe_one);
+    for (const std::uint32_t child : attached->second) describe_one(child, this->came(child));
 }
 
 /// Parts of the tree that is about to become the last one.
@@ -159,6 +168,12 @@ void StandingScene::note_renamed(std::uint32_t row, std::uint32_t size) {
 
 scene::SceneDesc as_scene(const World& world) {
   return StandingScene(world).make();
+}
+
+Result<std::string> world_file(const scene::SceneDesc& standing, double time, const std::string& path) {
+  Result<std::string> text = scene::write_world(standing, path);
+  if (!text) return text.error();
+  return fmt::format("# As it stood at {} s of a run, saved by Playhouse.\n", time) + *text;
 }
 
 }  // namespace playhouse::world

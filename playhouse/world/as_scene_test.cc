@@ -127,6 +127,20 @@ TEST_F(AsSceneTest, it_has_who_came_and_not_who_went) {
   EXPECT_TRUE(again_->find("r1~2.ranger:0.lamp")) << text_;
 }
 
+TEST_F(AsSceneTest, who_came_has_no_controller_there_either) {
+  scene_ = *scene::load_world_text(
+      "define robot position ( ctrl \"wander\" ranger ( ) )\nrobot ( name \"a\" )\nrobot ( )", "w/t.world",
+      files_);
+  World world(scene_, 1);
+  ASSERT_TRUE(spawn(world, 0, {1, 0, 0, 0}).ok());
+  const Result<std::string> text = scene::write_world(as_scene(world), "w/t.world");
+  ASSERT_TRUE(text.ok());
+  EXPECT_NE(text->find("robot ( name \"a\" ctrl \"wander\" )\nrobot ( ctrl \"wander\" )\nrobot ( name "
+                       "\"a~2\" pose [1 0 0 0] )\n"),
+            std::string::npos)
+      << *text;
+}
+
 TEST_F(AsSceneTest, default_names_stay_with_those_who_have_them) {
   ASSERT_TRUE(spawn(world_, world_.models.desc[row("model:3").index], {6, 4, 0, 1}, "m").ok());
   ASSERT_TRUE(despawn(world_, id("wall")).ok());

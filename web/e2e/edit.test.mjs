@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { join } from 'node:path';
-import { chooseRobot, results, startBrowser, startProgram, watch } from './program.mjs';
+import { check, chooseRobot, results, startBrowser, startProgram, watch } from './program.mjs';
 
 let program;
 let browser;
@@ -91,6 +91,24 @@ test('a robot is carried on while others come and go', async () => {
   await page.mouse.move(at.x + 60, at.y);
   await page.mouse.up();
   await page.waitForFunction((x) => window.playhouse.pixel('mate').x > x + 40, at.x);
+});
+
+test('the world as it stands is saved as a file that runs, and has who is there now', async () => {
+  const coming = page.waitForEvent('download');
+  await by('save').click();
+  const download = await coming;
+  assert.equal(download.suggestedFilename(), 'yard.saved.world');
+  const file = join(results, 'yard.saved.world');
+  await download.saveAs(file);
+  const checked = await check(file);
+  assert.equal(checked.code, 0, checked.said);
+  const saved = await startProgram(file, ['--paused']);
+  const { page: again, errors: faults } = await watch(browser, saved.page, {}, 0);
+  assert.deepEqual(await robots(again), await robots());
+  for (const name of await robots()) assert.deepEqual(await pose(name, again), await pose(name));
+  await again.close();
+  await saved.stop();
+  assert.deepEqual(faults, []);
 });
 
 test('nothing went wrong in either page', () => {

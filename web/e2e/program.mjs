@@ -12,17 +12,18 @@ const root = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
 export const results = process.env.PLAYHOUSE_TEST_RESULTS ?? join(root, 'build/test-results');
 mkdirSync(results, { recursive: true });
 
+const program = process.env.PLAYHOUSE_PROGRAM ?? join(root, 'build/playhouse');
+
 /**
  * Runs a world and waits until its page is there.
- * @param {string} world path below the source root
+ * @param {string} world its path, from the source root
  * @param {string[]} options
  * @param {string} port of the page; '0': any free one
  * @returns {Promise<{page: string, stop: () => Promise<number | null>}>}
  */
 export async function startProgram(world, options = [], port = '0') {
-  const program = process.env.PLAYHOUSE_PROGRAM ?? join(root, 'build/playhouse');
   if (!existsSync(program)) throw new Error(`no program at ${program} (make build, or set PLAYHOUSE_PROGRAM)`);
-  const child = spawn(program, ['run', join(root, world), '--port', '0', '--web', port, ...options], {
+  const child = spawn(program, ['run', resolve(root, world), '--port', '0', '--web', port, ...options], {
     cwd: root,
     stdio: ['ignore', 'ignore', 'pipe'],
   });
@@ -42,6 +43,14 @@ export async function startProgram(world, options = [], port = '0') {
     return exit;
   };
   return { page, stop };
+}
+
+/** What `playhouse check` makes of a file. */
+export function check(file) {
+  const child = spawn(program, ['check', file], { stdio: ['ignore', 'pipe', 'pipe'] });
+  let said = '';
+  for (const stream of [child.stdout, child.stderr]) stream.on('data', (bytes) => (said += bytes));
+  return new Promise((done) => child.once('close', (code) => done({ code, said })));
 }
 
 /** Debian's Chromium, drawing in software. */

@@ -1,6 +1,6 @@
 import type { Command } from './protocol/commands';
 import { Replica } from './protocol/replica';
-import { parseText, withChanges, type Changes, type History, type Scene } from './protocol/scene';
+import { parseText, withChanges, type Changes, type History, type Scene, type WorldFile } from './protocol/scene';
 
 export type LinkState = 'connecting' | 'live' | 'silent' | 'lost';
 
@@ -10,6 +10,7 @@ export interface LinkEvents {
   population(scene: Scene, replica: Replica): void;
   packet(): void;
   history(history: History): void;
+  file(world: WorldFile): void;
   notice(text: string): void;
   state(state: LinkState): void;
 }
@@ -72,6 +73,7 @@ export class Link {
     const message = parseText(text);
     if ('notice' in message) return this.events.notice(message.notice);
     if ('history' in message) return this.events.history(message.history);
+    if ('world' in message) return this.events.file(message.world);
     if ('changes' in message) return this.follow(message.changes);
     this.tries = 0;
     this.unacknowledged = 0;

@@ -5,7 +5,7 @@ import type { Replica } from './protocol/replica';
 import { wheelsOf, type Scene } from './protocol/scene';
 import { Clock } from './ui/clock';
 import { DevicePanel } from './ui/device_panel';
-import { byId } from './ui/dom';
+import { byId, download } from './ui/dom';
 import { DriveBar } from './ui/drive_bar';
 import { fillHelp } from './ui/help';
 import { listenForHeldKeys, listenForKeys } from './ui/keyboard';
@@ -52,6 +52,7 @@ class Page {
     population: (scene, replica) => this.showPopulation(scene, replica),
     packet: () => this.showPacket(),
     history: (history) => this.clock.follow(history),
+    file: (world) => download(world.file, world.text),
     notice: (text) => {
       this.awaited = 0; // it may tell why nobody comes
       this.showNotice(text);
@@ -67,6 +68,7 @@ class Page {
     fit: () => this.fit(),
     toggleList: () => byId('robots').classList.toggle('desk'),
     add: (robot) => this.add(robot),
+    save: () => this.link.send({ do: 'save' }),
     help: () => this.help.showModal(),
   });
   private readonly clock = new Clock(byId('clock'), {

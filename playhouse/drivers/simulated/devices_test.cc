@@ -499,6 +499,26 @@ TEST_F(SimulationInterface, reset_puts_everything_back_to_the_start) {
   still_.run(1);
   EXPECT_EQ(still_.world().models.X_WM[robot.index], start);
   EXPECT_EQ(still_.world().tick(), 4u) << "clients want times that grow";
+}
+
+TEST_F(SimulationInterface, save_hands_the_world_to_whoever_saves_it) {
+  std::vector<std::uint64_t> saved;
+  still_.simulation.save_by([&](const world::World& world) { saved.push_back(world.tick()); });
+  open(sim::kCode, "");
+  still_.run(3);
+  const auto save = [this] {
+    return driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), sim::kCmdSave, {}});
+  };
+  EXPECT_EQ(save(), device::Taken::kQueued);
+  still_.run(2);
+  EXPECT_EQ(saved, std::vector<std::uint64_t>{3});
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(save(), device::Taken::kQueued);
+  still_.run(2);
+  EXPECT_EQ(saved, (std::vector<std::uint64_t>{3, 5})) << "of many before one tick the last";
+}
+
+TEST_F(SimulationInterface, save_is_refused_where_nobody_says_into_which_file) {
+  open(sim::kCode, "");
   EXPECT_EQ(driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), sim::kCmdSave, {}}),
             device::Taken::kNo);
 }

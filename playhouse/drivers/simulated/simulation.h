@@ -56,6 +56,10 @@ class Simulation final : public world::Control {
   void publish_to(device::Publisher& publisher) { publisher_ = &publisher; }
   void add_listener(Listener listener) { listeners_.push_back(std::move(listener)); }
   void add_follower(Follower follower) { followers_.push_back(std::move(follower)); }
+  /// What happens when a client wants the world saved as it stands, on the tick thread. Without it nothing
+  /// does: which file a client may write, if any, is for whoever runs the program to say.
+  using Saver = std::function<void(const world::World&)>;
+  void save_by(Saver saver) { saver_ = std::move(saver); }
 
   /// Ticks until the duration is over or stop() is called. The calling thread is the tick thread; with no
   /// wall clock to keep (speed 0) and nothing posted, no lock is taken and no other thread is involved.
@@ -89,6 +93,8 @@ class Simulation final : public world::Control {
   /// Simulated time of the newest tick. [s]
   double time() const { return time_.load(std::memory_order_relaxed); }
   world::Pace pace() const;
+  /// Empty: clients may not save.
+  const Saver& saver() const { return saver_; }
 
   // Tick thread only (inside a Change), or while run() is not running.
   void add_source(std::shared_ptr<Source> source);
@@ -129,6 +135,7 @@ class Simulation final : public world::Control {
   device::Publisher* publisher_ = nullptr;
   std::vector<Follower> followers_;
   std::vector<Listener> listeners_;
+  Saver saver_;
   Directory directory_;
   std::uint64_t end_tick_;
 

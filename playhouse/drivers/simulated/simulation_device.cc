@@ -46,9 +46,10 @@ bool SimulationDevice::move(world::World& world, const std::string& name, geom::
 std::span<const Served> SimulationDevice::served() const {
   static constexpr Served kServed[] = {
       {MessageType::kCmd, sim::kCmdPause},       {MessageType::kCmd, sim::kCmdReset},
-      {MessageType::kReq, sim::kReqGetPose2d},   {MessageType::kReq, sim::kReqSetPose2d},
-      {MessageType::kReq, sim::kReqGetPose3d},   {MessageType::kReq, sim::kReqSetPose3d},
-      {MessageType::kReq, sim::kReqGetProperty}, {MessageType::kReq, sim::kReqSetProperty},
+      {MessageType::kCmd, sim::kCmdSave},        {MessageType::kReq, sim::kReqGetPose2d},
+      {MessageType::kReq, sim::kReqSetPose2d},   {MessageType::kReq, sim::kReqGetPose3d},
+      {MessageType::kReq, sim::kReqSetPose3d},   {MessageType::kReq, sim::kReqGetProperty},
+      {MessageType::kReq, sim::kReqSetProperty},
   };
   return kServed;
 }
@@ -56,6 +57,7 @@ std::span<const Served> SimulationDevice::served() const {
 /// PAUSE has no payload: it pauses a running world and resumes a paused one.
 device::Taken SimulationDevice::command(const device::Message& message) {
   if (message.subtype == sim::kCmdReset) return reset();
+  if (message.subtype == sim::kCmdSave) return save();
   if (simulation().pace().paused) {
     simulation().resume();
   } else {
@@ -72,6 +74,21 @@ device::Taken SimulationDevice::reset() {
   });
   if (!posted) return device::Taken::kNo;
   newest_reset_ = number;
+  return device::Taken::kQueued;
+}
+
+/// As with resets, the newest of many alone counts.
+device::Taken SimulationDevice::save() {
+  if (!simulation().saver()) {
+    log::warn("simulation: a client asked to save the world, which --save-world FILE allows");
+    return device::Taken::kNo;
+  }
+  const std::uint64_t number = newest_save_ + 1;
+  const bool posted = simulation().post_to_all([=, this](const world::World& world) {
+    if (number >= newest_save_) simulation().saver()(world);
+  });
+  if (!posted) return device::Taken::kNo;
+  newest_save_ = number;
   return device::Taken::kQueued;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-/// The whole world as interface simulation: poses and properties of models by name, pausing and starting over
-/// (docs/drivers.md).
+/// The whole world as interface simulation: poses and properties of models by name, pausing, starting over
+/// and saving (docs/drivers.md).
 
 #include <atomic>
 #include <cstdint>
@@ -25,12 +25,13 @@ class SimulationDevice final : public SimulatedDevice {
 
  private:
   device::Taken reset();
+  device::Taken save();
   void pose_2d(const device::Message& message, device::Replier replier);
   void pose_3d(const device::Message& message, device::Replier replier);
   void property(const device::Message& message, device::Replier replier);
   void list_models(std::uint32_t first, device::Replier replier);
 
-  std::atomic<std::uint64_t> newest_reset_ = 0;  // that was posted
+  std::atomic<std::uint64_t> newest_reset_ = 0, newest_save_ = 0;  // that was posted
 
   // Tick thread.
   std::optional<Bytes> model_page(const world::World& world, std::uint32_t first);

@@ -10,6 +10,7 @@ export type Command =
   | { do: 'copy'; model: number; x: number; y: number; a: number }
   | { do: 'add'; robot: number; x: number; y: number; a: number } // place in scene.addable
   | { do: 'remove'; model: number }
+  | { do: 'save' }
   | { do: 'select'; model: number | null }
   | { do: 'look'; x_min: number; y_min: number; x_max: number; y_max: number; sensors: boolean }
   | { do: 'ack'; frame: number };

@@ -104,6 +104,7 @@ describe('scene', () => {
   it('takes scenes, changes and notices and nothing else', () => {
     expect(parseText('{"notice":"hello"}')).toEqual({ notice: 'hello' });
     expect(parseText(JSON.stringify(golden.scene))).toHaveProperty('scene');
+    expect(parseText('{"world":{"file":"a.world","text":"x"}}')).toEqual({ world: { file: 'a.world', text: 'x' } });
     expect(parseText('{"gone":[1],"models":[]}')).toEqual({ changes: { gone: [1], models: [] } });
     expect(() => parseText('{"protocol":1}')).toThrow('reload');
   });

@@ -74,12 +74,21 @@ export type History = { ticks: number[] } | { none: string };
 
 type HistoryText = { first: number; steps: [gap: number, times: number][] } | { none: string };
 
-/** A text message: the scene, changes of its population, instants to go back to, or a line for the person who watches. */
-export function parseText(text: string): { scene: Scene } | { changes: Changes } | { history: History } | { notice: string } {
+/** The world as it stands, to be kept under this name. */
+export interface WorldFile {
+  file: string;
+  text: string;
+}
+
+type Message = { scene: Scene } | { changes: Changes } | { history: History } | { world: WorldFile } | { notice: string };
+
+/** A text message: the scene, changes of its population, instants to go back to, a file, or a line for the person who watches. */
+export function parseText(text: string): Message {
   const message: unknown = JSON.parse(text);
   if (typeof message !== 'object' || message === null) throw new Error('not a message of this program');
   if ('notice' in message && typeof message.notice === 'string') return { notice: message.notice };
   if ('history' in message) return { history: historyOf(message.history as HistoryText) };
+  if ('world' in message) return { world: message.world as WorldFile };
   if ('gone' in message) return { changes: message as Changes };
   if ('protocol' in message && message.protocol === 2) return { scene: sceneOf(message as SceneText) };
   throw new Error('this page is older or newer than the program: reload it');

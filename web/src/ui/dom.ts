@@ -27,6 +27,15 @@ export function setText(node: Node, text: string): void {
   if (node.textContent !== text) node.textContent = text;
 }
 
+const kFetchMs = 60000; // in which the browser has taken a file
+
+/** Gives the person at the page a text as a file. */
+export function download(name: string, text: string): void {
+  const url = URL.createObjectURL(new Blob([text], { type: 'text/plain' }));
+  el('a', { href: url, download: name }).click();
+  window.setTimeout(() => URL.revokeObjectURL(url), kFetchMs);
+}
+
 const kIcons = {
   play: 'M4 2.5v11l9-5.5z',
   pause: 'M4 2.5h3v11H4zm5 0h3v11H9z',

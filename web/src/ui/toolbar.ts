@@ -12,6 +12,8 @@ export interface ToolbarEvents {
   toggleList(): void;
   /** Another one of the scene's robots, by its place in the list. */
   add(robot: number): void;
+  /** The world as it stands, as a file. */
+  save(): void;
   help(): void;
 }
 
@@ -50,6 +52,7 @@ export class Toolbar {
   private readonly sheet = el('div', { class: 'sheet', hidden: true });
   private readonly addSheet = el('div', { class: 'sheet', hidden: true });
   private readonly addButton = el('button', { 'aria-haspopup': 'true', 'aria-expanded': 'false', 'data-testid': 'add', title: 'Another robot, in the middle of the picture' }, 'Add');
+  private readonly saveButton = el('button', { class: 'desk', 'data-testid': 'save', title: 'The world as it stands now, as a world file' }, 'Save world');
   private readonly boxes = new Map<keyof Layers, HTMLInputElement>();
   private readonly stepButton = el('button', { 'data-testid': 'step', title: 'One tick (.)', 'aria-label': 'Step' }, icon('step'), el('span', { class: 'desk' }, ' Step'));
   private readonly tiltButton = el('button', { 'data-testid': 'tilt', title: 'From above or tilted (T)' });
@@ -68,6 +71,7 @@ export class Toolbar {
     list.onclick = events.toggleList;
     fit.onclick = events.fit;
     help.onclick = events.help;
+    this.saveButton.onclick = events.save;
     this.tiltButton.onclick = events.tilt;
     this.speeds.onchange = () => events.speed(Number(this.speeds.value));
     // Arrows belong to the choice while it has the focus: chosen with a mouse, it gives them back to who drives.
@@ -76,7 +80,7 @@ export class Toolbar {
     bar.append(
       el('span', { class: 'brand' }, this.dot, el('span', { class: 'desk' }, 'Playhouse'), this.world),
       list, el('span', { class: 'rule' }), this.pause, this.stepButton, this.speeds, el('span', { class: 'gap' }),
-      this.menu(this.addButton, this.addSheet), this.tiltButton, fit, this.layerMenu(), help,
+      this.menu(this.addButton, this.addSheet), this.saveButton, this.tiltButton, fit, this.layerMenu(), help,
     );
     this.showPaused(false);
     this.showTilted(false);
@@ -85,7 +89,7 @@ export class Toolbar {
   showLink(state: LinkState, text: string): void {
     this.dot.dataset.state = state;
     this.dot.title = text;
-    for (const control of [this.pause, this.stepButton, this.speeds, this.addButton]) control.disabled = state !== 'live';
+    for (const control of [this.pause, this.stepButton, this.speeds, this.addButton, this.saveButton]) control.disabled = state !== 'live';
   }
 
   showWorld(name: string): void {
