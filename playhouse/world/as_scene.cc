@@ -10,6 +10,7 @@
 
 #include "playhouse/scene/write_world.h"
 #include "playhouse/world/population.h"
+#include "playhouse/world/rows.h"
 
 namespace playhouse::world {
 namespace {
@@ -50,14 +51,10 @@ class StandingScene {
 };
 
 scene::SceneDesc StandingScene::make() {
-  static_cast<scene::WorldDesc&>(scene_) = from_;
-  scene_.path = from_.path;
-  scene_.files = from_.files;
-  scene_.window = from_.window;
-  scene_.units = from_.units;
-  scene_.kept = from_.kept;
-  scene_.kept_of_window = from_.kept_of_window;
-  scene_.models = from_.models;
+  scene_ = from_;
+  scene_.trees.clear();
+  scene_.renamed.clear();
+  scene_.warnings.clear();
   find_attached();
   for (std::uint32_t row = 0; row < world_.models.size(); ++row)
     if (!ModelRow{world_.models.parent[row]}) add_tree(row);
@@ -96,7 +93,8 @@ StandingScene::Change StandingScene::change_of(std::uint32_t row, std::uint32_t 
   const bool is_new = came(row);
   const auto says_otherwise = [&](std::uint32_t model) {
     const scene::ModelDesc& desc = world_.desc({model});
-    return world_.models.say[model] != desc.say || (is_new && !desc.ctrl.empty());
+    return world_.models.say[model] != desc.say || (is_new && !desc.ctrl.empty()) ||
+           say_rows(world_, {model});
   };
   // A tree's own models are in rows one after the other.
   for (std::uint32_t part = row + 1; part < row + size; ++part)
@@ -126,6 +124,7 @@ void StandingScene::describe(std::uint32_t row, std::int32_t parent, std::string
   desc.color = world_.models.color[row];
   desc.fiducial_return = world_.models.fiducial_return[row];
   desc.say = world_.models.say[row];
+  say_rows(world_, {row}, &desc);
   if (came) desc.ctrl.clear();
   if (is_attached) {
     const scene::ModelDesc& below = scene_.models[static_cast<std::size_t>(parent)];

@@ -29,7 +29,7 @@ define robot position (
 model ( name "wall" size [0.1 8 1] pose [5 0 0 0] )
 robot ( name "r0" pose [1 2 0 45] color "blue" )
 robot ( name "r1" pose [1 -2 0 200] fiducial_return 3 say "hello" )
-position ( name "alone" pose [-1 0 0 0] )
+position ( name "alone" pose [-1 0 0 0] kjoules 2 )
 model ( name "puck" pose [3 1 0 0] size [0.1 0.1 0.1] gripper_return 1 )
 model ( pose [3 2 0 0] size [0.1 0.1 0.1] gripper_return 1 model ( name "lid" ) )
 )";
@@ -115,6 +115,15 @@ TEST_F(AsSceneTest, it_has_what_was_moved_painted_and_marked) {
   expect_same();
   EXPECT_EQ(text_.find("say \"hello\""), std::string::npos);
   EXPECT_NE(text_.find("\nrobot ( name \"r0\""), std::string::npos) << "it is one of them still\n" << text_;
+}
+
+TEST_F(AsSceneTest, batteries_hold_what_they_hold_now) {
+  ASSERT_EQ(world_.packs.stored.size(), 1u);
+  world_.packs.stored[0] = 1234.5;
+  expect_same();
+  ASSERT_EQ(again_->packs.stored.size(), 1u);
+  EXPECT_EQ(again_->packs.stored[0], 1234.5);
+  EXPECT_EQ(again_->packs.capacity[0], 2000);
 }
 
 TEST_F(AsSceneTest, it_has_who_came_and_not_who_went) {

@@ -9,9 +9,8 @@
 #include "playhouse/base/assert.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/limits.h"
-#include "playhouse/base/rng.h"
-#include "playhouse/scene/charge.h"
 #include "playhouse/world/columns.h"
+#include "playhouse/world/rows.h"
 
 namespace playhouse::world {
 namespace {
@@ -22,53 +21,6 @@ constexpr std::size_t kUsualItems = 32;  // of a list; room for more is made onc
 template <typename T>
 std::uint32_t count32(const std::vector<T>& column) {
   return static_cast<std::uint32_t>(column.size());
-}
-
-geom::Twist draw_odometry_error(std::uint64_t seed, ModelId model) {
-  Rng rng(seed, 0, {Purpose::kOdometryError, model.value});
-  geom::Twist error;
-  error.x = rng.uniform(-0.015, 0.015);
-  error.y = rng.uniform(-0.015, 0.015);
-  error.a = rng.uniform(-0.025, 0.025);
-  return error;
-}
-
-/// What a row begins with that is not zero. Tables without an overload begin with zeros.
-template <typename Table>
-void fill_row(World&, Table&, const scene::ModelDesc&, ModelRow) {}
-
-void fill_row(World& world, Positions& positions, const scene::ModelDesc& model, ModelRow row) {
-  const scene::PositionDesc& desc = *model.position;
-  const geom::Pose& X_WM = world.models.X_WM[row.index];
-  const bool gps = desc.localization == scene::Localization::kGps;
-  const geom::Pose X_WO = desc.localization_origin.value_or(gps ? geom::Pose{} : X_WM);
-  positions.command.back() = desc.velocity;
-  positions.X_OM.back() = geom::compose(geom::inverse(X_WO), X_WM);
-  positions.X_WO.back() = X_WO;
-  positions.odom_error.back() = desc.odom_error.value_or(draw_odometry_error(world.seed(), world.id(row)));
-  positions.motor_on.back() = 1;
-}
-
-void fill_row(World& world, Rangers& rangers, const scene::ModelDesc& model, ModelRow) {
-  Sensors& sensors = world.sensors;
-  const RangerRow ranger{count32(rangers.model) - 1};
-  rangers.first_sensor.back() = count32(sensors.ranger);
-  rangers.sensor_count.back() = count32(model.sensors);
-  for (const scene::RangerSensorDesc& sensor : model.sensors) {
-    sensors.ranger.push_back(ranger);
-    sensors.first_beam.push_back(count32(sensors.ranges));
-    sensors.beam_count.push_back(sensor.samples);
-    sensors.ranges.insert(sensors.ranges.end(), sensor.samples, static_cast<float>(sensor.range_max));
-    sensors.intensities.insert(sensors.intensities.end(), sensor.samples, 0.0f);
-  }
-}
-
-void fill_row(World&, Packs& packs, const scene::ModelDesc& model, ModelRow) {
-  const scene::Charge charge = scene::charge_of(model);
-  packs.stored.back() = charge.stored;
-  packs.capacity.back() = charge.capacity;
-  packs.takes.back() = 1;
-  packs.gives.back() = 1;
 }
 
 /// A row of zeros at the end of a table; lists get room for what is usual.

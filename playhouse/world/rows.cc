@@ -1,0 +1,84 @@
+#include "playhouse/world/rows.h"
+
+#include "playhouse/base/rng.h"
+#include "playhouse/scene/charge.h"
+#include "playhouse/world/columns.h"
+#include "playhouse/world/traits.h"
+
+namespace playhouse::world {
+namespace {
+
+template <typename T>
+std::uint32_t count32(const std::vector<T>& column) {
+  return static_cast<std::uint32_t>(column.size());
+}
+
+geom::Twist draw_odometry_error(std::uint64_t seed, ModelId model) {
+  Rng rng(seed, 0, {Purpose::kOdometryError, model.value});
+  geom::Twist error;
+  error.x = rng.uniform(-0.015, 0.015);
+  error.y = rng.uniform(-0.015, 0.015);
+  error.a = rng.uniform(-0.025, 0.025);
+  return error;
+}
+
+}  // namespace
+
+void fill_row(World& world, Positions& positions, const scene::ModelDesc& model, ModelRow row) {
+  const scene::PositionDesc& desc = *model.position;
+  const geom::Pose& X_WM = world.models.X_WM[row.index];
+  const bool gps = desc.localization == scene::Localization::kGps;
+  const geom::Pose X_WO = desc.localization_origin.value_or(gps ? geom::Pose{} : X_WM);
+  positions.command.back() = desc.velocity;
+  positions.X_OM.back() = geom::compose(geom::inverse(X_WO), X_WM);
+  positions.X_WO.back() = X_WO;
+  positions.odom_error.back() = desc.odom_error.value_or(draw_odometry_error(world.seed(), world.id(row)));
+  positions.motor_on.back() = 1;
+}
+
+void fill_row(World& world, Rangers& rangers, const scene::ModelDesc& model, ModelRow) {
+  Sensors& sensors = world.sensors;
+  const RangerRow ranger{count32(rangers.model) - 1};
+  rangers.first_sensor.back() = count32(sensors.ranger);
+  rangers.sensor_count.back() = count32(model.sensors);
+  for (const scene::RangerSensorDesc& sensor : model.sensors) {
+    sensors.ranger.push_back(ranger);
+    sensors.first_beam.push_back(count32(sensors.ranges));
+    sensors.beam_count.push_back(sensor.samples);
+    sensors.ranges.insert(sensors.ranges.end(), sensor.samples, static_cast<float>(sensor.range_max));
+    sensors.intensities.insert(sensors.intensities.end(), sensor.samples, 0.0f);
+  }
+}
+
+void fill_row(World&, Packs& packs, const scene::ModelDesc& model, ModelRow) {
+  const scene::Charge charge = scene::charge_of(model);
+  packs.stored.back() = charge.stored;
+  packs.capacity.back() = charge.capacity;
+  packs.takes.back() = 1;
+  packs.gives.back() = 1;
+}
+
+bool say_row(const Packs& packs, std::uint32_t row, const scene::ModelDesc& model, scene::ModelDesc* said) {
+  const scene::Charge charge = scene::charge_of(model);
+  if (charge.stored == packs.stored[row] && charge.capacity == packs.capacity[row]) return false;
+  if (!said) return true;
+  said->joules = packs.stored[row];
+  said->joules_capacity = packs.capacity[row];
+  said->kjoules = said->kjoules_capacity = {};
+  return true;
+}
+
+bool say_rows(const World& world, ModelRow row, scene::ModelDesc* said) {
+  const scene::ModelDesc& model = world.desc(row);
+  bool is_new = false;
+  each_kind_table([&]<typename Table>(Table Tables::*table) {
+    if (kKindOf<Table> == model.kind)
+      is_new |= say_row(world.*table, world.models.part[row.index], model, said);
+  });
+  each_trait_table([&]<typename Table>(Table Tables::*table) {
+    if (kHas<Table>(model)) is_new |= say_row(world.*table, trait_row(world.*table, row.index), model, said);
+  });
+  return is_new;
+}
+
+}  // namespace playhouse::world
