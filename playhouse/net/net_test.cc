@@ -76,15 +76,19 @@ class Client {
     setsockopt(descriptor_, SOL_SOCKET, SO_LINGER, &hard, sizeof hard);
     close(std::exchange(descriptor_, -1));
   }
-  std::string read(std::size_t count) {
-    std::string result(count, 0);
-    result.resize(
-        static_cast<std::size_t>(std::max<ssize_t>(0, recv(descriptor_, result.data(), count, MSG_WAITALL))));
-    return result;
-  }
+  std::string read(std::size_t count) { return read(count, MSG_WAITALL); }
+  /// What has come.
+  std::string read_now(std::size_t most) { return read(most, MSG_DONTWAIT); }
   bool connected = false;
 
  private:
+  std::string read(std::size_t count, int flags) {
+    std::string result(count, 0);
+    result.resize(
+        static_cast<std::size_t>(std::max<ssize_t>(0, recv(descriptor_, result.data(), count, flags))));
+    return result;
+  }
+
   int descriptor_;
 };
 
@@ -147,6 +151,20 @@ TEST(Tcp, carries_bytes_both_ways_and_says_when_they_are_out) {
   ASSERT_TRUE(serve_until(loop, [&] { return log.drains == 1; }));
   EXPECT_EQ(log.connection->in_flight_bytes(), 0u);
   EXPECT_EQ(client.read(7), "one two");
+}
+
+// A loop that is busy would come back to the rest after everything else, however many parts that is.
+TEST(Tcp, hands_all_parts_to_the_system_at_once) {
+  IoLoop loop;
+  Log log;
+  const auto listener = loop.listen("127.0.0.1", 0, into(log));
+  Client client((*listener)->port());
+  ASSERT_TRUE(serve_until(loop, [&] { return log.connection != nullptr; }));
+  const std::vector<SharedBytes> parts(1000, shared("abcdefg"));
+  log.connection->send(parts);
+  EXPECT_EQ(client.read_now(7001).size(), 7000u);
+  EXPECT_EQ(log.drains, 0) << "events come from the loop";
+  ASSERT_TRUE(serve_until(loop, [&] { return log.drains == 1; }));
 }
 
 TEST(Tcp, serves_ipv6_and_ipv4_at_the_any_address) {

@@ -1,11 +1,13 @@
 // TCP behind Connection: one gathered write at a time, and an end that takes nothing back.
 
 #include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
-#include <boost/asio/write.hpp>
 #include <chrono>
 #include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "playhouse/net/asio_accept.h"
 #include "playhouse/net/asio_loop.h"
@@ -101,11 +103,36 @@ class TcpStream : public std::enable_shared_from_this<TcpStream> {
   void write_queued() {
     writing_ = std::move(queued_);
     queued_.clear();
-    std::vector<asio::const_buffer> buffers;
-    buffers.reserve(writing_.size());
-    for (const SharedBytes& part : writing_) buffers.emplace_back(part->data(), part->size());
-    asio::async_write(socket_, buffers, [self = shared_from_this()](const error_code& error, std::size_t) {
-      self->written(error);
+    buffers_.clear();
+    for (const SharedBytes& part : writing_) buffers_.emplace_back(part->data(), part->size());
+    next_buffer_ = 0;
+    write();
+  }
+
+  // As much as the system takes: asio::async_write goes back to the loop after every 16 parts, and waits
+  // there behind whatever else is to be done.
+  void write() {
+    error_code error;
+    while (next_buffer_ < buffers_.size() && !error)
+      skip(socket_.write_some(std::span(std::as_const(buffers_)).subspan(next_buffer_), error));
+    if (error && !is_end(error)) return wait_for_room();
+    asio::post(socket_.get_executor(), [self = shared_from_this(), error] { self->written(error); });
+  }
+
+  void skip(std::size_t bytes) {
+    for (; next_buffer_ < buffers_.size(); ++next_buffer_) {
+      asio::const_buffer& buffer = buffers_[next_buffer_];
+      if (bytes < buffer.size()) {
+        buffer += bytes;
+        return;
+      }
+      bytes -= buffer.size();
+    }
+  }
+
+  void wait_for_room() {
+    socket_.async_wait(tcp::socket::wait_write, [self = shared_from_this()](const error_code& error) {
+      error ? self->written(error) : self->write();
     });
   }
 
@@ -158,6 +185,8 @@ class TcpStream : public std::enable_shared_from_this<TcpStream> {
   asio::steady_timer end_timer_;  // once the owner has let it go
   ConnectionEvents* events_ = nullptr;
   std::vector<SharedBytes> writing_, queued_;
+  std::vector<asio::const_buffer> buffers_;  // of writing_
+  std::size_t next_buffer_ = 0;              // the first that the system has not taken whole
   std::size_t in_flight_bytes_ = 0;
   std::optional<IoLoop::Impl::Lingering::iterator> lingering_;  // once everything is sent
   bool waiting_ = false, paused_ = false, read_to_end_ = false, closing_ = false, peer_lost_ = false;
