@@ -27,6 +27,7 @@ inline constexpr std::size_t kSessionAnswers = 1024;              // answers one
 inline constexpr std::size_t kSessionAnswerBytes = 1u << 20;      // the same in bytes, of requests that drivers have and of answers
 inline constexpr std::size_t kTurnMessages = 32;                  // of one client, before it is the next one's turn
 inline constexpr std::size_t kTurnWork = 256;                     // messages and clients, before the sockets are looked at again
+inline constexpr std::size_t kTurnDeliveries = 1024;              // data and answers of drivers, the same
 inline constexpr std::size_t kRequestQueue = 16384;               // requests of all clients waiting for a tick
 inline constexpr std::size_t kInputBytes = 128u << 20;            // of messages of all clients that have not come whole
 inline constexpr std::size_t kOutputBytes = 128u << 20;           // of answers and data of all clients that have not been sent
@@ -35,6 +36,7 @@ inline constexpr std::size_t kSubscriptions = 8192;               // devices one
 inline constexpr std::size_t kListedModels = 4096;                // of one answer to "which models are there"
 inline constexpr std::size_t kModelListBytes = 256u << 10;        // of its text; one model is always told
 inline constexpr std::size_t kOutboxBytes = 64u << 20;            // data the io thread has not taken yet
+inline constexpr std::size_t kOutboxMessages = 65536;             // the same in messages
 
 // Viewers: the browser page.
 inline constexpr std::size_t kHttpConnections = 256;              // viewers included; over it the one that waited longest is closed

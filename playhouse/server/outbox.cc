@@ -6,15 +6,25 @@
 
 namespace playhouse::server {
 
+namespace {
+
+std::size_t bytes_of(const device::Publication& publication) {
+  return limits::kHeaderBytes + publication.body.size();
+}
+
+}  // namespace
+
 bool Outbox::put(std::vector<device::Publication> batch) {
-  const std::scoped_lock lock(mutex_);
   std::size_t bytes = 0;
-  for (const device::Publication& publication : batch)
-    bytes += limits::kHeaderBytes + publication.body.size();
-  if (data_bytes_ > 0 && data_bytes_ + bytes > limits::kOutboxBytes) {
+  for (const device::Publication& publication : batch) bytes += bytes_of(publication);
+  const std::scoped_lock lock(mutex_);
+  const bool fits =
+      data_bytes_ + bytes <= limits::kOutboxBytes && data_messages_ + batch.size() <= limits::kOutboxMessages;
+  if (data_messages_ > 0 && !fits) {
     dropped_ += std::erase_if(items_, [](const Item& item) { return item.index() == 0; });
-    data_bytes_ = 0;
+    data_messages_ = data_bytes_ = 0;
   }
+  data_messages_ += batch.size();
   data_bytes_ += bytes;
   for (device::Publication& publication : batch) items_.emplace_back(std::move(publication));
   return !batch.empty() && wake();
@@ -30,11 +40,17 @@ bool Outbox::wake() {
   return !std::exchange(woken_, true);
 }
 
-std::vector<Outbox::Item> Outbox::take_all() {
+bool Outbox::take(std::vector<Item>& items, std::size_t most) {
   const std::scoped_lock lock(mutex_);
-  data_bytes_ = 0;
-  woken_ = false;
-  return std::exchange(items_, {});
+  for (; !items_.empty() && most > 0; --most, items_.pop_front()) {
+    items.push_back(std::move(items_.front()));
+    if (const auto* publication = std::get_if<device::Publication>(&items.back())) {
+      --data_messages_;
+      data_bytes_ -= bytes_of(*publication);
+    }
+  }
+  woken_ = !items_.empty();
+  return woken_;
 }
 
 std::uint64_t Outbox::data_dropped() const {

@@ -1,9 +1,10 @@
 #pragma once
 
-/// Outbox: hand-over 3. Drivers on any thread leave data and answers here; the io thread takes them in order.
+/// Outbox: hand-over 3. Drivers on any thread leave data and answers here; the io thread takes them in order, a portion at a time.
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <mutex>
 #include <variant>
 #include <vector>
@@ -23,19 +24,21 @@ class Outbox {
   using Item = std::variant<device::Publication, Answer>;
 
   /// True if the io thread has to be woken: nothing was waiting. When the io thread is so far behind that
-  /// more than limits::kOutboxBytes of data would wait, the data that waits is dropped for the new; answers
-  /// never are.
+  /// more than limits::kOutboxBytes or kOutboxMessages of data would wait, the data that waits is dropped for
+  /// the new; answers never are.
   [[nodiscard]] bool put(std::vector<device::Publication> batch);
   [[nodiscard]] bool put(Answer answer);
-  std::vector<Item> take_all();
+  /// Moves the oldest, at most this many, to `items`. True if more wait: who takes them has to come again
+  /// without being woken.
+  bool take(std::vector<Item>& items, std::size_t most);
   std::uint64_t data_dropped() const;
 
  private:
   bool wake();  // holding the mutex
 
   mutable std::mutex mutex_;
-  std::vector<Item> items_;
-  std::size_t data_bytes_ = 0;
+  std::deque<Item> items_;
+  std::size_t data_messages_ = 0, data_bytes_ = 0;
   std::uint64_t dropped_ = 0;
   bool woken_ = false;
 };

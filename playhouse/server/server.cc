@@ -22,6 +22,7 @@ namespace {
 constexpr std::size_t kWriteBytes = 256u
                                     << 10;  // of one gathered write; the rest stays where it can be replaced
 constexpr std::uint8_t kErrorLetter = 'e';  // an access code that answers to openings do not have
+constexpr std::size_t kEverything = SIZE_MAX;
 constexpr double kLastRounds = 1;   // s; after the run, clients may ask so long for the rest of its data
 constexpr double kLastWrites = 1;   // s; and then, what nobody asked for may take so long to go out
 constexpr double kLastAnswers = 5;  // s; a client that will send no more waits so long for the next
@@ -151,7 +152,9 @@ class Server::Impl {
   void wake();
   void schedule();
   void turn();
-  void deliver_outbox();
+  /// Data and answers of drivers to the queues of clients: a portion, so that data that comes faster than it
+  /// can be delivered does not keep sockets waiting. The rest follows.
+  void deliver_outbox(std::size_t most = limits::kTurnDeliveries);
   void deliver(const Answer& answer);
   std::size_t device_rows() const;
   void tell_of_lost_data();
@@ -178,6 +181,7 @@ class Server::Impl {
   std::uint32_t next_serial_ = 1;
   std::uint64_t accepted_ = 0, refused_ = 0, silent_ = 0, broken_ = 0, turns_ = 0, retired_ = 0;
   bool full_ = false, told_of_lost_data_ = false, scheduled_ = false;
+  bool delivers_on_ = false;  // a wake() is on its way for what is left in the outbox
 };
 
 // --- one client
@@ -349,6 +353,7 @@ void Server::Impl::remove(std::uint32_t serial) {
 void Server::Impl::wake() {
   network_.post([this, alive = std::weak_ptr<int>(alive_)] {
     if (alive.expired()) return;
+    delivers_on_ = false;
     deliver_outbox();
     make_output_room();  // data for clients that do not ask for them have no turn
     schedule();
@@ -379,14 +384,16 @@ void Server::Impl::turn() {
   schedule();
 }
 
-void Server::Impl::deliver_outbox() {
-  for (Outbox::Item& item : outbox_.take_all()) {
+void Server::Impl::deliver_outbox(std::size_t most) {
+  std::vector<Outbox::Item> items;
+  if (outbox_.take(items, most) && !std::exchange(delivers_on_, true)) wake();
+  for (const Outbox::Item& item : items) {
     if (const auto* publication = std::get_if<device::Publication>(&item)) {
       if (!board_.devices.has(publication->device)) continue;  // it has retired
       const device::Address address = board_.devices[publication->device].address;
       board_.fanout.publish(*publication, address, board_.clock());
     } else {
-      deliver(*std::get_if<Answer>(&item));
+      deliver(std::get<Answer>(item));
     }
   }
   tell_of_lost_data();
@@ -412,7 +419,7 @@ Result<device::DeviceId> Server::Impl::add_device(device::Address address, devic
 
 void Server::Impl::retire_device(device::DeviceId id) {
   if (!board_.devices.has(id)) return;
-  deliver_outbox();
+  deliver_outbox(kEverything);
   const auto [address, driver, users] = board_.devices[id];
   const Frame notice = counted(make_notice(address, *driver, board_.clock()), board_.frame_bytes);
   const DeviceUses::Use use = board_.uses.take(id);
@@ -468,7 +475,7 @@ Server::Impl::Client* Server::Impl::longest_unfinished() {
 void Server::Impl::finish(std::function<void()> done) {
   done_ = std::move(done);
   listeners_.clear();
-  deliver_outbox();
+  deliver_outbox(kEverything);
   if (clients_.empty()) return end();
   last_moments_ = network_.after(kLastRounds, [this] {
     last_moments_ = network_.after(kLastWrites, [this] { end(); });
