@@ -152,5 +152,27 @@ TEST(ChangingPopulation, a_robot_that_came_is_in_the_way_and_what_it_carries_as_
   EXPECT_GT(world.models.X_WM[kRobot].x, x + 0.1);
 }
 
+TEST(ChangingPopulation, what_holds_something_loose_leaves_no_wall_behind_where_it_stood) {
+  scene::SceneDesc scene;
+  scene.models.push_back(pioneer("r", {0, 0, 0, 0}));
+  scene.models.push_back(laser("r.ranger:0", 0));
+  scene.models.push_back(box("table", {2, 0, 0, 0}, {0.2, 0.2, 1}));
+  scene.models.push_back(box("cup", {0, 5, 0, 0}, {0.1, 0.1, 0.1}));
+  scene.models.back().gripper_return = true;
+  const auto engine = engine_of(scene);
+  world::World& world = engine->world();
+  const auto ahead = [&] { return (engine->step(), world.sensors.ranges[90]); };
+  EXPECT_LT(ahead(), 2);
+  ASSERT_TRUE(world::attach(world, {3}, {2}, {0, 0, 1, 0}).ok());
+  EXPECT_LT(ahead(), 2);
+  ASSERT_TRUE(world::set_pose(world, {2}, {5, 5, 0, 0}));
+  EXPECT_EQ(ahead(), 8);
+  ASSERT_TRUE(world::set_pose(world, {2}, {2, 0, 0, 0}));
+  ASSERT_TRUE(world::detach(world, {3}).ok());
+  EXPECT_LT(ahead(), 2);
+  ASSERT_TRUE(world::set_pose(world, {2}, {5, 5, 0, 0}));
+  EXPECT_EQ(ahead(), 8);
+}
+
 }  // namespace
 }  // namespace playhouse::stage

@@ -31,7 +31,9 @@ struct Change {
   Kind kind;
   ModelId model, other;
   std::uint32_t count = 0;
-  Mobility mobility = Mobility::kFixed;  // of the tree as it was when it changed
+  /// Of the tree as it was when it changed; kFixed also where a part came to what stands still, which it no
+  /// longer does, or went from what does so again.
+  Mobility mobility = Mobility::kFixed;
   friend bool operator==(const Change&, const Change&) = default;
 };
 

@@ -453,6 +453,7 @@ Result<void> attach(World& world, ModelId child, ModelId parent, const geom::Pos
   if (models.root[parent_row.index] == child_row.index) return Error{{}, "it cannot be a part of itself"};
   const Mobility mobility = models.mobility[child_row.index];
   if (mobility != Mobility::kLoose) return Error{{}, "only what is loose can be attached"};
+  const Mobility parents = models.mobility[parent_row.index];
   models.parent_id[child_row.index] = parent;
   Population population(world);
   if (!population.derive()) {
@@ -462,7 +463,7 @@ Result<void> attach(World& world, ModelId child, ModelId parent, const geom::Pos
   }
   models.X_PM.own(child_row.index) = {X_PC.x, X_PC.y, X_PC.z, geom::normalize(X_PC.a)};
   place_tree(world, child_row);
-  world.changes.add({Change::Kind::kAttach, child, parent, 0, mobility});
+  world.changes.add({Change::Kind::kAttach, child, parent, 0, std::min(mobility, parents)});
   return {};
 }
 
@@ -476,7 +477,9 @@ Result<void> detach(World& world, ModelId child) {
   Population population(world);
   const bool derived = population.derive();
   PLAYHOUSE_ASSERT(derived);
-  world.changes.add({Change::Kind::kDetach, child, parent, 0, world.models.mobility[row.index]});
+  const Mobility parents = world.models.mobility[world.row(parent).index];
+  world.changes.add(
+      {Change::Kind::kDetach, child, parent, 0, std::min(world.models.mobility[row.index], parents)});
   return {};
 }
 
