@@ -71,7 +71,8 @@ def _descs(kinds: Kinds) -> str:
     lines += ["};", ""]
     for kind in described(kinds):
         for word in kind.members:
-            lines += _enum(word)
+            for choice in [word, *word.choices]:
+                lines += _enum(choice)
         lines += _struct(kind)
     lines += _comment("What models say beyond PlainDesc: what is not of a model's kind is empty.")
     lines += ["struct KindDescs {"]
@@ -118,6 +119,8 @@ def _members(word: Word) -> list[str]:
         pairs = [f"{{{_number(a, s, '')}, {_number(b, s, '')}}}" for a, b, s in
                  zip(word.default[::2], word.default[1::2], word.scales[::2])]
         return [*about, f"  Bounds {word.member}[4] = {{{', '.join(pairs)}}};"]
+    if word.type == "choices":
+        return [line for choice in word.choices for line in _members(choice)]
     type_name = word.enum if word.type == "choice" else TYPES[word.type]
     if word.indexed:
         return [*about, f"  std::vector<{type_name}> {word.member};"]
@@ -257,9 +260,10 @@ def _read(word: Word, key: str, to: str) -> list[str]:
         check = [f"static_assert(limits::{word.limit} == {word.max});"] if word.limit else []
         return [*check, f"{to} = read_count(properties, {key}, {to}, {word.min}, {most});"]
     if word.type == "choice":
-        words = ", ".join(_text(v.word) for v in word.values)
-        return [f"static constexpr std::string_view {_choices(word)}[] = {{{words}}};",
+        return [_words_of(word),
                 f"{to} = static_cast<{word.enum}>(read_choice(properties, {key}, {_choices(word)}, static_cast<std::size_t>({to})));"]
+    if word.type == "choices":
+        return _read_choices(word)
     if word.type == "twist":
         form = f"[{word.form}] {RATES[word.unit]}".strip()
         read = f"read_twist(properties, {key}, {_text(word.scales)}, {_text(form)}"
@@ -271,6 +275,19 @@ def _read(word: Word, key: str, to: str) -> list[str]:
 
 def _choices(word: Word) -> str:
     return "kWordsOf" + enumerator(word.name)[1:]
+
+
+def _words_of(choice: Word) -> str:
+    words = ", ".join(_text(v.word) for v in choice.values)
+    return f"static constexpr std::string_view {_choices(choice)}[] = {{{words}}};"
+
+
+def _read_choices(word: Word) -> list[str]:
+    lines = [_words_of(choice) for choice in word.choices]
+    held = ", ".join(f"{{{_text(c.name)}, {_choices(c)}, static_cast<std::size_t>(to.{c.member})}}" for c in word.choices)
+    lines += [f"Choice {word.name}[{len(word.choices)}] = {{{held}}};",
+              f"read_choices(properties, {_text(word.name)}, {word.name}, {_text(f'[{word.form}]')});"]
+    return lines + [f"to.{c.member} = static_cast<{c.enum}>({word.name}[{i}].value);" for i, c in enumerate(word.choices)]
 
 
 def _read_tuple(word: Word) -> list[str]:
@@ -332,8 +349,8 @@ def _write_signature(kind: Kind) -> str:
 
 def _writers(kinds: Kinds) -> str:
     inner = [k for k in described(kinds) if _through_kind(k) or k.entity == "part"]
-    lines = [BANNER.rstrip(), f'#include "{FOLDER}/write_kinds.h"', "", "#include <algorithm>", "#include <string>", "", "namespace playhouse::scene {",
-             "namespace {", ""]
+    lines = [BANNER.rstrip(), f'#include "{FOLDER}/write_kinds.h"', "", "#include <algorithm>", "#include <array>", "#include <string>", "",
+             "namespace playhouse::scene {", "namespace {", ""]
     for kind in inner:
         lines += [*_writer(kind), ""]
     lines += ["}  // namespace", ""]
@@ -377,9 +394,11 @@ def _write(word: Word) -> list[str]:
     differs = has if word.optional else f"{has} != unsaid.{word.member}"
     value = f"*{has}" if word.optional else has
     if word.type == "choice":
-        words = ", ".join(_text(v.word) for v in word.values)
-        return [f"static constexpr std::string_view {_choices(word)}[] = {{{words}}};",
-                f"if ({differs}) to.text({key}, {_choices(word)}[static_cast<std::size_t>({value})]);"]
+        return [_words_of(word), f"if ({differs}) to.text({key}, {_choices(word)}[static_cast<std::size_t>({value})]);"]
+    if word.type == "choices":
+        differs = " || ".join(f"from.{m} != unsaid.{m}" for m in word.members())
+        chosen = ", ".join(f"std::string({_choices(c)}[static_cast<std::size_t>(from.{c.member})])" for c in word.choices)
+        return [*map(_words_of, word.choices), f"if ({differs}) to.texts({key}, std::array{{{chosen}}});"]
     return [f"if ({differs}) to.{_write_call(word, key, value)};"]
 
 

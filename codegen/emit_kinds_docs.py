@@ -17,6 +17,7 @@ VALUES = {
     "flag": "0 or 1", "integer": "a whole number; a fraction is cut off", "count": "a whole number that is not negative",
     "number": "a number, in the unit that is told whatever the file's", "length": "a number, in the file's unit of length",
     "angle": "a number, in the file's unit of angle", "text": "in quotes", "texts": "one text, or several in brackets",
+    "choices": "words in quotes, in brackets, one of each list",
     "color": "a name in quotes", "colors": "one name of a color in quotes, or several in brackets",
 }
 TIMES = {"start": "with the scene", "changed": "when it differs", "selected": "while the robot is selected",

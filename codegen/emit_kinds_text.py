@@ -11,6 +11,8 @@ def form_text(word: Word) -> str:
     """What a file has behind the word: `[x y z]`, `"diff" | "omni" | "car"`."""
     if word.type == "choice":
         return " | ".join(f'"{v.word}"' for v in word.values)
+    if word.type == "choices":
+        return "[" + " ".join(f"({form_text(choice)})" for choice in word.choices) + "]"
     return f"[{word.form}]" if word.form else ""
 
 
@@ -38,6 +40,8 @@ def default_text(word: Word) -> str:
         return ""
     if word.type in ("text", "choice"):
         return f'"{value}"'
+    if word.type == "choices":
+        return "[" + " ".join(f'"{v}"' for v in value) + "]"
     if isinstance(value, list):
         return "[" + " ".join(_number(v) for v in value) + "]"
     return _number(value)
@@ -49,7 +53,7 @@ def _number(value: float) -> str:
 
 def doc_text(word: Word) -> str:
     """With what each word of a choice means."""
-    told = [f'"{v.word}": {v.doc}' for v in word.values if v.doc]
+    told = [f'"{v.word}": {v.doc}' for choice in [word, *word.choices] for v in choice.values if v.doc]
     return word.doc + (" " + "; ".join(told) + "." if told else "")
 
 

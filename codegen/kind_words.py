@@ -16,7 +16,7 @@ SHAPES = {
     "angle": ("", "A"), "text": ("", ""), "texts": ("", ""), "choice": ("", ""), "color": ("", ""), "colors": ("", ""),
     "pose": ("x y z heading", "LLLA"), "size": ("x y z", "LLL"), "point": ("x y", "NN"), "twist": ("x y z heading", "LLLA"),
     "bounds": ("xmin xmax ymin ymax zmin zmax amin amax", "LLLLLLAA"), "rgba": ("red green blue alpha", "NNNN"),
-    "tuple": (None, None),
+    "tuple": (None, None), "choices": (None, ""),
 }
 NUMBERS = {"integer", "count", "number", "length", "angle"}
 PART_SCALES = {"number": "N", "length": "L", "angle": "A"}
@@ -77,6 +77,7 @@ class Word:
     with_word: str = ""         # read together with that word, into its member
     parts: list[Part] = field(default_factory=list)
     values: list[Value] = field(default_factory=list)
+    choices: list[Word] = field(default_factory=list)  # of several choices in brackets: each one, a word of its own
 
     @property
     def has_member(self) -> bool:
@@ -93,7 +94,13 @@ class Word:
     @property
     def form(self) -> str:
         """What stands in the brackets of a tuple, "" for single values."""
-        return " ".join(p.name for p in self.parts) if self.type == "tuple" else SHAPES[self.type][0]
+        if self.type in ("tuple", "choices"):
+            return " ".join(p.name for p in self.parts or self.choices)
+        return SHAPES[self.type][0]
+
+    def members(self) -> list[str]:
+        """Of the description."""
+        return [p.member for p in self.parts or self.choices] or [self.member]
 
     def units(self) -> list[str]:
         """Of each number, as the file has it by default; empty without a quantity."""
@@ -109,11 +116,11 @@ class Word:
 
 
 OPTIONAL = {"use", "unit", "default", "default_text", "min", "above", "max", "limit", "clamp", "ascending_from", "by_hand",
-            "optional", "indexed", "counted_by", "member", "frame", "enum", "with", "parts", "values"}
+            "optional", "indexed", "counted_by", "member", "frame", "enum", "with", "parts", "values", "choices"}
 
 KEY_TYPES = {key: str for key in ("name", "type", "doc", "use", "unit", "default_text", "limit", "clamp", "member", "frame",
                                   "enum", "with", "word", "counted_by")}
-KEY_TYPES |= {"by_hand": bool, "optional": bool, "indexed": bool, "parts": list, "values": list}
+KEY_TYPES |= {"by_hand": bool, "optional": bool, "indexed": bool, "parts": list, "values": list, "choices": list}
 KEY_TYPES |= {"min": (int, float), "above": (int, float), "max": (int, float), "ascending_from": (int, float)}
 
 
@@ -127,7 +134,7 @@ def word(where: str, row: dict, simulated: bool) -> Word:
     one_of(where, "use", row.get("use", "read"), USES)
     documented(where, row["doc"])
     out = Word(row["name"], row["type"], row["doc"], with_word=row.get("with", ""))
-    for key in OPTIONAL - {"with", "parts", "values"}:
+    for key in OPTIONAL - {"with", "parts", "values", "choices"}:
         if key in row:
             setattr(out, key, row[key])
     out.member = row.get("member", out.name)
@@ -135,6 +142,7 @@ def word(where: str, row: dict, simulated: bool) -> Word:
         raise SchemaError(f"{where}: member {out.member!r} is not a name")
     _parts(where, out, row)
     _values(where, out, row)
+    _choices(where, out, row)
     _indices(where, out, simulated)
     _unit(where, out, simulated)
     _limits(where, out)
@@ -188,6 +196,20 @@ def _indices(where: str, out: Word, simulated: bool) -> None:
     _only_of(where, out, "counted_by", COUNTED)
 
 
+def _choices(where: str, out: Word, row: dict) -> None:
+    if (out.type == "choices") != ("choices" in row):
+        raise SchemaError(f"{where}: choices, and only choices, have choices")
+    for entry in row.get("choices", []):
+        inner = f"{where}: choice {entry.get('name', '?')}"
+        keys(inner, entry, {"name", "enum", "doc", "values"}, {"member"})
+        typed(inner, entry, KEY_TYPES)
+        documented(inner, entry["doc"])
+        choice = Word(entry["name"], "choice", entry["doc"], member=entry.get("member", entry["name"]), enum=entry["enum"])
+        _values(inner, choice, entry)
+        out.choices.append(choice)
+    unique(where, "choice", [c.name for c in out.choices])
+
+
 def _unit(where: str, out: Word, simulated: bool) -> None:
     if out.type == "number":
         if not out.unit:
@@ -218,13 +240,19 @@ def _default(where: str, out: Word, simulated: bool) -> None:
         good = type(value) is int
     elif out.type in NUMBERS:
         good = _is_number(value)
+    elif out.type == "choices":
+        good = isinstance(value, list) and len(value) == len(out.choices)
     else:
         length = 4 if out.type == "color" else len(out.scales)
         good = isinstance(value, list) and len(value) == length and all(map(_is_number, value))
     if not good:
-        raise SchemaError(f"{where}: default {value!r} is not what a {out.type} can be")
+        kind = out.type if out.type == "choices" else f"a {out.type}"
+        raise SchemaError(f"{where}: default {value!r} is not what {kind} can be")
     if out.type == "choice":
         one_of(where, "default", value, [v.word for v in out.values])
+    for choice, word_of_it in zip(out.choices, value if out.choices else []):
+        one_of(f"{where}: choice {choice.name}", "default", word_of_it, [v.word for v in choice.values])
+        choice.default = word_of_it
     if out.type in NUMBERS and not _within(out, value):
         raise SchemaError(f"{where}: default {value!r} is outside of the limits")
 
@@ -271,5 +299,5 @@ def check_together(where, words: list[Word]) -> None:
         if w.counted_by:
             before = [b.name for b in words[:words.index(w)] if b.type == "count" and b.has_member]
             one_of(where(w), "counted_by", w.counted_by, before)
-    members = [m for w in words if w.has_member for m in ([p.member for p in w.parts] or [w.member])]
+    members = [m for w in words if w.has_member for m in w.members()]
     unique(where(words[0]).partition(": word")[0] if words else "", "member", members)

@@ -155,7 +155,7 @@ def build_kinds(parsed: list[tuple[str, dict]], schema: Schema) -> Kinds:
             raise SchemaError(f"kinds/: exactly one {entity} is wanted")
     unique("kinds/", "old type", [t for k in kinds for t in k.old_types])
     unique("kinds/", "table", [k.table for k in kinds if k.table])
-    unique("kinds/", "enum", [w.enum for k in kinds for w in k.words if w.enum])
+    unique("kinds/", "enum", [w.enum for k in kinds for word in k.words for w in [word, *word.choices] if w.enum])
     for kind in kinds:
         _check_neighbours(out, kind)
     for source, table in parsed:

@@ -152,6 +152,20 @@ class Refused(unittest.TestCase):
         self.refuse_word("a choice, and only a choice, has values", type="choice", default="a")
         self.refuse_word("value 'a' is there twice", type="choice", default="a", values=[{"word": "a"}, {"word": "a"}])
 
+    def test_words_of_several_choices(self):
+        side = {"name": "side", "enum": "Side", "doc": "Which side.", "values": [{"word": "left"}, {"word": "right"}]}
+        self.refuse_word("choices, and only choices, have choices", choices=[side])
+        self.refuse_word("choices, and only choices, have choices", type="choices", default=[])
+        self.refuse_word("choice side: enum is missing", type="choices", default=["left"], choices=[without(side, "enum")])
+        self.refuse_word("choice side: value 'left' is there twice", type="choices", default=["left"],
+                         choices=[side | {"values": [{"word": "left"}] * 2}])
+        self.refuse_word("choice 'side' is there twice", type="choices", default=["left"] * 2, choices=[side, side])
+        self.refuse_word("choice side: unknown default 'rihgt' (did you mean 'right'?)", type="choices", default=["rihgt"], choices=[side])
+        self.refuse_word("default ['left', 'right'] is not what choices can be", type="choices", default=["left", "right"],
+                         choices=[side])
+        self.refuse_tables("kinds/: enum 'Side' is there twice", tables(word=[word(
+            type="choices", default=["left"] * 2, choices=[side, side | {"name": "other"}])]))
+
     def test_an_rgba_is_read_with_a_color(self):
         color = {"name": "color", "type": "color", "default": [1, 0, 0, 1], "doc": "Color."}
         rgba = {"name": "color_rgba", "type": "rgba", "default": [1, 0, 0, 1], "doc": "Color."}

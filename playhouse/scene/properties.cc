@@ -50,23 +50,30 @@ double Properties::scaled(const Field& field, std::size_t element, char scale) c
   return *value * (scale == 'L' ? state_.units.length : scale == 'A' ? state_.units.angle : 1.0);
 }
 
-bool Properties::tuple(std::string_view key, std::string_view scales, std::span<double> out,
-                       std::string_view form) const {
+std::span<const Value> Properties::elements(std::string_view key, std::size_t count,
+                                            std::string_view form) const {
   const Field* field = fields_.find(key);
-  if (!field) return false;
-  if (field->values.size() < scales.size()) {
-    state_.fail(field->where, in_quotes(key) + " needs " + std::to_string(scales.size()) +
-                                  (scales.size() == 1 ? " value" : " values " + std::string(form)) +
-                                  ", found " + std::to_string(field->values.size()));
-    return false;
+  if (!field) return {};
+  if (field->values.size() < count) {
+    state_.fail(field->where, in_quotes(key) + " needs " + std::to_string(count) +
+                                  (count == 1 ? " value" : " values " + std::string(form)) + ", found " +
+                                  std::to_string(field->values.size()));
+    return {};
   }
-  if (field->values.size() > scales.size()) {
+  if (field->values.size() > count) {
     state_.warnings.add(Warning::kValue, field->where,
-                        in_quotes(key) + " takes " + std::to_string(scales.size()) +
-                            (scales.size() == 1 ? " value" : " values") + ", found " +
+                        in_quotes(key) + " takes " + std::to_string(count) +
+                            (count == 1 ? " value" : " values") + ", found " +
                             std::to_string(field->values.size()) + "; the others have no effect");
   }
-  for (std::size_t i = 0; i < scales.size(); ++i) out[i] = scaled(*field, i, scales[i]);
+  return std::span(field->values).first(count);
+}
+
+bool Properties::tuple(std::string_view key, std::string_view scales, std::span<double> out,
+                       std::string_view form) const {
+  if (elements(key, scales.size(), form).empty()) return false;
+  const Field& field = *fields_.find(key);
+  for (std::size_t i = 0; i < scales.size(); ++i) out[i] = scaled(field, i, scales[i]);
   return true;
 }
 

@@ -55,8 +55,11 @@ class Properties {
   std::string text(std::string_view key, std::string_view otherwise) const;
   std::vector<std::string> texts(std::string_view key) const;
 
-  /// Fills `out` with as many numbers as `scales` has letters (N, L, A); false when `key` is absent. Fewer
-  /// elements fail with `form`, as in "[x y z]"; more are a warning.
+  /// The first `count` elements of a tuple; none when `key` is absent. Fewer fail with `form`, as in "[x y
+  /// z]", and none are given; more are a warning.
+  std::span<const Value> elements(std::string_view key, std::size_t count, std::string_view form) const;
+  /// Fills `out` with as many numbers as `scales` has letters (N, L, A), as elements() does; false when there
+  /// are none.
   bool tuple(std::string_view key, std::string_view scales, std::span<double> out,
              std::string_view form) const;
 

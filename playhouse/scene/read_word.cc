@@ -23,6 +23,19 @@ Number raised_to_zero(const Properties& properties, std::string_view key, Number
   return 0;
 }
 
+/// Which of `words` the word is; none of them is a fault of `key`, or of `part` of it.
+std::size_t chosen(const Properties& properties, std::string_view key, std::string_view part,
+                   std::span<const std::string_view> words, std::string_view word, std::size_t otherwise) {
+  const auto found = std::find(words.begin(), words.end(), word);
+  if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+  std::string known;
+  for (const std::string_view w : words) known += (known.empty() ? "" : ", ") + in_quotes(w);
+  const std::string of = part.empty() ? in_quotes(key) : std::string(part) + " of " + in_quotes(key);
+  properties.state().fail(properties.where(key), of + " is one of " + known + ", found " + in_quotes(word) +
+                                                     did_you_mean(word, words));
+  return otherwise;
+}
+
 }  // namespace
 
 void require(bool good, const Properties& properties, std::string_view key, std::string_view what) {
@@ -54,14 +67,15 @@ double read_milliseconds(const Properties& properties, std::string_view key, dou
 std::size_t read_choice(const Properties& properties, std::string_view key,
                         std::span<const std::string_view> words, std::size_t otherwise) {
   if (!properties.has(key)) return otherwise;
-  const std::string word = properties.text(key, words.front());
-  const auto found = std::find(words.begin(), words.end(), word);
-  if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
-  std::string known;
-  for (const std::string_view w : words) known += (known.empty() ? "" : ", ") + in_quotes(w);
-  properties.state().fail(properties.where(key), in_quotes(key) + " is one of " + known + ", found " +
-                                                     in_quotes(word) + did_you_mean(word, words));
-  return otherwise;
+  return chosen(properties, key, "", words, properties.text(key, words.front()), otherwise);
+}
+
+void read_choices(const Properties& properties, std::string_view key, std::span<Choice> choices,
+                  std::string_view form) {
+  const std::span<const Value> values = properties.elements(key, choices.size(), form);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    choices[i].value =
+        chosen(properties, key, choices[i].name, choices[i].words, values[i].text, choices[i].value);
 }
 
 std::vector<std::string> read_texts(const Properties& properties, std::string_view key) {

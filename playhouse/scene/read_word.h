@@ -33,6 +33,18 @@ double read_milliseconds(const Properties& properties, std::string_view key, dou
 std::size_t read_choice(const Properties& properties, std::string_view key,
                         std::span<const std::string_view> words, std::size_t otherwise);
 
+/// One of several choices of a word.
+struct Choice {
+  std::string_view name;
+  std::span<const std::string_view> words;
+  std::size_t value = 0;  // which of them
+};
+
+/// Which words the file has, in the order of `choices`; fewer than that, and none of them, is a fault. `form`
+/// is as in "[paddles lift]".
+void read_choices(const Properties& properties, std::string_view key, std::span<Choice> choices,
+                  std::string_view form);
+
 /// All texts of a tuple but empty ones.
 std::vector<std::string> read_texts(const Properties& properties, std::string_view key);
 

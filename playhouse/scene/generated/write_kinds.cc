@@ -2,6 +2,7 @@
 #include "playhouse/scene/generated/write_kinds.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 namespace playhouse::scene {
