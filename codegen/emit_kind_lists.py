@@ -1,11 +1,12 @@
-"""What engines and drivers know of every kind: its draw, and lists of what is written per kind elsewhere, so that a kind adds files and changes none: playhouse/behaviour/generated/,
-playhouse/stage/generated/ and playhouse/drivers/generated/."""
+"""What engines and drivers know of every kind: its draw, and lists of what is written per kind elsewhere, so that a kind adds files and changes none: in the folders
+`generated` of playhouse/scene/, behaviour/, stage/ and drivers/."""
 
 from __future__ import annotations
 
 from codegen.emit_kinds_cpp import BANNER, enumerator
 from codegen.kinds import BASE, Kinds
 
+SCENE = "playhouse/scene/generated"
 BEHAVIOUR = "playhouse/behaviour/generated"
 STAGE = "playhouse/stage/generated"
 DRIVERS = "playhouse/drivers/generated"
@@ -13,8 +14,21 @@ DRIVERS = "playhouse/drivers/generated"
 
 def emit(kinds: Kinds) -> dict[str, str]:
     """Path from the root of the tree -> content."""
-    return {f"{BEHAVIOUR}/acts.h": _acts(kinds), f"{BEHAVIOUR}/draws.h": _draws(kinds), f"{STAGE}/senses.h": _senses(kinds),
-            f"{DRIVERS}/device_makers.h": _devices(kinds)}
+    return {f"{SCENE}/bodies.h": _bodies(kinds), f"{BEHAVIOUR}/acts.h": _acts(kinds), f"{BEHAVIOUR}/draws.h": _draws(kinds),
+            f"{STAGE}/senses.h": _senses(kinds), f"{DRIVERS}/device_makers.h": _devices(kinds)}
+
+
+def _bodies(kinds: Kinds) -> str:
+    found = [k for k in kinds.simulated() if k.body and k.body.form]
+    lines = [BANNER.rstrip(), "#pragma once", "", "/// The bodies that kinds have of their own; playhouse/scene/body_NAME.cc makes each.", "",
+             '#include "playhouse/scene/body.h"', "", "namespace playhouse::scene {", ""]
+    lines += [f"void make_{k.name}_body(const geom::Size& size, ModelDesc& model);" for k in found]
+    lines += ["", "/// Gives a model the body of its kind, which fills `size`.",
+              "inline void make_body(const geom::Size& size, ModelDesc& model) {", "  switch (model.kind) {"]
+    for kind in found:
+        lines += [f"    case ModelKind::{enumerator(kind.kind)}:", f"      return make_{kind.name}_body(size, model);"]
+    return "\n".join([*lines, "    default:", "      model.blocks.push_back(box_block(size));", "  }", "}", "",
+                      "}  // namespace playhouse::scene", ""])
 
 
 def _acts(kinds: Kinds) -> str:

@@ -90,7 +90,8 @@ def _place(kinds: Kinds, kind: Kind) -> list[str]:
         return []
     size = " ".join(f"{v:g}" for v in kind.body.size)
     color = " ".join(f"{v:g}" for v in kind.body.color)
-    body = "a box that fills its size, unless blocks or a bitmap say otherwise" if kind.body.solid else "none, unless blocks or a bitmap make one"
+    form = kind.body.form or "a box that fills its size"
+    body = f"{form}, unless blocks or a bitmap say otherwise" if kind.body.solid else "none, unless blocks or a bitmap make one"
     lines = [f"`{kind.name}( ... )` stands at the top level or inside another model. Without words of its own: size [{size}] m, "
              f"color [{color}]; body: {body}.", ""]
     draws = [("", kind)] + [(f" for each `{p.name}`", p) for p in kinds.parts_of(kind) if kind.name != BASE]

@@ -26,7 +26,7 @@ INDICES = ("one", "robot", "count")
 # What a model must have for an interface.
 NEEDS = ("scanner", "several sensors")
 
-KEY_TYPES = {key: str for key in ("name", "entity", "doc", "kind", "inside", "table", "index", "when", "listed_when")}
+KEY_TYPES = {key: str for key in ("name", "entity", "doc", "kind", "inside", "table", "index", "when", "listed_when", "form")}
 KEY_TYPES |= {"number": int, "watts": (int, float), "body": dict, "old": dict, "old_types": dict, "size": list, "color": list, "solid": bool}
 KEY_TYPES |= {key: list for key in ("given_by", "silent", "word", "interface", "record", "column", "viewer")}
 
@@ -35,7 +35,8 @@ KEY_TYPES |= {key: list for key in ("given_by", "silent", "word", "interface", "
 class Body:
     size: list[float]       # m
     color: list[float]      # red, green, blue, alpha from 0 to 1
-    solid: bool             # a box, unless blocks or a bitmap say otherwise
+    solid: bool             # it has a body, unless blocks or a bitmap say otherwise
+    form: str               # what that is, if it is one of its own (playhouse/scene/body_NAME.cc); "" a box
 
 
 @dataclass
@@ -213,12 +214,14 @@ def _kind(source: str, table: dict, schema: Schema) -> Kind:
 def _body(where: str, row: dict | None) -> Body | None:
     if row is None:
         return None
-    keys(where, row, {"size", "color", "solid"}, set())
+    keys(where, row, {"size", "color", "solid"}, {"form"})
     typed(where, row, KEY_TYPES)
+    if "form" in row and not row["solid"]:
+        raise SchemaError(f"{where}: form is for what is solid")
     for key, length in (("size", 3), ("color", 4)):
         if len(row[key]) != length or any(type(v) not in (int, float) or v < 0 for v in row[key]):
             raise SchemaError(f"{where}: {key} is {length} numbers that are not negative")
-    return Body(row["size"], row["color"], row["solid"])
+    return Body(row["size"], row["color"], row["solid"], row.get("form", ""))
 
 
 def _served(where: str, row: dict, schema: Schema) -> Served:

@@ -166,6 +166,9 @@ class Refused(unittest.TestCase):
         self.refuse_tables("kinds/: enum 'Side' is there twice", tables(word=[word(
             type="choices", default=["left"] * 2, choices=[side, side | {"name": "other"}])]))
 
+    def test_a_body_of_its_own_is_solid(self):
+        self.refuse("body: form is for what is solid", body=ARM["body"] | {"solid": False, "form": "a hand"})
+
     def test_an_rgba_is_read_with_a_color(self):
         color = {"name": "color", "type": "color", "default": [1, 0, 0, 1], "doc": "Color."}
         rgba = {"name": "color_rgba", "type": "rgba", "default": [1, 0, 0, 1], "doc": "Color."}

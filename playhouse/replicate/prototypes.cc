@@ -65,6 +65,7 @@ std::string prototype(const scene::ModelDesc& model, Texts& shapes) {
   fmt::format_to(out, R"(,"size":{})", size(model.size));
   if (!model.blocks.empty() || !model.bitmaps.empty())
     fmt::format_to(out, R"(,"shape":{})", shapes.row(shape(model)));
+  if (model.moving_blocks > 0) fmt::format_to(out, R"(,"moving":{})", model.moving_blocks);
   if (model.gui_move) text += R"(,"movable":true)";
   tell_kind(model, text);
   return text += '}';

@@ -17,10 +17,6 @@ double signed_area(const std::vector<geom::Vec2>& points) {
   return twice / 2;
 }
 
-Block rectangle(double x_min, double y_min, double x_max, double y_max, double height) {
-  return {{{x_min, y_min}, {x_max, y_min}, {x_max, y_max}, {x_min, y_max}}, 0, height};
-}
-
 /// The rectangle around the line on which `points` lie, counter-clockwise; nothing when they are one point.
 std::vector<geom::Vec2> thin_wall(const std::vector<geom::Vec2>& points) {
   const auto [first, last] =
@@ -147,15 +143,20 @@ void check_body_size(const geom::Size& size, const Properties& properties) {
   if (size.z == 0) warn("z, so the body collides with nothing");
 }
 
+Block rectangle(double x_min, double y_min, double x_max, double y_max, Bounds z) {
+  return {{{x_min, y_min}, {x_max, y_min}, {x_max, y_max}, {x_min, y_max}}, z.min, z.max};
+}
+
 Block box_block(const geom::Size& size) {
-  return rectangle(-size.x / 2, -size.y / 2, size.x / 2, size.y / 2, size.z);
+  return rectangle(-size.x / 2, -size.y / 2, size.x / 2, size.y / 2, {0, size.z});
 }
 
 std::vector<Block> boundary_walls(const geom::Size& size) {
   const double x = size.x / 2, y = size.y / 2;
   const double tx = std::min(kWall, x), ty = std::min(kWall, y);
-  return {rectangle(-x, -y, -x + tx, y, size.z), rectangle(x - tx, -y, x, y, size.z),
-          rectangle(-x, -y, x, -y + ty, size.z), rectangle(-x, y - ty, x, y, size.z)};
+  const Bounds z{0, size.z};
+  return {rectangle(-x, -y, -x + tx, y, z), rectangle(x - tx, -y, x, y, z), rectangle(-x, -y, x, -y + ty, z),
+          rectangle(-x, y - ty, x, y, z)};
 }
 
 }  // namespace playhouse::scene

@@ -31,6 +31,9 @@ std::optional<geom::Size> body_size(const geom::Size& size);
 /// Warns of a size that has no extent in x, y or z.
 void check_body_size(const geom::Size& size, const Properties& properties);
 
+/// A block with sides along the axes of B. [m]
+Block rectangle(double x_min, double y_min, double x_max, double y_max, Bounds z);
+
 /// One block that fills `size`.
 Block box_block(const geom::Size& size);
 

@@ -72,7 +72,7 @@ struct Kind {
   std::string_view table = {};  // of the world's state, where it has one
   ModelKind kind = ModelKind::kPlain;
   bool simulated = false;  // false: a model of this type loads as a plain body with one warning
-  bool solid = false;      // a box that fills its size, unless blocks or a bitmap say otherwise
+  bool solid = false;      // a body that fills its size, unless blocks or a bitmap say otherwise
   geom::Size size = {};    // m
   Color color = {};
   std::span<const Word> words = {};  // its own; every model has those of "model" besides

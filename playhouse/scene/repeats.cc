@@ -40,7 +40,8 @@ bool is_same(const ModelDesc& a, const ModelDesc& b) {
   return static_cast<const PlainDesc&>(a) == static_cast<const PlainDesc&>(b) &&
          static_cast<const KindDescs&>(a) == static_cast<const KindDescs&>(b) && a.type == b.type &&
          a.kind == b.kind && a.stacked == b.stacked && a.stacks_children == b.stacks_children &&
-         a.blocks == b.blocks && a.bitmaps == b.bitmaps && a.body == b.body && a.kept == b.kept;
+         a.blocks == b.blocks && a.moving_blocks == b.moving_blocks && a.bitmaps == b.bitmaps &&
+         a.body == b.body && a.kept == b.kept;
 }
 
 /// A default name begins with the parent's name, so equal ones are of parts of equal parents.

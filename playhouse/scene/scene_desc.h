@@ -88,6 +88,9 @@ struct ModelDesc : PlainDesc, KindDescs {
   double stacked = 0;  // m, height of the parent on top of which it stands; 0 if that does not stack
   bool stacks_children = true;
   std::vector<Block> blocks;
+  /// How many of the blocks, the last, move with the state of the kind: pages draw them where they are, all
+  /// else has them where they are at the start.
+  std::uint32_t moving_blocks = 0;
   std::vector<Contours> bitmaps;
   BodyDesc body;  // for who writes the file again; nothing of a model made in code
   std::vector<KeptWord> kept;

@@ -33,7 +33,8 @@ inline std::string difference(const ModelDesc& a, const ModelDesc& b) {
   if (static_cast<const PlainDesc&>(a) != static_cast<const PlainDesc&>(b)) return "words of every model";
   if (static_cast<const KindDescs&>(a) != static_cast<const KindDescs&>(b)) return "words of its kind";
   if (a.stacked != b.stacked || a.stacks_children != b.stacks_children) return "what it stands on";
-  if (a.blocks != b.blocks || a.bitmaps != b.bitmaps || a.body != body) return "body";
+  if (a.blocks != b.blocks || a.moving_blocks != b.moving_blocks || a.bitmaps != b.bitmaps || a.body != body)
+    return "body";
   if (a.kept != b.kept) return "words that are kept";
   return {};
 }

@@ -10,6 +10,7 @@
 #include "playhouse/scene/body.h"
 #include "playhouse/scene/expand.h"
 #include "playhouse/scene/expansion.h"
+#include "playhouse/scene/generated/bodies.h"
 #include "playhouse/scene/generated/read_kinds.h"
 #include "playhouse/scene/kinds.h"
 #include "playhouse/scene/properties.h"
@@ -437,8 +438,8 @@ void WorldLoader::read_body(const Properties& properties, const Kind& kind, Shap
   if (state_.error) return;  // the world does not load, so nobody needs bodies
   const bool boundary = properties.flag("boundary", false), noblocks = properties.flag("noblocks", false);
   model.body = {bitmap ? bitmap->first : "", noblocks, boundary, shape.prisms};
-  const bool is_box = kind.solid && !bitmap && !boundary && shape.prisms.empty() && !noblocks;
-  if (!is_box && !bitmap && !boundary && shape.prisms.empty()) return;
+  const bool is_own = kind.solid && !bitmap && !boundary && shape.prisms.empty() && !noblocks;
+  if (!is_own && !bitmap && !boundary && shape.prisms.empty()) return;
   check_body_size(model.size, properties);
   const std::optional<geom::Size> size = body_size(model.size);
   if (!size) return;
@@ -448,7 +449,7 @@ void WorldLoader::read_body(const Properties& properties, const Kind& kind, Shap
     shape.contours = bitmap->second;
   }
   fit_shape(shape, *size, state_, model);
-  if (is_box) model.blocks.push_back(box_block(*size));
+  if (is_own) make_body(*size, model);
   if (boundary) {
     for (Block& wall : boundary_walls(*size)) model.blocks.push_back(std::move(wall));
   }

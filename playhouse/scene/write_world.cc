@@ -14,6 +14,8 @@
 #include "playhouse/base/limits.h"
 #include "playhouse/scene/body.h"
 #include "playhouse/scene/expand.h"
+#include "playhouse/scene/generated/bodies.h"
+#include "playhouse/scene/generated/read_kinds.h"
 #include "playhouse/scene/generated/write_kinds.h"
 #include "playhouse/scene/kinds.h"
 #include "playhouse/scene/source_text.h"
@@ -144,6 +146,8 @@ class WorldWriter {
 
   const Kind& kind_of(const ModelDesc& model) const;
   PlainDesc unsaid_of(const ModelDesc& model) const;
+  /// Of a model that says nothing of its body.
+  std::vector<Block> unsaid_blocks(const ModelDesc& model) const;
   bool has_names_alone(std::uint32_t tree) const;
   std::string token_of(std::uint32_t row, std::uint32_t tree) const;
   /// The token without any name, of one more child of its type.
@@ -319,8 +323,7 @@ void WorldWriter::add_body(const ModelDesc& model, Entity& to) const {
   for (const Prism& prism : body.prisms) add_block(prism, to);
   if (body != BodyDesc()) return;
 
-  const std::optional<geom::Size> size = kind_of(model).solid ? body_size(model.size) : std::nullopt;
-  if (model.blocks == (size ? std::vector{box_block(*size)} : std::vector<Block>())) return;
+  if (model.blocks == unsaid_blocks(model)) return;
   if (model.blocks.empty()) words.flag("noblocks", true);
   for (const Block& block : model.blocks) add_block({block.points, Bounds{block.z_min, block.z_max}, {}}, to);
 }
@@ -366,6 +369,16 @@ PlainDesc WorldWriter::unsaid_of(const ModelDesc& model) const {
   PlainDesc desc = unsaid(kind_of(model), model.parent < 0);
   desc.update_interval = std::max(desc.update_interval, scene_.interval);
   return desc;
+}
+
+std::vector<Block> WorldWriter::unsaid_blocks(const ModelDesc& model) const {
+  const std::optional<geom::Size> size = kind_of(model).solid ? body_size(model.size) : std::nullopt;
+  if (!size || !is_described(model.kind, model)) return {};
+  ModelDesc unsaid;
+  unsaid.kind = model.kind;
+  static_cast<KindDescs&>(unsaid) = model;
+  make_body(*size, unsaid);
+  return unsaid.blocks;
 }
 
 bool WorldWriter::has_names_alone(std::uint32_t tree) const {

@@ -20,6 +20,7 @@ export interface Prototype extends KindStart {
   origin?: Pose;
   size: [number, number, number];
   shape?: number; // row of shapes
+  moving?: number; // how many of its solids, the last, its kind draws
   movable?: boolean;
 }
 

@@ -18,7 +18,7 @@ interface Batch {
 
 const kOutlineScale = 10; // pixels per metre
 
-/** The bodies of all models, extruded, in their colours; and a point ahead of each that drives. */
+/** The bodies of all models, without what their kinds draw, extruded, in their colours; and a point ahead of each that drives. */
 export class Bodies {
   readonly group = new Group();
   private readonly batches: Batch[] = [];
@@ -37,7 +37,7 @@ export class Bodies {
     const alike = new Map<string, number[]>();
     scene.models.forEach((model, row) => {
       if (model.shape === undefined) return;
-      const key = `${model.shape}/${replica.color[row] & 0xff}`;
+      const key = `${model.shape}/${model.moving ?? 0}/${replica.color[row] & 0xff}`;
       const rows = alike.get(key);
       if (rows) rows.push(row);
       else alike.set(key, [row]);
@@ -96,8 +96,8 @@ export class Bodies {
   }
 
   private addBatch(rows: number[], theme: Theme): void {
-    const solids = this.scene.shapes[this.scene.models[rows[0]].shape!];
-    const { geometry, edges: outline } = drawnOf(solids);
+    const { shape, moving } = this.scene.models[rows[0]];
+    const { geometry, edges: outline } = drawnOf(this.scene.shapes[shape!], moving ?? 0);
     if (!geometry) return;
     const alpha = (this.replica.color[rows[0]] & 0xff) / 255;
     const material = new MeshLambertMaterial({ transparent: alpha < 1, opacity: alpha, depthWrite: alpha >= 1 });
@@ -154,17 +154,25 @@ export class Bodies {
   }
 }
 
-/** Geometries by shape: walls of a bitmap take long to make, and stay while robots come and go. */
-const kDrawn = new WeakMap<Solid[], { geometry: BufferGeometry | null; edges: BufferGeometry }>();
+interface Drawn {
+  geometry: BufferGeometry | null;
+  edges: BufferGeometry;
+}
 
-function drawnOf(solids: Solid[]): { geometry: BufferGeometry | null; edges: BufferGeometry } {
-  const known = kDrawn.get(solids) ?? { geometry: geometryOf(solids), edges: edgesOf(solids) };
-  kDrawn.set(solids, known);
+/** By shape and how many solids are left out: walls of a bitmap take long to make, and stay while robots come and go. */
+const kDrawn = new WeakMap<Solid[], Map<number, Drawn>>();
+
+function drawnOf(solids: Solid[], leftOut: number): Drawn {
+  const ofShape = kDrawn.get(solids) ?? new Map<number, Drawn>();
+  kDrawn.set(solids, ofShape);
+  const drawn = solids.slice(0, solids.length - leftOut);
+  const known = ofShape.get(leftOut) ?? { geometry: geometryOf(drawn), edges: edgesOf(drawn) };
+  ofShape.set(leftOut, known);
   return known;
 }
 
 /** Lines that follow the instances of a mesh: they share its matrices. */
-function followers(geometry: BufferGeometry, mesh: InstancedMesh, alpha: number, theme: Theme): LineSegments {
+export function followers(geometry: BufferGeometry, mesh: InstancedMesh, alpha: number, theme: Theme): LineSegments {
   const material = new LineBasicMaterial({ color: theme.edge, transparent: true, opacity: alpha < 1 ? 0.25 : 0.55 });
   // three.js draws instances of whatever carries these; it only offers the class for meshes.
   const lines = Object.assign(new LineSegments(geometry, material), {

@@ -1,0 +1,19 @@
+// Generated from kinds/ by codegen (python3 -m codegen). Do not edit.
+#pragma once
+
+/// The bodies that kinds have of their own; playhouse/scene/body_NAME.cc makes each.
+
+#include "playhouse/scene/body.h"
+
+namespace playhouse::scene {
+
+
+/// Gives a model the body of its kind, which fills `size`.
+inline void make_body(const geom::Size& size, ModelDesc& model) {
+  switch (model.kind) {
+    default:
+      model.blocks.push_back(box_block(size));
+  }
+}
+
+}  // namespace playhouse::scene
