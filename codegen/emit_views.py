@@ -1,7 +1,8 @@
 """What viewers get of each kind, at both ends of the wire: playhouse/replicate/generated/ and web/src/protocol/generated/.
 
 A kind's `[[viewer]]` fields travel in three ways: as JSON with its prototype (`start`), as bits of the model's state
-(`bit`), and as one *view*, a list of whole numbers (`selected`, `shown`), of which a kind has at most one.
+(`bit`), and as one *view*, a list of whole numbers (of `changed` without bits, `selected` or `shown`), of which a kind has at
+most one.
 """
 
 from __future__ import annotations
@@ -22,7 +23,8 @@ BITS = 8
 
 # Quantum -> (C++ that gives the whole number, what one is worth in SI units).
 QUANTA = {"mm": ("quantize({}, 1000)", 1e-3), "mm/s": ("quantize({}, 1000)", 1e-3), "mrad/s": ("quantize({}, 1000)", 1e-3),
-          "mrad": ("quantize({}, 1000)", 1e-3), "mW": ("quantize({}, 1000)", 1e-3), "J": ("quantize({}, 1)", 1), "px": ("static_cast<std::int32_t>({})", 1),
+          "mrad": ("quantize({}, 1000)", 1e-3), "mW": ("quantize({}, 1000)", 1e-3), "J": ("quantize({}, 1)", 1), "1/1000": ("quantize({}, 1000)", 1e-3),
+          "px": ("static_cast<std::int32_t>({})", 1),
           "1/65536 turn": ("quantize_angle({})", None)}
 CODES = {"varint": "kVarint", "zigzag": "kZigzag", "turn": "kTurn", "rgba": "kRgba"}
 # Type of a word -> C++ that writes the member as JSON (functions of playhouse/replicate/json_text.h), and its type there.
@@ -51,7 +53,7 @@ def views(kinds: Kinds) -> list[View]:
 
 
 def _view(kind: Kind) -> View | None:
-    fields = [s for s in kind.state.viewer if s.when in ("selected", "shown")]
+    fields = [s for s in kind.state.viewer if s.when != "start" and s.code != "bit"]
     if not fields:
         return None
     lists = {c.name for c in kind.state.columns if c.list}
@@ -124,7 +126,7 @@ def _value(view: View, shown: Shown) -> str:
 
 def _capture(view: View) -> list[str]:
     lines = [f"bool capture_{view.kind.name}(const world::World& world, std::uint32_t row, std::vector<std::int32_t>& out) {{"]
-    if view.kind.measures:
+    if view.kind.measures and view.when != "changed":
         lines.append(f"  if (world.{view.kind.table}.measured_tick[row] == 0) return false;")
     pushes = [f"out.push_back({_value(view, s)});" for s in view.fields]
     if view.column:
@@ -250,7 +252,7 @@ def _pascal(kind: Kind) -> str:
 
 def _unit(shown: Shown) -> str:
     units = {"mm": "m", "mm/s": "m/s", "mrad/s": "rad/s", "mrad": "rad", "mW": "W", "J": "J", "px": "px", "1/65536 turn": "rad, in (-pi, pi]"}
-    return f" // {units[shown.quantum]}" if shown.quantum else ""
+    return f" // {units[shown.quantum]}" if shown.quantum in units else ""
 
 
 def _worth(shown: Shown) -> str:

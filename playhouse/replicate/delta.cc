@@ -129,8 +129,15 @@ class PacketWriter {
   bool wanted(std::uint32_t model) const { return selected(model) || (wish_.sensors && in_view(model)); }
 
   bool wanted(const Viewed& viewed) const {
-    return replicate::views()[viewed.view].when == When::kShown ? wanted(viewed.model)
-                                                                : selected(viewed.model);
+    switch (replicate::views()[viewed.view].when) {
+      case When::kChanged:
+        return true;
+      case When::kSelected:
+        return selected(viewed.model);
+      case When::kShown:
+        return wanted(viewed.model);
+    }
+    return false;
   }
 
   /// Models from `first` around, as long as there is room. False: stopped before row `stopped`.

@@ -48,9 +48,10 @@ class Capture {
   void views() {
     out_.viewed.clear();
     out_.values.clear();
-    if (nothing_to_sense()) return;
-    for (std::uint32_t view = 0; view < layout_.viewed.size(); ++view)
+    for (std::uint32_t view = 0; view < layout_.viewed.size(); ++view) {
+      if (replicate::views()[view].when != When::kChanged && nothing_to_sense()) continue;
       for (const std::uint32_t model : layout_.viewed[view]) this->view(view, model);
+    }
   }
 
  private:
@@ -81,8 +82,10 @@ class Capture {
 
   void view(std::uint32_t view, std::uint32_t model) {
     const View& what = replicate::views()[view];
-    const bool wanted = selected(model) || (what.when == When::kShown && in_view(model));
-    if (!wanted || (what.measures && !runs(model))) return;
+    if (what.when != When::kChanged) {
+      const bool wanted = selected(model) || (what.when == When::kShown && in_view(model));
+      if (!wanted || (what.measures && !runs(model))) return;
+    }
     const auto first = static_cast<std::uint32_t>(out_.values.size());
     if (!what.capture(world_, what.row_of(world_, model), out_.values)) return;
     out_.viewed.push_back({view, model, first, static_cast<std::uint32_t>(out_.values.size()) - first});

@@ -18,8 +18,9 @@ namespace playhouse::replicate {
 /// How a number travels: an unsigned varint; a signed one, zigzag; 16 bits of a turn; 32 bits of a colour.
 enum class Code : std::uint8_t { kVarint, kZigzag, kTurn, kRgba };
 
-/// Whose views a viewer gets: its selected robot's; that, or of all robots in sight if it asked for sensors.
-enum class When : std::uint8_t { kSelected, kShown };
+/// Whose views a viewer gets: those of all models; of all in its selected robot; of these, and of all in
+/// sight if it asked for sensors.
+enum class When : std::uint8_t { kChanged, kSelected, kShown };
 
 struct View {
   When when;

@@ -5,7 +5,7 @@ import { degrees, metres } from '../ui/texts';
 import { Painted } from '../view/painted';
 import type { Drawing, KindPage, PanelTools, Stage } from './kind_page';
 
-export default { kind: 'blobfinder', panel, drawing: (stage) => new Wedges(stage) } satisfies KindPage;
+export default { kind: 'blobfinder', panel, drawings: (stage) => [new Wedges(stage)] } satisfies KindPage;
 
 const kListed = 12; // in the panel
 

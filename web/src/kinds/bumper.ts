@@ -6,7 +6,7 @@ import { frameOf } from '../view/frames';
 import { Painted } from '../view/painted';
 import type { Drawing, KindPage, PanelTools, Stage } from './kind_page';
 
-export default { kind: 'bumper', panel, drawing: (stage) => new Faces(stage) } satisfies KindPage;
+export default { kind: 'bumper', panel, drawings: (stage) => [new Faces(stage)] } satisfies KindPage;
 
 const kListed = 12; // in the panel
 const kThick = 0.03; // m, of the bar that shows a face

@@ -5,7 +5,7 @@ import { degrees, metres } from '../ui/texts';
 import { Painted } from '../view/painted';
 import type { Drawing, KindPage, PanelTools, Stage } from './kind_page';
 
-export default { kind: 'fiducial', panel, drawing: (stage) => new Sightings(stage) } satisfies KindPage;
+export default { kind: 'fiducial', panel, drawings: (stage) => [new Sightings(stage)] } satisfies KindPage;
 
 const kRing = 20; // corners
 const kInk = new Color(0xe08a00);

@@ -11,8 +11,8 @@ export interface KindPage {
   kind: Kind | Trait;
   /** What the panel says of one model. */
   panel?(model: Model, panel: PanelTools): Node[];
-  /** What is drawn over the world, of all models of the kind. */
-  drawing?(stage: Stage): Drawing;
+  /** What is drawn beside bodies, of all models of the kind. */
+  drawings?(stage: Stage): Drawing[];
 }
 
 /** What a panel's lines are made of. Texts are asked for again after every packet. */
@@ -38,7 +38,8 @@ export interface Stage {
 }
 
 export interface Drawing {
-  layer: keyof Layers;
+  /** Without one it is always shown. */
+  layer?: keyof Layers;
   object: Object3D;
   /** Lays it anew; called before a picture when the layer is shown. */
   draw(): void;

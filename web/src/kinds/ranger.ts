@@ -10,7 +10,7 @@ import { Painted } from '../view/painted';
 import type { Theme } from '../view/theme';
 import type { Drawing, KindPage, PanelTools, Stage } from './kind_page';
 
-export default { kind: 'ranger', panel, drawing: (stage) => new Fans(stage) } satisfies KindPage;
+export default { kind: 'ranger', panel, drawings: (stage) => [new Fans(stage)] } satisfies KindPage;
 
 const kConeSteps = 6;
 const kSensorsManyMost = 1500; // beyond, cones are plain triangles

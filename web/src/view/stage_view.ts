@@ -42,7 +42,7 @@ class Drawn {
     before: Drawn | null = null,
   ) {
     this.bodies = new Bodies(scene, replica, motion, theme);
-    this.drawings = kKindPages.flatMap(({ drawing }) => (drawing ? [drawing({ scene, replica, motion, theme })] : []));
+    this.drawings = kKindPages.flatMap(({ drawings }) => drawings?.({ scene, replica, motion, theme }) ?? []);
     this.trails = new Trails(scene, replica, before?.trails);
     this.labels = new Labels(scene, motion, rig, canvas, theme, before?.labels);
     this.ground = new Ground(extentOf(scene, motion), theme);
@@ -132,13 +132,17 @@ export class StageView {
   applyLayers(): void {
     const { drawn, layers } = this;
     if (drawn) {
-      for (const { object, layer } of drawn.drawings) object.visible = layers[layer];
+      for (const drawing of drawn.drawings) drawing.object.visible = this.shows(drawing);
       drawn.trails.object.visible = layers.trails;
       drawn.ground.group.visible = layers.grid;
       drawn.labels.names = layers.names;
       drawn.labels.markers = layers.fiducials;
     }
     this.dirty = true;
+  }
+
+  private shows({ layer }: Drawing): boolean {
+    return layer === undefined || this.layers[layer];
   }
 
   redraw(): void {
@@ -237,7 +241,7 @@ export class StageView {
   private draw(): void {
     const { drawn, layers } = this;
     if (drawn) {
-      for (const drawing of drawn.drawings) if (layers[drawing.layer]) drawing.draw();
+      for (const drawing of drawn.drawings) if (this.shows(drawing)) drawing.draw();
       if (layers.trails) drawn.trails.draw();
       drawn.ground.adapt(this.rig.scale);
       drawn.bodies.adapt(this.rig.scale);
