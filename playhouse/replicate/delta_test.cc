@@ -95,7 +95,9 @@ void expect_whole(const Snapshot& snapshot, const Wish& wish, const Replica& rep
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::int32_t>> expected;
   for (const Viewed& viewed : snapshot.viewed) {
     const bool is_selected = wish.selected && layout.id[layout.root[viewed.model]] == *wish.selected;
-    if (views()[viewed.view].when == When::kShown ? !wanted(viewed.model) : !is_selected) continue;
+    const When when = views()[viewed.view].when;
+    if (when == When::kShown && !wanted(viewed.model)) continue;
+    if (when == When::kSelected && !is_selected) continue;
     const auto first = snapshot.values.begin() + viewed.first;
     expected[{viewed.view, viewed.model}].assign(first, first + viewed.count);
   }
@@ -105,7 +107,7 @@ void expect_whole(const Snapshot& snapshot, const Wish& wish, const Replica& rep
 RC_GTEST_PROP(DeltaLaw,
               packets_bring_a_viewer_to_the_snapshot_whatever_it_looks_at_and_however_small_they_are, ()) {
   const int robots = *rc::gen::inRange(1, 12);
-  SmallWorld small(robots);
+  SmallWorld small(robots, *rc::gen::inRange(0, 3));
   subscribe_all(small.world);
   auto layout = small.layout();
   Pair pair(layout);
@@ -195,6 +197,26 @@ TEST(Delta, a_sensor_that_stops_measuring_is_taken_back) {
   EXPECT_TRUE(std::ranges::all_of(pair.receiver.views, [](const auto& held) {
     return views()[held.first.first].when == When::kSelected;
   }));
+}
+
+TEST(Delta, tells_how_grippers_stand_whoever_looks_and_whether_anybody_uses_them) {
+  SmallWorld small(1, 2);
+  const auto layout = small.layout();
+  Snapshot snapshot;
+  Pair pair(layout);
+  const auto told = [&] {
+    std::vector<std::int32_t> paddles;
+    capture(small.world, {}, layout, {}, snapshot);
+    pair.send(snapshot, {}, 1000);
+    for (const auto& [key, values] : pair.receiver.views) {
+      EXPECT_EQ(views()[key.first].when, When::kChanged);
+      paddles.push_back(values[0]);
+    }
+    return paddles;
+  };
+  EXPECT_EQ(told(), (std::vector<std::int32_t>{0, 0}));
+  small.world.grippers.paddles[1] = 0.25;
+  EXPECT_EQ(told(), (std::vector<std::int32_t>{0, 250}));
 }
 
 TEST(Snapshot, captures_sensors_only_of_robots_in_view_or_selected) {

@@ -136,6 +136,16 @@ TEST(SceneText, is_json_with_equal_shapes_and_prototypes_written_once) {
   EXPECT_EQ(prototype_of(6).at("sensors").at(0).at("samples").as_int64(), 5);
 }
 
+TEST(SceneText, tells_how_many_solids_of_a_body_move_with_its_state) {
+  SmallWorld small(1, 1);
+  const boost::json::value scene = parsed_scene(small);
+  const auto& gripper = scene.at("prototypes").as_array().back();
+  EXPECT_EQ(gripper.at("moving").as_int64(), 2);
+  EXPECT_EQ(scene.at("shapes").at(gripper.at("shape").as_int64()).as_array().size(), 3u);
+  EXPECT_EQ(gripper.at("paddle").at(1).as_double(), 0.1);
+  EXPECT_FALSE(scene.at("prototypes").at(1).as_object().contains("moving"));
+}
+
 TEST(SceneText, tells_each_model_with_its_devices) {
   SmallWorld small(2);
   const boost::json::value scene = parsed_scene(small, small_devices);

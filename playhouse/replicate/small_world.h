@@ -1,7 +1,7 @@
 #pragma once
 
 /// SmallWorld: a world built in memory for the tests here and of the web server: a wall, robots with a laser
-/// of 5 beams, two sonars and a fiducial finder each, and a puck.
+/// of 5 beams, two sonars and a fiducial finder each, a puck, and grippers that nothing carries.
 
 #include <string>
 
@@ -9,20 +9,22 @@
 
 #include "playhouse/base/rng.h"
 #include "playhouse/replicate/layout.h"
+#include "playhouse/scene/generated/bodies.h"
 #include "playhouse/world/world.h"
 
 namespace playhouse::replicate {
 
 class SmallWorld {
  public:
-  explicit SmallWorld(int robots) : scene_(make_scene(robots)), prototypes(scene_), world(scene_, 1) {}
+  explicit SmallWorld(int robots, int grippers = 0)
+      : scene_(make_scene(robots, grippers)), prototypes(scene_), world(scene_, 1) {}
   SmallWorld(const SmallWorld&) = delete;
   SmallWorld& operator=(const SmallWorld&) = delete;
 
   /// Row of robot k, and its id, as long as nobody goes; the wall is row 0.
   static std::uint32_t robot(int k) { return static_cast<std::uint32_t>(1 + 4 * k); }
   static world::ModelId id(int k) { return {robot(k)}; }
-  /// The puck's row of the scene.
+  /// The puck's row of the scene, of one without grippers.
   std::uint32_t puck() const { return static_cast<std::uint32_t>(scene_.models.size()) - 1; }
 
   std::shared_ptr<const Layout> layout(const DeviceNames& devices = {},
@@ -39,10 +41,11 @@ class SmallWorld {
     for (float& range : world.sensors.ranges) range = static_cast<float>(6 * rng.uniform());
     for (std::uint64_t& tick : world.rangers.measured_tick) tick = world.tick_;
     for (std::uint32_t k = 0; k < world.fiducials.size(); ++k) see(k, rng);
+    for (double& paddles : world.grippers.paddles) paddles = rng.uniform();
   }
 
  private:
-  static scene::SceneDesc make_scene(int robots) {
+  static scene::SceneDesc make_scene(int robots, int grippers) {
     scene::SceneDesc scene;
     scene.name = "small";
     scene.window.show_data = true;
@@ -55,6 +58,7 @@ class SmallWorld {
     puck.blocks.push_back({{{-0.05, -0.05}, {0.05, -0.05}, {0.05, 0.05}, {-0.05, 0.05}}, 0, 0.1});
     puck.gui_move = true;
     scene.models.push_back(puck);
+    for (int k = 0; k < grippers; ++k) add_gripper(scene, k);
     return scene;
   }
 
@@ -66,6 +70,14 @@ class SmallWorld {
     model.kind = kind;
     model.parent = parent;
     return model;
+  }
+
+  static void add_gripper(scene::SceneDesc& scene, int k) {
+    scene::ModelDesc gripper = model("g" + std::to_string(k), "gripper", scene::ModelKind::kGripper, -1);
+    gripper.size = {0.2, 0.3, 0.2};
+    gripper.gripper.emplace();
+    scene::make_body(gripper.size, gripper);
+    scene.models.push_back(gripper);
   }
 
   static void add_robot(scene::SceneDesc& scene, int k) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstddef>
@@ -120,11 +121,13 @@ TEST(Allocation, there_is_none_in_the_ticks_of_our_worlds) {
   }
 }
 
-/// Every kind of sensor with every kind of noise, every controller, and bodies that are not convex.
+/// Every kind of sensor with every kind of noise, every controller, bodies that are not convex, and grippers
+/// that snatch at robots, which they cannot take up.
 Result<scene::SceneDesc> everything() {
   std::string text = R"(
     interval_sim 100
-    define robot position( size [0.3 0.3 0.2] localization "odom" fiducial_return 5
+    define robot position( size [0.3 0.3 0.2] localization "odom" fiducial_return 5 gripper_return 1
+      gripper( pose [0.2 0 -0.2 0] autosnatch 1 )
       block( points 5 point[0] [0 0] point[1] [3 0] point[2] [3 3] point[3] [1.5 1] point[4] [0 3] z [0 1] )
       ranger( sensor( range [0.1 8] fov 270 samples 61 noise [0.01 0.02 0] ) )
       ranger( sensor( range [0 5] fov 20 samples 9 noise [0 0.01 0.05] ) sensor( pose [0 0 0 90] range [0 5] fov 10 ) )
@@ -151,6 +154,8 @@ TEST(Allocation, there_is_none_with_every_sensor_and_controller) {
     Simulation run(everything(), workers);
     run.world().models.flags[run.world().find("depot").index] = 2000000;
     EXPECT_EQ(allocations_of(run), 0u) << workers << " workers";
+    EXPECT_GT(std::ranges::count_if(run.world().grippers.paddles, [](double closed) { return closed > 0; }),
+              0);
     EXPECT_GT(run.world().models.say[run.world().find("depot").index].size(), 15u)
         << "more than a short string holds";
   }

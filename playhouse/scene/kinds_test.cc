@@ -75,6 +75,12 @@ TEST(Kinds, a_word_with_its_default_says_the_same_as_none) {
   EXPECT_GE(compared, 40);
 }
 
+std::string repeated(const std::string& text, std::ptrdiff_t times) {
+  std::string all;
+  for (; times > 0; --times) all += text;
+  return all;
+}
+
 TEST(Kinds, values_beyond_the_limits_that_are_told_have_a_line_that_names_the_word) {
   const auto line_of = [](const Kind& kind, const Word& word, const std::string& value) {
     const Result<SceneDesc> scene = load(file_with(kind, std::string(word.name) + " " + value));
@@ -86,13 +92,16 @@ TEST(Kinds, values_beyond_the_limits_that_are_told_have_a_line_that_names_the_wo
       {"not negative", {"-1"}},
       {"0 <= min <= max", {"[-1 2]", "[2 1]"}},
   };
-  /// Of "from 1 to 4096", and of a tuple of two such numbers.
+  /// Of "from 1 to 4096", and of a tuple of such numbers: one of them is beyond.
   const auto outside = [&](const Word& word) -> std::vector<std::string> {
     int least = 0, most = 0;
     if (std::sscanf(std::string(word.limits).c_str(), "from %d to %d", &least, &most) != 2)
       return beyond.contains(word.limits) ? beyond.at(word.limits) : std::vector<std::string>();
-    if (word.type == "tuple")
-      return {fmt::format("[{} {}]", least, most + 1), fmt::format("[{} {}]", least - 1, most)};
+    if (word.type == "tuple") {
+      const std::ptrdiff_t others = std::ranges::count(word.form, ' ');
+      return {fmt::format("[{}{}]", repeated(fmt::format("{} ", least), others), most + 1),
+              fmt::format("[{}{}]", least - 1, repeated(fmt::format(" {}", most), others))};
+    }
     return {std::to_string(least - 1), std::to_string(most + 1), "-1"};
   };
   int told = 0;

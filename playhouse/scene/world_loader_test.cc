@@ -406,6 +406,31 @@ TEST(WorldBodies, a_default_body_is_a_box_of_the_size) {
   EXPECT_TRUE(model_of("fiducial( )").blocks.empty());
 }
 
+TEST(WorldBodies, of_a_gripper_is_a_base_and_two_paddles_that_move_unless_blocks_say_otherwise) {
+  const auto expect = [](const Block& block, std::array<double, 4> sides, double z_min, double z_max) {
+    const std::array<double, 4> found = extent(block.points);
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(found[i], sides[i], 1e-12) << i;
+    EXPECT_NEAR(block.z_min, z_min, 1e-12);
+    EXPECT_NEAR(block.z_max, z_max, 1e-12);
+  };
+  const ModelDesc open = model_of("gripper( paddle_size [0.5 0.1 0.4] )");
+  ASSERT_EQ(open.blocks.size(), 3u);
+  EXPECT_EQ(open.moving_blocks, 2u);
+  expect(open.blocks[0], {-0.1, 0, -0.15, 0.15}, 0, 0.2);
+  expect(open.blocks[1], {0, 0.1, 0.12, 0.15}, 0, 0.08);
+  expect(open.blocks[2], {0, 0.1, -0.15, -0.12}, 0, 0.08);
+  const ModelDesc closed =
+      model_of("gripper( size [1 1 1] paddle_size [0.5 0.1 0.4] paddle_state [ \"closed\" \"up\" ] )");
+  expect(closed.blocks[1], {0, 0.5, 0, 0.1}, 0.6, 1);
+  expect(closed.blocks[2], {0, 0.5, -0.1, 0}, 0.6, 1);
+  EXPECT_EQ(model_of("gripper( paddle_size [1 0.1 0.1] )").blocks.size(), 2u) << "no base";
+  EXPECT_EQ(model_of("gripper( paddle_size [0.5 0 0.1] )").blocks.size(), 1u) << "no paddles";
+  const ModelDesc blocks = model_of(std::string("gripper( block( ") + kTriangle + "z [0 1] ) )");
+  EXPECT_EQ(blocks.blocks.size(), 1u);
+  EXPECT_EQ(blocks.moving_blocks, 0u);
+  EXPECT_TRUE(model_of("gripper( noblocks 1 )").blocks.empty());
+}
+
 TEST(WorldBodies, all_blocks_together_are_stretched_to_the_size) {
   const ModelDesc model = model_of(
       "model( size [2 4 6]\n block( points 4 point[0] [10 10] point[1] [10 20] point[2] [20 20] point[3] [20 "
@@ -758,6 +783,31 @@ TEST(WorldModels, words_with_numbers_are_checked_each) {
             "w/t.world:2: \"blength[1]\" must not be negative");
   EXPECT_EQ(line_of("blength -0.1"), "w/t.world:2: \"blength\" must not be negative");
   EXPECT_EQ(line_of("bcount 257"), "w/t.world:2: \"bcount\" must be from 0 to 256");
+}
+
+TEST(WorldModels, a_gripper_has_its_paddles) {
+  const GripperDesc defaults = model_of("gripper( )").gripper.value();
+  EXPECT_EQ(defaults.paddle_length, 0.66);
+  EXPECT_EQ(defaults.paddles, Paddles::kOpen);
+  EXPECT_EQ(defaults.lift, Lift::kDown);
+  EXPECT_FALSE(defaults.autosnatch);
+  const GripperDesc gripper =
+      model_of("gripper( paddle_size [0.5 0.2 0.3] paddle_state [ \"closed\" \"up\" ] autosnatch 1 )")
+          .gripper.value();
+  EXPECT_EQ(gripper.paddle_width, 0.2);
+  EXPECT_EQ(gripper.paddles, Paddles::kClosed);
+  EXPECT_EQ(gripper.lift, Lift::kUp);
+  EXPECT_TRUE(gripper.autosnatch);
+  EXPECT_EQ(error_of("gripper( paddle_state [ \"opn\" \"down\" ] )"),
+            "w/t.world:1: paddles of \"paddle_state\" is one of \"open\", \"closed\", found \"opn\" "
+            "(did you mean \"open\"?)");
+  EXPECT_EQ(error_of("gripper( paddle_state [ \"up\" \"closed\" ] )"),
+            "w/t.world:1: paddles of \"paddle_state\" is one of \"open\", \"closed\", found \"up\"");
+  EXPECT_EQ(error_of("gripper( paddle_state \"open\" )"),
+            "w/t.world:1: \"paddle_state\" needs 2 values [paddles lift], found 1");
+  EXPECT_THAT(loaded("gripper( paddle_state [ \"open\" \"up\" \"closed\" ] )").warnings,
+              ElementsAre(HasSubstr("\"paddle_state\" takes 2 values, found 3")));
+  EXPECT_THAT(error_of("gripper( paddle_size [0.5 2 0.5] )"), HasSubstr("numbers from 0 to 1"));
 }
 
 TEST(WorldModels, types_that_are_not_simulated_load_as_plain_bodies_with_one_warning_each) {

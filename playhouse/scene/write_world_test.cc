@@ -163,10 +163,20 @@ std::string any_value(const Word& word) {
     const std::size_t end = word.form.rfind('"'), begin = word.form.rfind('"', end - 1);
     return std::string(word.form.substr(begin, end - begin + 1));
   }
+  if (word.type == "choices") {  // the last word of each
+    std::string last;
+    for (std::size_t end = word.form.find(')'); end != std::string_view::npos;
+         end = word.form.find(')', end + 1)) {
+      const std::size_t begin = word.form.rfind('"', end - 2);
+      last += (last.empty() ? "" : " ") + std::string(word.form.substr(begin, end - begin));
+    }
+    return "[" + last + "]";
+  }
   // As many numbers as the form has names, ascending.
   std::string numbers;
+  const double step = word.limits == "from 0 to 1" ? 0.25 : 1.5;
   double number = 0.125;
-  for (std::size_t at = 0; at != std::string_view::npos; at = word.form.find(' ', at + 1), number += 1.5)
+  for (std::size_t at = 0; at != std::string_view::npos; at = word.form.find(' ', at + 1), number += step)
     numbers += (numbers.empty() ? "" : " ") + std::to_string(word.type == "rgba" ? number / 10 : number);
   return word.name == "image" ? "[3 4]" : "[" + numbers + "]";
 }
@@ -302,6 +312,8 @@ TEST(WriteWorld, bodies_are_as_the_file_says_them) {
            "model ( bitmap \"plan\" block ( points 3 point[0] [0 0] point[1] [0 9] point[2] [5 5] z [0 2] ) "
            ")",
            "model ( stack_children 0 size [1 1 2] model ( pose [0 0 0.5 0] model ( ) ) )",
+           "gripper ( size [1 2 3] paddle_size [0.3 0.2 0.1] paddle_state [\"closed\" \"down\"] )",
+           "gripper ( boundary 1 )\ngripper ( noblocks 1 )\ngripper ( size [0 1 1] )",
        })
     EXPECT_EQ(difference_of(text), "") << text;
 }
@@ -440,6 +452,8 @@ std::string any_entity(int depth) {
       "velocity [0.1 0 0 7]",
       "drive \"car\"",
       "fov 77.7",
+      "paddle_size [0.5 0.2 0.3]",
+      "paddle_state [\"closed\" \"up\"]",
       "block ( points 3 point[1] [0 0.3] point[2] [0.7 0.1] z [0 0.3] )",
       "block ( points 2 point[1] [0.1 0.3] )",
       "velocity_bounds [-1 1 0 0 0 0 -33.3 44.4]",

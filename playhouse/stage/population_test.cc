@@ -10,6 +10,7 @@
 
 #include "playhouse/stage/engine.h"
 #include "playhouse/stage/testing_scenes.h"
+#include "playhouse/world/gripper.h"
 #include "playhouse/world/state.h"
 
 namespace playhouse::stage {
@@ -85,32 +86,100 @@ std::unique_ptr<world::Engine> engine_of(const scene::SceneDesc& scene, unsigned
   return std::move(*engine);
 }
 
-void run(world::Engine& engine, std::uint64_t until) {
+using Changes = void(world::World& world, std::uint64_t tick);
+
+void run(world::Engine& engine, std::uint64_t until, Changes& change) {
   while (engine.world().tick() < until) {
     change(engine.world(), engine.world().tick());
     engine.step();
   }
 }
 
-TEST(ChangingPopulation, goes_on_from_any_tick_as_if_it_had_run_through) {
-  const scene::SceneDesc scene = make_scene();
-  constexpr std::uint64_t kEnd = 40;
+/// A run that is saved at any tick goes on as the one that ran through.
+void expect_same_from_any_tick(const scene::SceneDesc& scene, std::uint64_t end, Changes& change) {
   const auto through = engine_of(scene);
-  run(*through, kEnd);
-  for (std::uint64_t tick = 0; tick < kEnd; ++tick) {
+  run(*through, end, change);
+  for (std::uint64_t tick = 0; tick < end; ++tick) {
     const auto first = engine_of(scene);
-    run(*first, tick);
+    run(*first, tick, change);
     std::vector<std::byte> saved;
     ASSERT_TRUE(world::save_state(first->world(), saved).ok());
     const auto second = engine_of(scene, 1 + tick % 3);
     const Result<void> loaded = world::load_state(second->world(), saved);
     ASSERT_TRUE(loaded.ok()) << loaded.error().line();
     EXPECT_EQ(second->world().hash(), first->world().hash()) << tick;
-    run(*second, kEnd);
+    run(*second, end, change);
     EXPECT_EQ(second->world().hash(), through->world().hash()) << tick;
     EXPECT_EQ(second->world().sensed_hash(), through->world().sensed_hash()) << tick;
     EXPECT_EQ(world::first_difference(second->world(), through->world()), std::nullopt) << tick;
   }
+}
+
+TEST(ChangingPopulation, goes_on_from_any_tick_as_if_it_had_run_through) {
+  expect_same_from_any_tick(make_scene(), 40, change);
+}
+
+/// Robots with a gripper each, which drive towards pucks (rows 4 to 6).
+scene::SceneDesc grippers() {
+  scene::SceneDesc scene;
+  scene.name = "depot";
+  for (const double y : {0.0, 1.0}) {
+    const int robot = static_cast<int>(scene.models.size());
+    const std::string name = "r" + std::to_string(robot);
+    scene.models.push_back(testing::robot(name, {0, y, 0, 0}, {0.4, 0.4, 0.2}));
+    scene.models.back().position->velocity = {0.1, 0, 0, 0.05};
+    testing::add_gripper(scene, name + ".gripper:0", robot, {0.3, 0, 0, 0});
+  }
+  for (const double y : {0.02, 1.0, 2.0}) scene.models.push_back(testing::puck({0.4, y, 0, 0.4}));
+  return scene;
+}
+
+/// Both close; one goes with what it holds, which another takes up; the other lifts, carries, opens, and
+/// closes again.
+void take_and_leave(world::World& world, std::uint64_t tick) {
+  const auto tell = [&](ModelId gripper, world::GripperCommand command) {
+    world::command_gripper(world, {world.models.part[world.row(gripper).index]}, command);
+  };
+  const auto holds = [&](ModelId gripper) {
+    return static_cast<bool>(world::held_by(world, {world.models.part[world.row(gripper).index]}));
+  };
+  constexpr ModelId kFirst{1}, kSecond{3}, kThird{8};
+  switch (tick) {
+    case 3:
+      tell(kFirst, world::GripperCommand::kClose);
+      tell(kSecond, world::GripperCommand::kClose);
+      break;
+    case 8:
+      tell(kSecond, world::GripperCommand::kRaise);
+      break;
+    case 24:
+      EXPECT_TRUE(holds(kFirst) && holds(kSecond));
+      tell(kSecond, world::GripperCommand::kOpen);
+      tell(kSecond, world::GripperCommand::kLower);
+      break;
+    case 26: {
+      const geom::Pose at = world.models.X_WM[0];
+      EXPECT_TRUE(world::despawn(world, {0}).ok());
+      EXPECT_TRUE(world::spawn(world, 0, at).ok());
+      tell(kThird, world::GripperCommand::kClose);
+      break;
+    }
+    case 30:
+      EXPECT_FALSE(holds(kSecond));
+      EXPECT_GT(world.models.X_WM[world.row({5}).index].x, 0.5) << "carried and put down";
+      tell(kSecond, world::GripperCommand::kClose);
+      break;
+    case 52:
+      EXPECT_TRUE(holds(kThird));
+      world::return_to_start(world);
+      break;
+    default:
+      break;
+  }
+}
+
+TEST(ChangingPopulation, goes_on_from_any_tick_with_full_grippers_of_robots_that_come_and_go) {
+  expect_same_from_any_tick(grippers(), 56, take_and_leave);
 }
 
 TEST(ChangingPopulation, robots_see_who_came_and_no_longer_who_went) {

@@ -11,6 +11,7 @@
 #include "playhouse/base/log.h"
 #include "playhouse/scene/world_loader.h"
 #include "playhouse/stage/engine.h"
+#include "playhouse/world/gripper.h"
 
 namespace playhouse::stage {
 namespace {
@@ -35,6 +36,9 @@ void ask(world::World& world, FuzzScript& script) {
   };
   const world::PositionRow robot{world.models.part[model.index]};
   const bool is_robot = world.models.kind[model.index] == scene::ModelKind::kPosition;
+  if (world.models.kind[model.index] == scene::ModelKind::kGripper && what % 8 > 2)
+    return world::command_gripper(world, {world.models.part[model.index]},
+                                  static_cast<world::GripperCommand>(what % 8 - 3));
   switch (what % 8) {
     case 0:
       world::set_pose(world, model, pose());

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "playhouse/base/rng.h"
+#include "playhouse/scene/generated/bodies.h"
 #include "playhouse/scene/scene_desc.h"
 #include "playhouse/stage/bodies.h"
 
@@ -101,6 +102,28 @@ inline scene::ModelDesc sonar_ring(const std::string& name, int parent) {
 inline scene::ModelDesc laser(const std::string& name, int parent) {
   scene::ModelDesc model = ranger(name, parent, {0, 0, 0.1, 0});
   model.sensors.push_back(sensor({}, 8, geom::kPi, 180));
+  return model;
+}
+
+/// A gripper of the usual size with a body of its own, on `parent` or, with -1, at the top.
+inline void add_gripper(scene::SceneDesc& scene, const std::string& name, int parent, const Pose& X_PM) {
+  scene::ModelDesc& model = scene.models.emplace_back();
+  model.name = model.alias = name;
+  model.type = "gripper";
+  model.kind = scene::ModelKind::kGripper;
+  model.parent = parent;
+  model.X_PM = X_PM;
+  model.size = {0.2, 0.3, 0.2};
+  model.alwayson = true;
+  model.gripper.emplace();
+  scene::make_body(model.size, model);
+}
+
+/// A thing that grippers take up, 0.08 m wide; robots drive through it.
+inline scene::ModelDesc puck(const Pose& X_WM) {
+  scene::ModelDesc model = box("puck", X_WM, {0.08, 0.08, 0.1});
+  model.gripper_return = true;
+  model.obstacle_return = false;
   return model;
 }
 

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "playhouse/scene/generated/bodies.h"
 #include "playhouse/scene/write_world.h"
 #include "playhouse/world/population.h"
 #include "playhouse/world/rows.h"
@@ -33,6 +35,7 @@ class StandingScene {
   void add_tree(std::uint32_t row);
   Change change_of(std::uint32_t row, std::uint32_t size) const;
   bool is_another(std::uint32_t row) const;
+  /// Than the scene says that it does at the start.
   /// Who came during the run has no controllers, whatever its prototype says.
   bool came(std::uint32_t top) const { return Population::given(world_).contains(world_.models.id[top]); }
   /// Descriptions of a model as it stands and of all inside it, behind those there are.
@@ -124,8 +127,11 @@ void StandingScene::describe(std::uint32_t row, std::int32_t parent, std::string
   desc.color = world_.models.color[row];
   desc.fiducial_return = world_.models.fiducial_return[row];
   desc.say = world_.models.say[row];
-  say_rows(world_, {row}, &desc);
   if (came) desc.ctrl.clear();
+  if (say_rows(world_, {row}, &desc) && desc.moving_blocks > 0) {  // of the body of its kind
+    desc.blocks.clear();
+    scene::make_body(*scene::body_size(desc.size), desc);
+  }
   if (is_attached) {
     const scene::ModelDesc& below = scene_.models[static_cast<std::size_t>(parent)];
     desc.stacked = below.stacks_children ? below.size.z : 0;

@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "playhouse/base/rng.h"
@@ -32,6 +33,8 @@ robot ( name "r1" pose [1 -2 0 200] fiducial_return 3 say "hello" )
 position ( name "alone" pose [-1 0 0 0] kjoules 2 )
 model ( name "puck" pose [3 1 0 0] size [0.1 0.1 0.1] gripper_return 1 )
 model ( pose [3 2 0 0] size [0.1 0.1 0.1] gripper_return 1 model ( name "lid" ) )
+position ( name "hauler" pose [-3 0 0 0] gripper ( name "hand" pose [0.3 0 -0.2 0] ) )
+gripper ( name "claw" pose [-3 3 0 0] paddle_state ["closed" "up"] )
 )";
 
 class AsSceneTest : public ::testing::Test {
@@ -42,6 +45,24 @@ class AsSceneTest : public ::testing::Test {
     return found;
   }
   ModelId id(const std::string& name) { return world_.id(row(name)); }
+
+  struct Stand {
+    double paddles = 0;
+    std::int32_t closing = 0;
+    double lift = 0;
+    std::int32_t rising = 0;
+    double close_limit = 1;
+    ModelId held = {};
+  };
+  void stand(const std::string& gripper, const Stand& stand) {
+    const std::uint32_t at = world_.models.part[row(gripper).index];
+    world_.grippers.paddles[at] = stand.paddles;
+    world_.grippers.closing[at] = stand.closing;
+    world_.grippers.lift[at] = stand.lift;
+    world_.grippers.rising[at] = stand.rising;
+    world_.grippers.close_limit[at] = stand.close_limit;
+    world_.grippers.held[at] = stand.held;
+  }
 
   /// The world that the file says.
   const World& again() {
@@ -168,6 +189,45 @@ TEST_F(AsSceneTest, what_is_carried_is_a_part_of_who_carries_it) {
       << text_;
   ASSERT_TRUE(despawn(world_, id("r0")).ok());
   expect_same();
+}
+
+TEST_F(AsSceneTest, paddles_are_as_they_stand_or_as_the_file_has_them_while_they_move) {
+  const auto state_of = [&](const char* gripper) {
+    const scene::GripperDesc& desc = *again_->desc(again_->find(gripper)).gripper;
+    return std::pair(desc.paddles, desc.lift);
+  };
+  using scene::Lift;
+  using scene::Paddles;
+  stand("hauler.hand", {.paddles = 0.5, .closing = 1, .lift = 0.5, .rising = 1});
+  stand("claw", {.paddles = 0.5, .lift = 0.5});
+  again();
+  EXPECT_EQ(difference(scene_, saved_), "") << "on their way, or stopped there";
+  stand("hauler.hand", {.paddles = 1, .lift = 1});
+  stand("claw", {.paddles = 0, .lift = 0});
+  again();
+  EXPECT_EQ(state_of("hauler.hand"), std::pair(Paddles::kClosed, Lift::kUp));
+  EXPECT_EQ(state_of("claw"), std::pair(Paddles::kOpen, Lift::kDown));
+  EXPECT_EQ(again_->grippers.paddles, world_.grippers.paddles);
+  EXPECT_EQ(again_->grippers.lift, world_.grippers.lift);
+  EXPECT_NE(again_->desc(again_->find("claw")).blocks, world_.desc(row("claw")).blocks)
+      << "its paddles are open";
+  EXPECT_EQ(again_->desc(again_->find("claw")).moving_blocks, 2u);
+  EXPECT_EQ(difference(as_scene(world_), saved_), "") << text_;
+  stand("hauler.hand", {.paddles = 0.9, .closing = -1, .lift = 1});
+  again();
+  EXPECT_EQ(state_of("hauler.hand"), std::pair(Paddles::kOpen, Lift::kUp));
+}
+
+TEST_F(AsSceneTest, what_a_gripper_holds_is_a_part_of_it_and_its_paddles_are_closed) {
+  ASSERT_TRUE(attach(world_, id("puck"), id("hauler.hand"), {}).ok());
+  stand("hauler.hand", {.paddles = 0.66, .close_limit = 0.66, .held = id("puck")});
+  again();
+  const ModelRow hand = again_->find("hauler.hand"), puck = again_->find("puck");
+  ASSERT_TRUE(hand && puck) << text_;
+  EXPECT_EQ(again_->models.parent[puck.index], hand.index) << text_;
+  EXPECT_EQ(again_->desc(hand).gripper->paddles, scene::Paddles::kClosed);
+  EXPECT_EQ(again_->models.X_WM[puck.index], world_.models.X_WM[row("puck").index]);
+  EXPECT_EQ(difference(as_scene(world_), saved_), "") << text_;
 }
 
 TEST_F(AsSceneTest, parts_that_were_moved_or_painted_are_where_they_are) {

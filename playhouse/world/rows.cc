@@ -3,6 +3,7 @@
 #include "playhouse/base/rng.h"
 #include "playhouse/scene/charge.h"
 #include "playhouse/world/columns.h"
+#include "playhouse/world/gripper.h"
 #include "playhouse/world/traits.h"
 
 namespace playhouse::world {
@@ -58,6 +59,12 @@ void fill_row(World&, Packs& packs, const scene::ModelDesc& model, ModelRow) {
   packs.gives.back() = 1;
 }
 
+void fill_row(World&, Grippers& grippers, const scene::ModelDesc& model, ModelRow) {
+  grippers.paddles.back() = model.gripper->paddles == scene::Paddles::kClosed ? 1 : 0;
+  grippers.lift.back() = model.gripper->lift == scene::Lift::kUp ? 1 : 0;
+  grippers.close_limit.back() = 1;
+}
+
 bool say_row(const Packs& packs, std::uint32_t row, const scene::ModelDesc& model, scene::ModelDesc* said) {
   const scene::Charge charge = scene::charge_of(model);
   if (charge.stored == packs.stored[row] && charge.capacity == packs.capacity[row]) return false;
@@ -65,6 +72,20 @@ bool say_row(const Packs& packs, std::uint32_t row, const scene::ModelDesc& mode
   said->joules = packs.stored[row];
   said->joules_capacity = packs.capacity[row];
   said->kjoules = said->kjoules_capacity = {};
+  return true;
+}
+
+bool say_row(const Grippers& grippers, std::uint32_t row, const scene::ModelDesc& model,
+             scene::ModelDesc* said) {
+  scene::GripperDesc standing = *model.gripper;
+  const PaddleState state = paddle_state(grippers, {row});
+  if (state == PaddleState::kOpen) standing.paddles = scene::Paddles::kOpen;
+  if (state == PaddleState::kClosed) standing.paddles = scene::Paddles::kClosed;
+  const bool lift_rests = grippers.rising[row] == 0;
+  if (lift_rests && grippers.lift[row] <= 0) standing.lift = scene::Lift::kDown;
+  if (lift_rests && grippers.lift[row] >= 1) standing.lift = scene::Lift::kUp;
+  if (standing == *model.gripper) return false;
+  if (said) said->gripper = standing;
   return true;
 }
 

@@ -15,6 +15,7 @@ void fill_row(World&, Table&, const scene::ModelDesc&, ModelRow) {}
 void fill_row(World& world, Positions& positions, const scene::ModelDesc& model, ModelRow row);
 void fill_row(World& world, Rangers& rangers, const scene::ModelDesc& model, ModelRow row);
 void fill_row(World& world, Packs& packs, const scene::ModelDesc& model, ModelRow row);
+void fill_row(World& world, Grippers& grippers, const scene::ModelDesc& model, ModelRow row);
 
 /// Whether a description says other than what the row stands for; then `said`, a copy of it or null, is made
 /// to say that.
@@ -23,6 +24,9 @@ bool say_row(const Table&, std::uint32_t, const scene::ModelDesc&, scene::ModelD
   return false;
 }
 bool say_row(const Packs& packs, std::uint32_t row, const scene::ModelDesc& model, scene::ModelDesc* said);
+/// Paddles or a lift on their way are as the file has them.
+bool say_row(const Grippers& grippers, std::uint32_t row, const scene::ModelDesc& model,
+             scene::ModelDesc* said);
 
 /// The same of all rows that a model has.
 bool say_rows(const World& world, ModelRow row, scene::ModelDesc* said = nullptr);

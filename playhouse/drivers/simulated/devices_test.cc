@@ -14,6 +14,7 @@
 #include "playhouse/wire/generated/blobfinder.h"
 #include "playhouse/wire/generated/bumper.h"
 #include "playhouse/wire/generated/fiducial.h"
+#include "playhouse/wire/generated/gripper.h"
 #include "playhouse/wire/generated/laser.h"
 #include "playhouse/wire/generated/position2d.h"
 #include "playhouse/wire/generated/ranger.h"
@@ -39,6 +40,7 @@ position( name "r0" pose [1 2 0 90] size [0.44 0.38 0.22] origin [-0.04 0 0 0] f
   fiducial( name "finder" range_max 6 fov 90 )
   blobfinder( name "camera" colors_count 2 colors [ "blue" "red" ] image [100 40] )
   bumper( name "skirt" pose [0.1 0 -0.2 0] bcount 2 bpose[0] [0.2 0 0.05 0] bpose[1] [0 0.2 0 90] blength 0.3 blength[1] 0.1 )
+  gripper( name "hand" pose [0.3 0 -0.22 0] )
 )
 )";
 
@@ -113,6 +115,7 @@ using RangerDevice = Device;
 using LaserDevice = Device;
 using SonarDevice = Device;
 using FiducialDevice = Device;
+using GripperDevice = Device;
 using SimulationInterface = Device;
 
 namespace p2d = wire::position2d;
@@ -378,6 +381,69 @@ TEST_F(FiducialDevice, reads_and_sets_the_id_its_robot_shows_and_tells_its_field
   const auto fov = reply<wire::fiducial::Fov>(ask(wire::fiducial::kReqGetFov));
   EXPECT_EQ(fov.max_range, 6.0f);
   EXPECT_NEAR(fov.view_angle, pi / 2, 1e-6);
+}
+
+namespace grip = wire::gripper;
+
+TEST_F(GripperDevice, commands_reach_the_paddles_and_the_newest_counts) {
+  open(grip::kCode, "r0.hand");
+  const std::int32_t& closing = still_.world().grippers.closing[0];
+  const auto send = [&](std::uint8_t subtype) {
+    EXPECT_EQ(driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), subtype, {}}),
+              device::Taken::kLatest);
+  };
+  send(grip::kCmdClose);
+  EXPECT_EQ(closing, 0) << "not yet";
+  still_.run(0);
+  EXPECT_EQ(closing, 1);
+  send(grip::kCmdClose);
+  send(grip::kCmdOpen);
+  still_.run(0);
+  EXPECT_EQ(closing, -1);
+  send(grip::kCmdStop);
+  still_.run(0);
+  EXPECT_EQ(closing, 0);
+}
+
+TEST_F(GripperDevice, publishes_state_and_beams) {
+  open(grip::kCode, "r0.hand");
+  world::Grippers& grippers = still_.world().grippers;
+  const auto data = [&] {
+    still_.run(1);
+    return last<grip::Data>(grip::kDataState);
+  };
+  EXPECT_EQ(data(), (grip::Data{grip::kStateOpen, 0, 0}));
+  grippers.paddles[0] = 0.5;
+  EXPECT_EQ(data().state, grip::kStateError) << "it stands between open and closed";
+  grippers.closing[0] = 1;
+  grippers.beams[0] = 1;
+  EXPECT_EQ(data(), (grip::Data{grip::kStateMoving, 0x04, 0}));
+  grippers.close_limit[0] = 0.5;
+  grippers.beams[0] = 2;
+  EXPECT_EQ(data(), (grip::Data{grip::kStateClosed, 0x08, 0}));
+  grippers.closing[0] = -1;
+  grippers.beams[0] = 3;
+  EXPECT_EQ(data(), (grip::Data{grip::kStateMoving, 0x0c, 0}));
+}
+
+TEST_F(GripperDevice, geometry_is_its_place_on_the_robot_its_size_and_the_gap) {
+  open(grip::kCode, "r0.hand");
+  const auto geom = reply<grip::Geom>(ask(grip::kReqGetGeom));
+  EXPECT_NEAR(geom.pose.px, 0.3, 1e-9);
+  EXPECT_NEAR(geom.pose.pz, 0, 1e-9);
+  EXPECT_EQ(geom.outer_size, (wire::Bbox3d{0.3, 0.2, 0.2}));
+  EXPECT_NEAR(geom.inner_size.sw, 0.24, 1e-9);
+  EXPECT_NEAR(geom.inner_size.sl, 0.132, 1e-9);
+  EXPECT_NEAR(geom.inner_size.sh, 0.08, 1e-9);
+  EXPECT_EQ(geom.num_beams, 2);
+  EXPECT_EQ(geom.capacity, 0);
+}
+
+TEST_F(GripperDevice, has_no_store) {
+  open(grip::kCode, "r0.hand");
+  for (const std::uint8_t subtype : {grip::kCmdStore, grip::kCmdRetrieve})
+    EXPECT_EQ(driver_.command({kId, static_cast<std::uint8_t>(MessageType::kCmd), subtype, {}}),
+              device::Taken::kNo);
 }
 
 namespace sim = wire::simulation;

@@ -71,6 +71,21 @@ bool capture_bumper(const world::World& world, std::uint32_t row, std::vector<st
   return true;
 }
 
+std::uint32_t row_of_gripper(const world::World& world, std::uint32_t model) {
+  return world.models.kind[model] == scene::ModelKind::kGripper ? world.models.part[model] : world::ModelRow::kNone;
+}
+
+bool capture_gripper(const world::World& world, std::uint32_t row, std::vector<std::int32_t>& out) {
+  out.push_back(quantize(world.grippers.paddles[row], 1000));
+  out.push_back(static_cast<std::int32_t>(world.grippers.closing[row]));
+  out.push_back(quantize(world.grippers.lift[row], 1000));
+  out.push_back(static_cast<std::int32_t>(world.grippers.rising[row]));
+  out.push_back(static_cast<std::int32_t>(world.grippers.held[row].value));
+  out.push_back(static_cast<std::int32_t>(world.grippers.beams[row]));
+  out.push_back(static_cast<std::int32_t>(world.grippers.contacts[row]));
+  return true;
+}
+
 std::uint32_t row_of_pack(const world::World& world, std::uint32_t model) {
   return world::trait_row(world.packs, model);
 }
@@ -87,13 +102,15 @@ constexpr Code kCodesOfPosition[] = {Code::kZigzag, Code::kZigzag, Code::kZigzag
 constexpr Code kCodesOfFiducial[] = {Code::kVarint, Code::kZigzag, Code::kVarint, Code::kTurn, Code::kTurn};
 constexpr Code kCodesOfBlobfinder[] = {Code::kRgba, Code::kVarint, Code::kVarint, Code::kVarint};
 constexpr Code kCodesOfBumper[] = {Code::kZigzag};
+constexpr Code kCodesOfGripper[] = {Code::kVarint, Code::kZigzag, Code::kVarint, Code::kZigzag, Code::kZigzag, Code::kVarint, Code::kVarint};
 constexpr Code kCodesOfPack[] = {Code::kZigzag, Code::kZigzag, Code::kZigzag, Code::kVarint};
 
-constexpr View kViews[5] = {
+constexpr View kViews[6] = {
     {When::kSelected, false, false, kCodesOfPosition, row_of_position, capture_position},
     {When::kShown, true, true, kCodesOfFiducial, row_of_fiducial, capture_fiducial},
     {When::kShown, true, true, kCodesOfBlobfinder, row_of_blobfinder, capture_blobfinder},
     {When::kShown, true, true, kCodesOfBumper, row_of_bumper, capture_bumper},
+    {When::kChanged, true, false, kCodesOfGripper, row_of_gripper, capture_gripper},
     {When::kSelected, false, false, kCodesOfPack, row_of_pack, capture_pack},
 };
 
@@ -121,6 +138,7 @@ bool measures(scene::ModelKind kind) {
     case scene::ModelKind::kFiducial:
     case scene::ModelKind::kBlobfinder:
     case scene::ModelKind::kBumper:
+    case scene::ModelKind::kGripper:
       return true;
     default:
       return false;
@@ -168,6 +186,11 @@ void tell_bumper(const scene::ModelDesc& model, std::string& text) {
   fmt::format_to(std::back_inserter(text), ",\"blength\":{}", list(model.bumper->blength, [](const auto& each) { return number(each); }));
 }
 
+void tell_gripper(const scene::ModelDesc& model, std::string& text) {
+  if (!model.gripper) return;
+  text += ",\"paddle\":[" + number(model.gripper->paddle_length) + ',' + number(model.gripper->paddle_width) + ',' + number(model.gripper->paddle_height) + "]";
+}
+
 }  // namespace
 
 void tell_kind(const scene::ModelDesc& model, std::string& text) {
@@ -186,6 +209,9 @@ void tell_kind(const scene::ModelDesc& model, std::string& text) {
       break;
     case scene::ModelKind::kBumper:
       tell_bumper(model, text);
+      break;
+    case scene::ModelKind::kGripper:
+      tell_gripper(model, text);
       break;
     default:
       break;
@@ -209,6 +235,8 @@ std::string_view kind_name(scene::ModelKind kind) {
       return "blobfinder";
     case scene::ModelKind::kBumper:
       return "bumper";
+    case scene::ModelKind::kGripper:
+      return "gripper";
   }
   return "";
 }

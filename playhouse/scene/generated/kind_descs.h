@@ -22,6 +22,7 @@ enum class ModelKind : std::uint8_t {
   kFiducial = 3,
   kBlobfinder = 4,
   kBumper = 5,
+  kGripper = 6,
 };
 
 /// A plain body; its words are those of every model, whatever its kind.
@@ -42,7 +43,8 @@ struct PlainDesc {
   int fiducial_return = 0;
   /// Finders see marks of their own key only.
   int fiducial_key = 0;
-  /// Grippers can take it; read and kept, nothing uses it yet.
+  /// Grippers see it, and take it up with all its parts: it has to be at the top level, and holds nothing
+  /// that drives.
   bool gripper_return = false;
   /// Driving it takes 10 W for each kg and m/s, and for each rad/s. [kg]
   double mass = 0;
@@ -155,6 +157,28 @@ struct BumperDesc {
   friend bool operator==(const BumperDesc&, const BumperDesc&) = default;
 };
 
+/// Whether the paddles are apart.
+enum class Paddles : std::uint8_t { kOpen, kClosed };
+
+/// Whether the paddles are raised.
+enum class Lift : std::uint8_t { kDown, kUp };
+
+/// Two paddles that close around a thing and carry it.
+struct GripperDesc {
+  /// How large a paddle is, as fractions of the model's size.
+  double paddle_length = 0.66;
+  double paddle_width = 0.1;
+  double paddle_height = 0.4;
+  /// Whether the paddles are apart.
+  Paddles paddles = Paddles::kOpen;
+  /// Whether the paddles are raised.
+  Lift lift = Lift::kDown;
+  /// It closes by itself when something is between the paddles, and opens when nothing is.
+  bool autosnatch = false;
+
+  friend bool operator==(const GripperDesc&, const GripperDesc&) = default;
+};
+
 /// One transducer or scanner of a ranger.
 struct RangerSensorDesc {
   /// Where the sensor is in the ranger. [frame X_BS, m, m, m, rad]
@@ -222,6 +246,7 @@ struct KindDescs {
   std::optional<FiducialDesc> fiducial;  // kFiducial
   std::optional<BlobfinderDesc> blobfinder;  // kBlobfinder
   std::optional<BumperDesc> bumper;  // kBumper
+  std::optional<GripperDesc> gripper;  // kGripper
 
   friend bool operator==(const KindDescs&, const KindDescs&) = default;
 };

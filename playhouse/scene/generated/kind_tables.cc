@@ -19,7 +19,7 @@ constexpr Word kWordsOfModel[50] = {
     {.name = "ranger_return", .use = Use::kRead, .type = "number", .otherwise = "1", .doc = "The intensity that rangers report; below 0 they do not see it."},
     {.name = "fiducial_return", .use = Use::kRead, .type = "integer", .otherwise = "0", .doc = "The number that fiducial finders see; 0: none sees it."},
     {.name = "fiducial_key", .use = Use::kRead, .type = "integer", .otherwise = "0", .doc = "Finders see marks of their own key only."},
-    {.name = "gripper_return", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "Grippers can take it; read and kept, nothing uses it yet."},
+    {.name = "gripper_return", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "Grippers see it, and take it up with all its parts: it has to be at the top level, and holds nothing that drives."},
     {.name = "mass", .use = Use::kRead, .type = "number", .unit = "kg", .otherwise = "0", .limits = "not negative", .doc = "Driving it takes 10 W for each kg and m/s, and for each rad/s."},
     {.name = "update_interval", .use = Use::kRead, .type = "number", .unit = "ms", .otherwise = "100", .limits = "not negative", .doc = "Time between two measurements of a sensor, at least a tick."},
     {.name = "alwayson", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "It moves or measures although nobody has opened it."},
@@ -135,6 +135,16 @@ constexpr KindInterface kInterfacesOfBumper[1] = {
     {"bumper", 14, Index::kCount, Need::kNothing, Need::kNothing},
 };
 
+constexpr Word kWordsOfGripper[3] = {
+    {.name = "paddle_size", .use = Use::kRead, .type = "tuple", .form = "[x y z]", .otherwise = "[0.66 0.1 0.4]", .limits = "from 0 to 1", .doc = "How large a paddle is, as fractions of the model's size."},
+    {.name = "paddle_state", .use = Use::kRead, .type = "choices", .form = "[(\"open\" | \"closed\") (\"down\" | \"up\")]", .otherwise = "[\"open\" \"down\"]", .doc = "How the paddles are at the start."},
+    {.name = "autosnatch", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "It closes by itself when something is between the paddles, and opens when nothing is."},
+};
+
+constexpr KindInterface kInterfacesOfGripper[1] = {
+    {"gripper", 3, Index::kCount, Need::kNothing, Need::kNothing},
+};
+
 constexpr Word kWordsOfActuator[6] = {
     {.name = "type", .use = Use::kSilent, .type = "choice", .form = "\"linear\" | \"rotational\"", .otherwise = "\"linear\"", .doc = "How it moves. \"linear\": it slides; \"rotational\": it turns."},
     {.name = "axis", .use = Use::kSilent, .type = "tuple", .form = "[x y z]", .otherwise = "[0 0 0]", .doc = "The direction in which it slides."},
@@ -167,16 +177,6 @@ constexpr Word kWordsOfCamera[4] = {
 
 constexpr KindInterface kInterfacesOfCamera[1] = {
     {"camera", 40, Index::kCount, Need::kNothing, Need::kNothing},
-};
-
-constexpr Word kWordsOfGripper[3] = {
-    {.name = "paddle_size", .use = Use::kSilent, .type = "tuple", .form = "[x y z]", .otherwise = "[0.66 0.1 0.4]", .doc = "How large a paddle is, as fractions of the model's size."},
-    {.name = "paddle_state", .use = Use::kSilent, .type = "texts", .told = "\"open\" \"down\"", .doc = "How the paddles are at the start: open or closed, and down or up."},
-    {.name = "autosnatch", .use = Use::kSilent, .type = "flag", .otherwise = "0", .doc = "It closes by itself when something is between the paddles."},
-};
-
-constexpr KindInterface kInterfacesOfGripper[1] = {
-    {"gripper", 3, Index::kCount, Need::kNothing, Need::kNothing},
 };
 
 constexpr Word kWordsOfBlock[6] = {
@@ -298,10 +298,10 @@ constexpr Kind kKinds[16] = {
     {.name = "fiducial", .doc = "A finder of marks: sees models with a fiducial_return and tells which they are and where.", .entity = EntityForm::kModel, .table = "fiducials", .kind = ModelKind::kFiducial, .simulated = true, .solid = false, .size = {0, 0, 0}, .color = {1, 0, 0, 1}, .words = kWordsOfFiducial, .interfaces = kInterfacesOfFiducial},
     {.name = "blobfinder", .doc = "A camera that finds patches of a colour.", .entity = EntityForm::kModel, .table = "blobfinders", .kind = ModelKind::kBlobfinder, .simulated = true, .solid = false, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfBlobfinder, .interfaces = kInterfacesOfBlobfinder},
     {.name = "bumper", .doc = "Switches that feel a touch.", .entity = EntityForm::kModel, .table = "bumpers", .kind = ModelKind::kBumper, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfBumper, .interfaces = kInterfacesOfBumper},
+    {.name = "gripper", .doc = "Two paddles that close around a thing and carry it.", .entity = EntityForm::kModel, .table = "grippers", .kind = ModelKind::kGripper, .simulated = true, .solid = true, .size = {0.2, 0.3, 0.2}, .color = {0.3f, 0.3f, 0.3f, 1}, .words = kWordsOfGripper, .interfaces = kInterfacesOfGripper},
     {.name = "actuator", .doc = "A joint that slides or turns what it carries.", .entity = EntityForm::kModel, .simulated = false, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfActuator, .interfaces = kInterfacesOfActuator},
     {.name = "blinkenlight", .doc = "A lamp that can blink.", .entity = EntityForm::kModel, .simulated = false, .solid = true, .size = {0.02, 0.02, 0.02}, .color = {0, 1, 0, 1}, .words = kWordsOfBlinkenlight, .interfaces = kInterfacesOfBlinkenlight},
     {.name = "camera", .doc = "A camera that takes images of the scene.", .entity = EntityForm::kModel, .simulated = false, .solid = true, .size = {0.1, 0.07, 0.05}, .color = {0, 0, 0, 1}, .words = kWordsOfCamera, .interfaces = kInterfacesOfCamera},
-    {.name = "gripper", .doc = "Two paddles that close around a thing and carry it.", .entity = EntityForm::kModel, .simulated = false, .solid = true, .size = {0.2, 0.3, 0.2}, .color = {0.3f, 0.3f, 0.3f, 1}, .words = kWordsOfGripper, .interfaces = kInterfacesOfGripper},
     {.name = "lightindicator", .doc = "A body that is darker while it is off.", .entity = EntityForm::kModel, .simulated = false, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}},
     {.name = "block", .doc = "A prism, as a part of a model's body; all blocks together are stretched to fill the model's size.", .entity = EntityForm::kPart, .inside = "model", .simulated = true, .words = kWordsOfBlock},
     {.name = "sensor", .doc = "One transducer or scanner of a ranger.", .entity = EntityForm::kPart, .inside = "ranger", .table = "sensors", .simulated = true, .words = kWordsOfSensor},

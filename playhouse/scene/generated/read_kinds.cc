@@ -61,6 +61,22 @@ void read(const Properties& properties, BumperDesc& to) {
   });
 }
 
+void read(const Properties& properties, GripperDesc& to) {
+  double paddle_size[3] = {to.paddle_length, to.paddle_width, to.paddle_height};
+  properties.tuple("paddle_size", "NNN", paddle_size, "[x y z]");
+  require(paddle_size[0] >= 0 && paddle_size[0] <= 1 && paddle_size[1] >= 0 && paddle_size[1] <= 1 && paddle_size[2] >= 0 && paddle_size[2] <= 1, properties, "paddle_size", "needs numbers from 0 to 1");
+  to.paddle_length = paddle_size[0];
+  to.paddle_width = paddle_size[1];
+  to.paddle_height = paddle_size[2];
+  static constexpr std::string_view kWordsOfPaddles[] = {"open", "closed"};
+  static constexpr std::string_view kWordsOfLift[] = {"down", "up"};
+  Choice paddle_state[2] = {{"paddles", kWordsOfPaddles, static_cast<std::size_t>(to.paddles)}, {"lift", kWordsOfLift, static_cast<std::size_t>(to.lift)}};
+  read_choices(properties, "paddle_state", paddle_state, "[paddles lift]");
+  to.paddles = static_cast<Paddles>(paddle_state[0].value);
+  to.lift = static_cast<Lift>(paddle_state[1].value);
+  to.autosnatch = properties.flag("autosnatch", to.autosnatch);
+}
+
 }  // namespace
 
 void read(const Properties& properties, std::size_t row, PlainDesc& to) {
@@ -155,6 +171,9 @@ void read_kind(const Properties& properties, ModelKind kind, KindDescs& to) {
     case ModelKind::kBumper:
       read(properties, to.bumper.emplace());
       break;
+    case ModelKind::kGripper:
+      read(properties, to.gripper.emplace());
+      break;
     case ModelKind::kPlain:
     case ModelKind::kRanger:
       break;
@@ -171,6 +190,8 @@ bool is_described(ModelKind kind, const KindDescs& by) {
       return by.blobfinder.has_value();
     case ModelKind::kBumper:
       return by.bumper.has_value();
+    case ModelKind::kGripper:
+      return by.gripper.has_value();
     default:
       return true;
   }

@@ -45,6 +45,15 @@ void write(const BumperDesc& from, const BumperDesc& unsaid, Words& to) {
   for (std::size_t i = 0; i < from.blength.size(); ++i) to.length("blength[" + std::to_string(i) + "]", from.blength[i]);
 }
 
+void write(const GripperDesc& from, const GripperDesc& unsaid, Words& to) {
+  const double paddle_size[] = {from.paddle_length, from.paddle_width, from.paddle_height};
+  if (from.paddle_length != unsaid.paddle_length || from.paddle_width != unsaid.paddle_width || from.paddle_height != unsaid.paddle_height) to.tuple("paddle_size", "NNN", paddle_size);
+  static constexpr std::string_view kWordsOfPaddles[] = {"open", "closed"};
+  static constexpr std::string_view kWordsOfLift[] = {"down", "up"};
+  if (from.paddles != unsaid.paddles || from.lift != unsaid.lift) to.texts("paddle_state", std::array{std::string(kWordsOfPaddles[static_cast<std::size_t>(from.paddles)]), std::string(kWordsOfLift[static_cast<std::size_t>(from.lift)])});
+  if (from.autosnatch != unsaid.autosnatch) to.flag("autosnatch", from.autosnatch);
+}
+
 void write(const RangerSensorDesc& from, const RangerSensorDesc& unsaid, Words& to) {
   if (from.X_BS != unsaid.X_BS) to.pose("pose", from.X_BS);
   if (from.size != unsaid.size) to.size("size", from.size);
@@ -109,6 +118,7 @@ void write_kind(const KindDescs& from, const Units& units, Entity& to) {
   if (from.fiducial) write(*from.fiducial, {}, words);
   if (from.blobfinder) write(*from.blobfinder, {}, words);
   if (from.bumper) write(*from.bumper, {}, words);
+  if (from.gripper) write(*from.gripper, {}, words);
   for (const RangerSensorDesc& part : from.sensors) {
     Words words_of_part(units, to.parts.emplace_back(Entity{"sensor", {}, {}}).words);
     write(part, {}, words_of_part);

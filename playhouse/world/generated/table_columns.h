@@ -58,6 +58,21 @@ inline constexpr auto kColumns<Bumpers> = std::tuple{
 };
 
 template <>
+inline constexpr auto kColumns<Grippers> = std::tuple{
+    Column{"grippers.model", Role::kDerived, "", "", "", &Grippers::model},
+    Column{"grippers.paddles", Role::kMotion, "1", "", "act", &Grippers::paddles},
+    Column{"grippers.closing", Role::kMotion, "", "", "act, commands", &Grippers::closing},
+    Column{"grippers.lift", Role::kMotion, "1", "", "act", &Grippers::lift},
+    Column{"grippers.rising", Role::kMotion, "", "", "act, commands", &Grippers::rising},
+    Column{"grippers.close_limit", Role::kMotion, "1", "", "act", &Grippers::close_limit},
+    Column{"grippers.held", Role::kMotion, "", "", "act", &Grippers::held},
+    Column{"grippers.beams", Role::kSensed, "", "", "sense", &Grippers::beams},
+    Column{"grippers.contacts", Role::kSensed, "", "", "sense", &Grippers::contacts},
+    Column{"grippers.touched", Role::kSensed, "", "", "sense", &Grippers::touched},
+    Column{"grippers.measured_tick", Role::kSensed, "", "", "sense", &Grippers::measured_tick},
+};
+
+template <>
 inline constexpr auto kColumns<Packs> = std::tuple{
     Column{"packs.model", Role::kDerived, "", "", "", &Packs::model},
     Column{"packs.stored", Role::kMotion, "J", "", "energy", &Packs::stored},
@@ -82,6 +97,8 @@ template <>
 inline constexpr scene::ModelKind kKindOf<Blobfinders> = scene::ModelKind::kBlobfinder;
 template <>
 inline constexpr scene::ModelKind kKindOf<Bumpers> = scene::ModelKind::kBumper;
+template <>
+inline constexpr scene::ModelKind kKindOf<Grippers> = scene::ModelKind::kGripper;
 
 /// The trait whose models have a row each; of other tables there is none.
 template <typename Table>
@@ -93,10 +110,10 @@ inline constexpr auto kTraitTable = nullptr;
 template <>
 inline constexpr auto kTraitTable<Packs> = &Tables::packs;
 
-inline constexpr std::tuple kTables{&Tables::models, &Tables::positions, &Tables::rangers, &Tables::sensors, &Tables::fiducials, &Tables::blobfinders, &Tables::bumpers, &Tables::packs};
+inline constexpr std::tuple kTables{&Tables::models, &Tables::positions, &Tables::rangers, &Tables::sensors, &Tables::fiducials, &Tables::blobfinders, &Tables::bumpers, &Tables::grippers, &Tables::packs};
 
 /// Those of kinds: a row for each model of the kind, in the order of the models.
-inline constexpr std::tuple kKindTables{&Tables::positions, &Tables::rangers, &Tables::fiducials, &Tables::blobfinders, &Tables::bumpers};
+inline constexpr std::tuple kKindTables{&Tables::positions, &Tables::rangers, &Tables::fiducials, &Tables::blobfinders, &Tables::bumpers, &Tables::grippers};
 
 /// Those of traits: a row for each model that has it, in the order of the models.
 inline constexpr std::tuple kTraitTables{&Tables::packs};

@@ -18,6 +18,7 @@ using SensorRow = Row<struct SensorTable>;
 using FiducialRow = Row<struct FiducialTable>;
 using BlobfinderRow = Row<struct BlobfinderTable>;
 using BumperRow = Row<struct BumperTable>;
+using GripperRow = Row<struct GripperTable>;
 using PackRow = Row<struct PackTable>;
 
 /// A robot that drives in the plane.
@@ -125,6 +126,22 @@ struct Bumpers {
   std::size_t size() const { return model.size(); }
 };
 
+/// Two paddles that close around a thing and carry it.
+struct Grippers {
+  std::vector<ModelRow> model;  // The model that grips.
+  std::vector<double> paddles;  // How far they are closed: 0 open, 1 closed.
+  std::vector<std::int32_t> closing;  // What the paddles do: 1 they close, -1 they open, 0 they stand.
+  std::vector<double> lift;  // How far the paddles are raised: 0 down, 1 up.
+  std::vector<std::int32_t> rising;  // What the lift does: 1 it rises, -1 it sinks, 0 it stands.
+  std::vector<double> close_limit;  // How far the paddles can close: less than 1 around a thing.
+  std::vector<ModelId> held;  // What it took up, or none.
+  std::vector<std::uint32_t> beams;  // Which beams between the paddles are broken: 1 the inner one, 2 the outer one, 3 both.
+  std::vector<std::uint32_t> contacts;  // Which paddles touch something: 1 the left one, 2 the right one, 3 both.
+  std::vector<ModelId> touched;  // What they met while they closed, the left one's first; else none.
+  std::vector<std::uint64_t> measured_tick;  // Tick in which beams and contacts were measured; 0: not yet.
+  std::size_t size() const { return model.size(); }
+};
+
 /// A battery, from which a model draws, and what is inside it and has none of its own.
 struct Packs {
   std::vector<ModelRow> model;  // The model that has it.
@@ -147,6 +164,7 @@ struct Tables {
   Fiducials fiducials;
   Blobfinders blobfinders;
   Bumpers bumpers;
+  Grippers grippers;
   Packs packs;
 };
 

@@ -2,7 +2,7 @@
 import type { Pose, Rgba } from '../scene';
 
 /** What a model is. */
-export type Kind = 'plain' | 'position' | 'ranger' | 'fiducial' | 'blobfinder' | 'bumper';
+export type Kind = 'plain' | 'position' | 'ranger' | 'fiducial' | 'blobfinder' | 'bumper' | 'gripper';
 
 /** What models of any kind may have. */
 export type Trait = 'pack';
@@ -45,6 +45,17 @@ export interface BumperView {
   hit: number;
 }
 
+/** Two paddles that close around a thing and carry it. SI units and radians. */
+export interface GripperView {
+  paddles: number;
+  closing: number;
+  lift: number;
+  rising: number;
+  held: number;
+  beams: number;
+  contacts: number;
+}
+
 /** A battery, from which a model draws, and what is inside it and has none of its own. SI units and radians. */
 export interface PackView {
   stored: number; // J
@@ -59,6 +70,7 @@ export interface Views {
   fiducial: FiducialView[];
   blobfinder: BlobfinderView[];
   bumper: BumperView[];
+  gripper: GripperView;
   pack: PackView;
 }
 
@@ -76,6 +88,7 @@ export const kViews: readonly ViewFormat[] = [
   { kind: 'fiducial', list: true, fields: [['target', 'varint', 1], ['id', 'zigzag', 1], ['range', 'varint', 0.001], ['bearing', 'turn', 1], ['heading', 'turn', 1]] },
   { kind: 'blobfinder', list: true, fields: [['color', 'rgba', 1], ['left', 'varint', 1], ['right', 'varint', 1], ['range', 'varint', 0.001]] },
   { kind: 'bumper', list: true, fields: [['hit', 'zigzag', 1]] },
+  { kind: 'gripper', list: false, fields: [['paddles', 'varint', 0.001], ['closing', 'zigzag', 1], ['lift', 'varint', 0.001], ['rising', 'zigzag', 1], ['held', 'zigzag', 1], ['beams', 'varint', 1], ['contacts', 'varint', 1]] },
   { kind: 'pack', list: false, fields: [['stored', 'zigzag', 1], ['capacity', 'zigzag', 1], ['watts', 'zigzag', 0.001], ['charging', 'varint', 1]] },
 ];
 
@@ -99,5 +112,6 @@ export interface KindStart {
   image?: [number, number]; // px
   bpose?: Pose[]; // m, m, m, rad
   blength?: number[]; // m
+  paddle?: [number, number, number];
   traits?: Trait[];
 }

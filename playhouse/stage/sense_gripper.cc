@@ -1,0 +1,91 @@
+/// GripperSense: the phase in which grippers that are subscribed and due look between their paddles: two
+/// beams from one paddle to the other, and a ray along the inner face of each. They see things for grippers
+/// alone, at any height from the bottom to the top of the gripper, and none of their own tree: what they hold
+/// breaks no beam, and touches both paddles.
+///
+/// In: poses, bodies; size, paddle size and paddles of each gripper.
+/// Out: beams, contacts, touched.
+/// Cost: six rays.
+/// Source: where beams and contacts are is Stage's. A body that moves is met where a ray enters it
+///   (ray_edge.h), so beams go both ways, and contacts begin at the back of the gripper: what reaches into
+///   the base or beyond a paddle is met as well.
+
+#include <algorithm>
+
+#include "playhouse/scene/gripper_body.h"
+#include "playhouse/stage/generated/senses.h"
+
+namespace playhouse::stage {
+namespace {
+
+// How far behind the front a beam is, as a fraction of the size; paddles of another length have it there too.
+constexpr double kInnerBeam = 0.75 * 0.66, kOuterBeam = 0.25 * 0.66;
+constexpr std::uint32_t kNone = world::ModelRow::kNone;
+constexpr std::uint32_t kInner = 1, kOuter = 2, kLeft = 1, kRight = 2;
+
+class GripperSense final : public SensePhase {
+ public:
+  SensorTable table(world::World& world) const override {
+    return {world.grippers.model, world.grippers.measured_tick};
+  }
+  void populate(const world::World&, const Space&) override {}
+
+  std::uint64_t sense(world::World& world, const Space& space, std::span<const std::uint32_t> due,
+                      std::uint64_t, world::Workers& workers) override {
+    workers.run(due.size(), 16, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) look(world, space, due[i]);
+    });
+    return 6 * due.size();
+  }
+
+ private:
+  /// What a gripper looks with.
+  struct Eye {
+    const Space& space;
+    Pose X_WB;
+    Rotation rotation;  // of X_WB
+    double height;      // m
+    std::uint32_t root;
+
+    /// Row of the model that is met first on the way from p_B along the unit vector d_B, or kNone.
+    std::uint32_t meets(Vec2 p_B, Vec2 d_B, double range) const {
+      const Hit hit = cast(space, {X_WB.xy() + rotation * p_B, rotation * d_B, X_WB.z, X_WB.z + height, range,
+                                   bit(Observer::kGripper), root});
+      return hit.solid == kNone ? kNone : space.solids.model[hit.solid];
+    }
+  };
+
+  static void look(world::World& world, const Space& space, std::uint32_t row) {
+    world::Grippers& grippers = world.grippers;
+    const world::ModelRow model = grippers.model[row];
+    const scene::ModelDesc& desc = world.desc(model);
+    const geom::Size& size = desc.size;
+    const Pose X_WB = geom::compose(world.models.X_WM[model.index], desc.X_MB);
+    const Eye eye{space, X_WB, Rotation::of(X_WB.a), size.z, world.models.root[model.index]};
+    const double face = scene::paddle_face(*desc.gripper, size, std::clamp(grippers.paddles[row], 0.0, 1.0));
+
+    const auto is_broken = [&](double inset) {
+      const double x = (0.5 - inset) * size.x;
+      const std::uint32_t from_left = eye.meets({x, face}, {0, -1}, 2 * face);
+      const std::uint32_t from_right = eye.meets({x, -face}, {0, 1}, 2 * face);
+      return from_left != kNone || from_right != kNone;
+    };
+    grippers.beams[row] = (is_broken(kInnerBeam) ? kInner : 0) | (is_broken(kOuterBeam) ? kOuter : 0);
+
+    const std::uint32_t left = eye.meets({-size.x / 2, face}, {1, 0}, size.x);
+    const std::uint32_t right = eye.meets({-size.x / 2, -face}, {1, 0}, size.x);
+    const bool holds = grippers.held[row].valid();
+    grippers.contacts[row] = (holds || left != kNone ? kLeft : 0) | (holds || right != kNone ? kRight : 0);
+    const std::uint32_t met = left != kNone ? left : right;
+    const bool takes = grippers.closing[row] > 0 && !holds && met != kNone;
+    grippers.touched[row] = takes ? world.id({met}) : world::ModelId{};
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<SensePhase> make_gripper_sense(unsigned) {
+  return std::make_unique<GripperSense>();
+}
+
+}  // namespace playhouse::stage
