@@ -23,8 +23,8 @@ BITS = 8
 
 # Quantum -> (C++ that gives the whole number, what one is worth in SI units).
 QUANTA = {"mm": ("quantize({}, 1000)", 1e-3), "mm/s": ("quantize({}, 1000)", 1e-3), "mrad/s": ("quantize({}, 1000)", 1e-3),
-          "mrad": ("quantize({}, 1000)", 1e-3), "mW": ("quantize({}, 1000)", 1e-3), "J": ("quantize({}, 1)", 1), "1/1000": ("quantize({}, 1000)", 1e-3),
-          "px": ("static_cast<std::int32_t>({})", 1),
+          "mrad": ("quantize({}, 1000)", 1e-3), "mW": ("quantize({}, 1000)", 1e-3), "ms": ("quantize({}, 1000)", 1e-3),
+          "1/1000": ("quantize({}, 1000)", 1e-3), "J": ("quantize({}, 1)", 1), "px": ("static_cast<std::int32_t>({})", 1),
           "1/65536 turn": ("quantize_angle({})", None)}
 CODES = {"varint": "kVarint", "zigzag": "kZigzag", "turn": "kTurn", "rgba": "kRgba"}
 # Type of a word -> C++ that writes the member as JSON (functions of playhouse/replicate/json_text.h), and its type there.
@@ -251,7 +251,8 @@ def _pascal(kind: Kind) -> str:
 
 
 def _unit(shown: Shown) -> str:
-    units = {"mm": "m", "mm/s": "m/s", "mrad/s": "rad/s", "mrad": "rad", "mW": "W", "J": "J", "px": "px", "1/65536 turn": "rad, in (-pi, pi]"}
+    units = {"mm": "m", "mm/s": "m/s", "mrad/s": "rad/s", "mrad": "rad", "mW": "W", "J": "J", "ms": "s", "px": "px",
+             "1/65536 turn": "rad, in (-pi, pi]"}
     return f" // {units[shown.quantum]}" if shown.quantum in units else ""
 
 

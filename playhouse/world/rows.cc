@@ -59,6 +59,13 @@ void fill_row(World&, Packs& packs, const scene::ModelDesc& model, ModelRow) {
   packs.gives.back() = 1;
 }
 
+void fill_row(World&, Blinkenlights& lamps, const scene::ModelDesc& model, ModelRow) {
+  const scene::BlinkenlightDesc lamp = model.blinkenlight.value_or(scene::BlinkenlightDesc{});
+  lamps.enabled.back() = lamps.lit.back() = lamp.enabled;
+  lamps.period.back() = lamp.period;
+  lamps.dutycycle.back() = lamp.dutycycle;
+}
+
 void fill_row(World&, Grippers& grippers, const scene::ModelDesc& model, ModelRow) {
   grippers.paddles.back() = model.gripper->paddles == scene::Paddles::kClosed ? 1 : 0;
   grippers.lift.back() = model.gripper->lift == scene::Lift::kUp ? 1 : 0;

@@ -18,6 +18,7 @@ std::unique_ptr<SimulatedDevice> make_sonar_device(Simulation& simulation, world
 std::unique_ptr<SimulatedDevice> make_fiducial_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_blobfinder_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_bumper_device(Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_blinkenlight_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_gripper_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_power_device(Simulation& simulation, world::ModelRow model);
 
@@ -33,6 +34,7 @@ inline constexpr DeviceMaker kDeviceMakers[] = {
     {10, make_fiducial_device},
     {7, make_blobfinder_device},
     {14, make_bumper_device},
+    {33, make_blinkenlight_device},
     {3, make_gripper_device},
     {2, make_power_device},
 };

@@ -71,6 +71,16 @@ bool capture_bumper(const world::World& world, std::uint32_t row, std::vector<st
   return true;
 }
 
+std::uint32_t row_of_blinkenlight(const world::World& world, std::uint32_t model) {
+  return world.models.kind[model] == scene::ModelKind::kBlinkenlight ? world.models.part[model] : world::ModelRow::kNone;
+}
+
+bool capture_blinkenlight(const world::World& world, std::uint32_t row, std::vector<std::int32_t>& out) {
+  out.push_back(quantize(world.blinkenlights.period[row], 1000));
+  out.push_back(quantize(world.blinkenlights.dutycycle[row], 1000));
+  return true;
+}
+
 std::uint32_t row_of_gripper(const world::World& world, std::uint32_t model) {
   return world.models.kind[model] == scene::ModelKind::kGripper ? world.models.part[model] : world::ModelRow::kNone;
 }
@@ -102,14 +112,16 @@ constexpr Code kCodesOfPosition[] = {Code::kZigzag, Code::kZigzag, Code::kZigzag
 constexpr Code kCodesOfFiducial[] = {Code::kVarint, Code::kZigzag, Code::kVarint, Code::kTurn, Code::kTurn};
 constexpr Code kCodesOfBlobfinder[] = {Code::kRgba, Code::kVarint, Code::kVarint, Code::kVarint};
 constexpr Code kCodesOfBumper[] = {Code::kZigzag};
+constexpr Code kCodesOfBlinkenlight[] = {Code::kVarint, Code::kVarint};
 constexpr Code kCodesOfGripper[] = {Code::kVarint, Code::kZigzag, Code::kVarint, Code::kZigzag, Code::kZigzag, Code::kVarint, Code::kVarint};
 constexpr Code kCodesOfPack[] = {Code::kZigzag, Code::kZigzag, Code::kZigzag, Code::kVarint};
 
-constexpr View kViews[6] = {
+constexpr View kViews[7] = {
     {When::kSelected, false, false, kCodesOfPosition, row_of_position, capture_position},
     {When::kShown, true, true, kCodesOfFiducial, row_of_fiducial, capture_fiducial},
     {When::kShown, true, true, kCodesOfBlobfinder, row_of_blobfinder, capture_blobfinder},
     {When::kShown, true, true, kCodesOfBumper, row_of_bumper, capture_bumper},
+    {When::kSelected, false, false, kCodesOfBlinkenlight, row_of_blinkenlight, capture_blinkenlight},
     {When::kChanged, true, false, kCodesOfGripper, row_of_gripper, capture_gripper},
     {When::kSelected, false, false, kCodesOfPack, row_of_pack, capture_pack},
 };
@@ -125,6 +137,10 @@ std::uint8_t state_bits(const world::World& world, std::uint32_t model) {
     case scene::ModelKind::kPosition:
       if (world.positions.stall[row]) bits |= 2;
       if (world.positions.motor_on[row]) bits |= 4;
+      break;
+    case scene::ModelKind::kBlinkenlight:
+      if (world.blinkenlights.lit[row]) bits |= 2;
+      if (world.blinkenlights.enabled[row]) bits |= 4;
       break;
     default:
       break;
@@ -235,6 +251,8 @@ std::string_view kind_name(scene::ModelKind kind) {
       return "blobfinder";
     case scene::ModelKind::kBumper:
       return "bumper";
+    case scene::ModelKind::kBlinkenlight:
+      return "blinkenlight";
     case scene::ModelKind::kGripper:
       return "gripper";
   }

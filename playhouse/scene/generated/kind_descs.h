@@ -22,7 +22,8 @@ enum class ModelKind : std::uint8_t {
   kFiducial = 3,
   kBlobfinder = 4,
   kBumper = 5,
-  kGripper = 6,
+  kBlinkenlight = 6,
+  kGripper = 7,
 };
 
 /// A plain body; its words are those of every model, whatever its kind.
@@ -157,6 +158,18 @@ struct BumperDesc {
   friend bool operator==(const BumperDesc&, const BumperDesc&) = default;
 };
 
+/// A lamp that can blink.
+struct BlinkenlightDesc {
+  /// Time from one flash to the next; 0: it burns steadily. [s]
+  double period = 1.0;
+  /// The share of the period in which it is lit, from its begin on; 1 or more: it burns steadily.
+  double dutycycle = 1;
+  /// It is on at the start.
+  bool enabled = true;
+
+  friend bool operator==(const BlinkenlightDesc&, const BlinkenlightDesc&) = default;
+};
+
 /// Whether the paddles are apart.
 enum class Paddles : std::uint8_t { kOpen, kClosed };
 
@@ -246,6 +259,7 @@ struct KindDescs {
   std::optional<FiducialDesc> fiducial;  // kFiducial
   std::optional<BlobfinderDesc> blobfinder;  // kBlobfinder
   std::optional<BumperDesc> bumper;  // kBumper
+  std::optional<BlinkenlightDesc> blinkenlight;  // kBlinkenlight
   std::optional<GripperDesc> gripper;  // kGripper
 
   friend bool operator==(const KindDescs&, const KindDescs&) = default;

@@ -135,6 +135,16 @@ constexpr KindInterface kInterfacesOfBumper[1] = {
     {"bumper", 14, Index::kCount, Need::kNothing, Need::kNothing},
 };
 
+constexpr Word kWordsOfBlinkenlight[3] = {
+    {.name = "period", .use = Use::kRead, .type = "number", .unit = "ms", .otherwise = "1000", .limits = "not negative", .doc = "Time from one flash to the next; 0: it burns steadily."},
+    {.name = "dutycycle", .use = Use::kRead, .type = "number", .otherwise = "1", .limits = "not negative", .doc = "The share of the period in which it is lit, from its begin on; 1 or more: it burns steadily."},
+    {.name = "enabled", .use = Use::kRead, .type = "flag", .otherwise = "1", .doc = "It is on at the start."},
+};
+
+constexpr KindInterface kInterfacesOfBlinkenlight[1] = {
+    {"blinkenlight", 33, Index::kCount, Need::kNothing, Need::kNothing},
+};
+
 constexpr Word kWordsOfGripper[3] = {
     {.name = "paddle_size", .use = Use::kRead, .type = "tuple", .form = "[x y z]", .otherwise = "[0.66 0.1 0.4]", .limits = "from 0 to 1", .doc = "How large a paddle is, as fractions of the model's size."},
     {.name = "paddle_state", .use = Use::kRead, .type = "choices", .form = "[(\"open\" | \"closed\") (\"down\" | \"up\")]", .otherwise = "[\"open\" \"down\"]", .doc = "How the paddles are at the start."},
@@ -156,16 +166,6 @@ constexpr Word kWordsOfActuator[6] = {
 
 constexpr KindInterface kInterfacesOfActuator[1] = {
     {"actarray", 53, Index::kCount, Need::kNothing, Need::kNothing},
-};
-
-constexpr Word kWordsOfBlinkenlight[3] = {
-    {.name = "period", .use = Use::kSilent, .type = "number", .unit = "ms", .otherwise = "1000", .doc = "Time from one flash to the next."},
-    {.name = "dutycycle", .use = Use::kSilent, .type = "number", .otherwise = "1", .doc = "The share of the period in which it is on."},
-    {.name = "enabled", .use = Use::kSilent, .type = "flag", .otherwise = "1", .doc = "It is on at the start."},
-};
-
-constexpr KindInterface kInterfacesOfBlinkenlight[1] = {
-    {"blinkenlight", 33, Index::kCount, Need::kNothing, Need::kNothing},
 };
 
 constexpr Word kWordsOfCamera[4] = {
@@ -298,9 +298,9 @@ constexpr Kind kKinds[16] = {
     {.name = "fiducial", .doc = "A finder of marks: sees models with a fiducial_return and tells which they are and where.", .entity = EntityForm::kModel, .table = "fiducials", .kind = ModelKind::kFiducial, .simulated = true, .solid = false, .size = {0, 0, 0}, .color = {1, 0, 0, 1}, .words = kWordsOfFiducial, .interfaces = kInterfacesOfFiducial},
     {.name = "blobfinder", .doc = "A camera that finds patches of a colour.", .entity = EntityForm::kModel, .table = "blobfinders", .kind = ModelKind::kBlobfinder, .simulated = true, .solid = false, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfBlobfinder, .interfaces = kInterfacesOfBlobfinder},
     {.name = "bumper", .doc = "Switches that feel a touch.", .entity = EntityForm::kModel, .table = "bumpers", .kind = ModelKind::kBumper, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfBumper, .interfaces = kInterfacesOfBumper},
+    {.name = "blinkenlight", .doc = "A lamp that can blink.", .entity = EntityForm::kModel, .table = "blinkenlights", .kind = ModelKind::kBlinkenlight, .simulated = true, .solid = true, .size = {0.02, 0.02, 0.02}, .color = {0, 1, 0, 1}, .words = kWordsOfBlinkenlight, .interfaces = kInterfacesOfBlinkenlight},
     {.name = "gripper", .doc = "Two paddles that close around a thing and carry it.", .entity = EntityForm::kModel, .table = "grippers", .kind = ModelKind::kGripper, .simulated = true, .solid = true, .size = {0.2, 0.3, 0.2}, .color = {0.3f, 0.3f, 0.3f, 1}, .words = kWordsOfGripper, .interfaces = kInterfacesOfGripper},
     {.name = "actuator", .doc = "A joint that slides or turns what it carries.", .entity = EntityForm::kModel, .simulated = false, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfActuator, .interfaces = kInterfacesOfActuator},
-    {.name = "blinkenlight", .doc = "A lamp that can blink.", .entity = EntityForm::kModel, .simulated = false, .solid = true, .size = {0.02, 0.02, 0.02}, .color = {0, 1, 0, 1}, .words = kWordsOfBlinkenlight, .interfaces = kInterfacesOfBlinkenlight},
     {.name = "camera", .doc = "A camera that takes images of the scene.", .entity = EntityForm::kModel, .simulated = false, .solid = true, .size = {0.1, 0.07, 0.05}, .color = {0, 0, 0, 1}, .words = kWordsOfCamera, .interfaces = kInterfacesOfCamera},
     {.name = "lightindicator", .doc = "A body that is darker while it is off.", .entity = EntityForm::kModel, .simulated = false, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}},
     {.name = "block", .doc = "A prism, as a part of a model's body; all blocks together are stretched to fill the model's size.", .entity = EntityForm::kPart, .inside = "model", .simulated = true, .words = kWordsOfBlock},

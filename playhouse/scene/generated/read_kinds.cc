@@ -61,6 +61,14 @@ void read(const Properties& properties, BumperDesc& to) {
   });
 }
 
+void read(const Properties& properties, BlinkenlightDesc& to) {
+  to.period = read_milliseconds(properties, "period", to.period);
+  require(to.period >= 0, properties, "period", "must not be negative");
+  to.dutycycle = properties.number("dutycycle", to.dutycycle);
+  require(to.dutycycle >= 0, properties, "dutycycle", "must not be negative");
+  to.enabled = properties.flag("enabled", to.enabled);
+}
+
 void read(const Properties& properties, GripperDesc& to) {
   double paddle_size[3] = {to.paddle_length, to.paddle_width, to.paddle_height};
   properties.tuple("paddle_size", "NNN", paddle_size, "[x y z]");
@@ -171,6 +179,9 @@ void read_kind(const Properties& properties, ModelKind kind, KindDescs& to) {
     case ModelKind::kBumper:
       read(properties, to.bumper.emplace());
       break;
+    case ModelKind::kBlinkenlight:
+      read(properties, to.blinkenlight.emplace());
+      break;
     case ModelKind::kGripper:
       read(properties, to.gripper.emplace());
       break;
@@ -190,6 +201,8 @@ bool is_described(ModelKind kind, const KindDescs& by) {
       return by.blobfinder.has_value();
     case ModelKind::kBumper:
       return by.bumper.has_value();
+    case ModelKind::kBlinkenlight:
+      return by.blinkenlight.has_value();
     case ModelKind::kGripper:
       return by.gripper.has_value();
     default:

@@ -45,6 +45,12 @@ void write(const BumperDesc& from, const BumperDesc& unsaid, Words& to) {
   for (std::size_t i = 0; i < from.blength.size(); ++i) to.length("blength[" + std::to_string(i) + "]", from.blength[i]);
 }
 
+void write(const BlinkenlightDesc& from, const BlinkenlightDesc& unsaid, Words& to) {
+  if (from.period != unsaid.period) to.milliseconds("period", from.period);
+  if (from.dutycycle != unsaid.dutycycle) to.number("dutycycle", from.dutycycle);
+  if (from.enabled != unsaid.enabled) to.flag("enabled", from.enabled);
+}
+
 void write(const GripperDesc& from, const GripperDesc& unsaid, Words& to) {
   const double paddle_size[] = {from.paddle_length, from.paddle_width, from.paddle_height};
   if (from.paddle_length != unsaid.paddle_length || from.paddle_width != unsaid.paddle_width || from.paddle_height != unsaid.paddle_height) to.tuple("paddle_size", "NNN", paddle_size);
@@ -118,6 +124,7 @@ void write_kind(const KindDescs& from, const Units& units, Entity& to) {
   if (from.fiducial) write(*from.fiducial, {}, words);
   if (from.blobfinder) write(*from.blobfinder, {}, words);
   if (from.bumper) write(*from.bumper, {}, words);
+  if (from.blinkenlight) write(*from.blinkenlight, {}, words);
   if (from.gripper) write(*from.gripper, {}, words);
   for (const RangerSensorDesc& part : from.sensors) {
     Words words_of_part(units, to.parts.emplace_back(Entity{"sensor", {}, {}}).words);

@@ -18,6 +18,7 @@ using SensorRow = Row<struct SensorTable>;
 using FiducialRow = Row<struct FiducialTable>;
 using BlobfinderRow = Row<struct BlobfinderTable>;
 using BumperRow = Row<struct BumperTable>;
+using BlinkenlightRow = Row<struct BlinkenlightTable>;
 using GripperRow = Row<struct GripperTable>;
 using PackRow = Row<struct PackTable>;
 
@@ -126,6 +127,16 @@ struct Bumpers {
   std::size_t size() const { return model.size(); }
 };
 
+/// A lamp that can blink.
+struct Blinkenlights {
+  std::vector<ModelRow> model;  // The model that is a lamp.
+  std::vector<std::uint8_t> enabled;  // It is on, if need be between two flashes.
+  std::vector<double> period;  // Time from one flash to the next; 0: it burns steadily. [s]
+  std::vector<double> dutycycle;  // The share of the period in which it is lit.
+  std::vector<std::uint8_t> lit;  // It is on, and this is a flash.
+  std::size_t size() const { return model.size(); }
+};
+
 /// Two paddles that close around a thing and carry it.
 struct Grippers {
   std::vector<ModelRow> model;  // The model that grips.
@@ -164,6 +175,7 @@ struct Tables {
   Fiducials fiducials;
   Blobfinders blobfinders;
   Bumpers bumpers;
+  Blinkenlights blinkenlights;
   Grippers grippers;
   Packs packs;
 };

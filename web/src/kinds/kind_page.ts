@@ -13,6 +13,8 @@ export interface KindPage {
   panel?(model: Model, panel: PanelTools): Node[];
   /** What is drawn beside bodies, of all models of the kind. */
   drawings?(stage: Stage): Drawing[];
+  /** How bright a body is drawn, from 0 to 1, by the bits of its state. */
+  shade?(state: number): number;
 }
 
 /** What a panel's lines are made of. Texts are asked for again after every packet. */
@@ -38,7 +40,7 @@ export interface Stage {
 }
 
 export interface Drawing {
-  /** Without one it is always shown. */
+  /** Which layer it is shown with; without one it always is. */
   layer?: keyof Layers;
   object: Object3D;
   /** Lays it anew; called before a picture when the layer is shown. */

@@ -2,9 +2,10 @@ import {
   BufferAttribute, BufferGeometry, Color, DoubleSide, DynamicDrawUsage, Group, InstancedMesh, LineBasicMaterial,
   LineSegments, Matrix4, MeshLambertMaterial,
 } from 'three';
+import { kKindPages, type KindPage } from '../kinds/kind_page';
 import type { Motion } from '../motion';
 import type { Replica } from '../protocol/replica';
-import type { Pose, Scene, Solid } from '../protocol/scene';
+import type { Model, Pose, Scene, Solid } from '../protocol/scene';
 import { edgesOf, geometryOf, heightOf } from './shapes';
 import type { Theme } from './theme';
 
@@ -14,6 +15,7 @@ interface Batch {
   edges: LineSegments | null; // outlines
   rows: number[];
   origins: Pose[];
+  shade?: KindPage['shade'];
 }
 
 const kOutlineScale = 10; // pixels per metre
@@ -37,7 +39,8 @@ export class Bodies {
     const alike = new Map<string, number[]>();
     scene.models.forEach((model, row) => {
       if (model.shape === undefined) return;
-      const key = `${model.shape}/${model.moving ?? 0}/${replica.color[row] & 0xff}`;
+      const shaded = shadeOf(model) ? model.kind : '';
+      const key = `${model.shape}/${model.moving ?? 0}/${replica.color[row] & 0xff}/${shaded}`;
       const rows = alike.get(key);
       if (rows) rows.push(row);
       else alike.set(key, [row]);
@@ -72,8 +75,9 @@ export class Bodies {
     const { color } = this.replica;
     for (const batch of this.batches) {
       batch.rows.forEach((row, k) => {
-        if (this.shown[row] === color[row]) return;
-        batch.mesh.setColorAt(k, this.color.setHex(color[row] >>> 8));
+        const now = this.colorOf(row, batch);
+        if (this.shown[row] === now) return;
+        batch.mesh.setColorAt(k, this.color.setHex(now >>> 8));
         batch.mesh.instanceColor!.needsUpdate = true;
       });
     }
@@ -83,6 +87,12 @@ export class Bodies {
       this.noses!.mesh.instanceColor!.needsUpdate = true;
     });
     this.shown.set(color);
+    for (const batch of this.batches) if (batch.shade) for (const row of batch.rows) this.shown[row] = this.colorOf(row, batch);
+  }
+
+  private colorOf(row: number, { shade }: Batch): number {
+    const { color, state } = this.replica;
+    return shade ? darkened(color[row], shade(state[row])) : color[row];
   }
 
   dispose(): void {
@@ -107,7 +117,7 @@ export class Bodies {
     const edges = followers(outline, mesh, alpha, theme);
     this.group.add(mesh, edges);
     const origins = rows.map((row): Pose => this.scene.models[row].origin ?? [0, 0, 0, 0]);
-    this.batches.push({ mesh, edges, rows, origins });
+    this.batches.push({ mesh, edges, rows, origins, shade: shadeOf(this.scene.models[rows[0]]) });
   }
 
   private makeNoses(): Batch | null {
@@ -152,6 +162,17 @@ export class Bodies {
     e[14] += middle;
     return matrix;
   }
+}
+
+/** What makes bodies of a model's kind darker. */
+function shadeOf({ kind }: Model): KindPage['shade'] {
+  return kKindPages.find((page) => page.kind === kind)?.shade;
+}
+
+/** A colour, 0xRRGGBBAA, at so much of its brightness. */
+function darkened(color: number, brightness: number): number {
+  const part = (shift: number) => Math.round(((color >>> shift) & 0xff) * brightness) << shift;
+  return (part(24) | part(16) | part(8) | (color & 0xff)) >>> 0;
 }
 
 interface Drawn {

@@ -2,7 +2,7 @@
 import type { Pose, Rgba } from '../scene';
 
 /** What a model is. */
-export type Kind = 'plain' | 'position' | 'ranger' | 'fiducial' | 'blobfinder' | 'bumper' | 'gripper';
+export type Kind = 'plain' | 'position' | 'ranger' | 'fiducial' | 'blobfinder' | 'bumper' | 'blinkenlight' | 'gripper';
 
 /** What models of any kind may have. */
 export type Trait = 'pack';
@@ -11,6 +11,7 @@ export type Trait = 'pack';
 export const kBits = {
   subscribed: 1,
   position: { stalled: 2, motor_on: 4 },
+  blinkenlight: { lit: 2, enabled: 4 },
 } as const;
 
 /** A robot that drives in the plane. SI units and radians. */
@@ -45,6 +46,12 @@ export interface BumperView {
   hit: number;
 }
 
+/** A lamp that can blink. SI units and radians. */
+export interface BlinkenlightView {
+  period: number; // s
+  dutycycle: number;
+}
+
 /** Two paddles that close around a thing and carry it. SI units and radians. */
 export interface GripperView {
   paddles: number;
@@ -70,6 +77,7 @@ export interface Views {
   fiducial: FiducialView[];
   blobfinder: BlobfinderView[];
   bumper: BumperView[];
+  blinkenlight: BlinkenlightView;
   gripper: GripperView;
   pack: PackView;
 }
@@ -88,6 +96,7 @@ export const kViews: readonly ViewFormat[] = [
   { kind: 'fiducial', list: true, fields: [['target', 'varint', 1], ['id', 'zigzag', 1], ['range', 'varint', 0.001], ['bearing', 'turn', 1], ['heading', 'turn', 1]] },
   { kind: 'blobfinder', list: true, fields: [['color', 'rgba', 1], ['left', 'varint', 1], ['right', 'varint', 1], ['range', 'varint', 0.001]] },
   { kind: 'bumper', list: true, fields: [['hit', 'zigzag', 1]] },
+  { kind: 'blinkenlight', list: false, fields: [['period', 'varint', 0.001], ['dutycycle', 'varint', 0.001]] },
   { kind: 'gripper', list: false, fields: [['paddles', 'varint', 0.001], ['closing', 'zigzag', 1], ['lift', 'varint', 0.001], ['rising', 'zigzag', 1], ['held', 'zigzag', 1], ['beams', 'varint', 1], ['contacts', 'varint', 1]] },
   { kind: 'pack', list: false, fields: [['stored', 'zigzag', 1], ['capacity', 'zigzag', 1], ['watts', 'zigzag', 0.001], ['charging', 'varint', 1]] },
 ];
