@@ -1,4 +1,4 @@
-/// A lamp as interface blinkenlight (docs/drivers.md).
+/// A lamp, or a light that is only on or off, as interface blinkenlight (docs/drivers.md).
 
 #include <cmath>
 
@@ -31,11 +31,55 @@ bool is_flash(float period, float dutycycle) {
   return std::isfinite(period) && period >= 0 && dutycycle >= 0 && dutycycle <= 1;
 }
 
-class Blinkenlight final : public SimulatedDevice {
+/// What all lights have: a color.
+class Light : public SimulatedDevice {
  public:
-  Blinkenlight(Simulation& simulation, world::ModelRow model)
+  Light(Simulation& simulation, world::ModelRow model)
       : SimulatedDevice(simulation, simulation.world().id(model)),
         update_ticks_(world::update_ticks(simulation.world(), model)) {}
+
+  void request(const device::Message&, device::Replier) final {}
+
+  /// Each command sets another part of the light, so none replaces another that waits.
+  device::Taken command(const device::Message& message) final {
+    const Setting setting = meaning(message);
+    if (!setting) return device::Taken::kNo;
+    const auto change = [id = model(), setting](world::World& world) {
+      if (const world::ModelRow row = world.row(id)) setting(world, row);
+    };
+    return simulation().post(change, model()) ? device::Taken::kQueued : device::Taken::kNo;
+  }
+
+  void emit(const world::World& world, std::vector<device::Publication>& out) final {
+    if (world.tick() % update_ticks_ != 0) return;
+    const world::ModelRow row = world.row(model());
+    if (!row) return;
+    bl::Data data = data_of(world, world.models.part[row.index]);
+    data.color = color_of(world.models.color[row.index]);
+    publish(world, bl::kDataState, data, out);
+  }
+
+ protected:
+  using Setting = std::function<void(world::World&, world::ModelRow)>;
+
+  /// What a command means; empty if it makes no sense. There is one light, of number 0.
+  virtual Setting meaning(const device::Message& message) const = 0;
+  /// What row `light` of its table says.
+  virtual bl::Data data_of(const world::World& world, std::uint32_t light) const = 0;
+
+  static Setting color(const device::Message& message) {
+    const auto value = wire::decode<bl::CmdColor>(message.body);
+    if (!value || value->id != 0) return {};
+    return [color = value->color](auto& world, auto row) { set_color(world, row, color); };
+  }
+
+ private:
+  std::uint64_t update_ticks_;
+};
+
+class Blinkenlight final : public Light {
+ public:
+  using Light::Light;
 
   std::span<const Served> served() const override {
     static constexpr Served kServed[] = {
@@ -46,52 +90,24 @@ class Blinkenlight final : public SimulatedDevice {
     };
     return kServed;
   }
-  void request(const device::Message&, device::Replier) override {}
-
-  /// Each command sets another part of the lamp, so none replaces another that waits.
-  device::Taken command(const device::Message& message) override {
-    const Setting setting = meaning(message);
-    if (!setting) return device::Taken::kNo;
-    const auto change = [id = model(), setting](world::World& world) {
-      if (const world::ModelRow row = world.row(id)) setting(world, row);
-    };
-    return simulation().post(change, model()) ? device::Taken::kQueued : device::Taken::kNo;
-  }
-
-  void emit(const world::World& world, std::vector<device::Publication>& out) override {
-    if (world.tick() % update_ticks_ != 0) return;
-    const world::ModelRow row = world.row(model());
-    if (!row) return;
-    const world::Blinkenlights& lamps = world.blinkenlights;
-    const std::uint32_t lamp = world.models.part[row.index];
-    publish(world, bl::kDataState,
-            bl::Data{lamps.enabled[lamp], static_cast<float>(lamps.period[lamp]),
-                     static_cast<float>(lamps.dutycycle[lamp]), color_of(world.models.color[row.index])},
-            out);
-  }
 
  private:
-  using Setting = std::function<void(world::World&, world::ModelRow)>;
-
+  static void power(world::World& world, world::ModelRow row, bool on) {
+    world.blinkenlights.enabled[world.models.part[row.index]] = on;
+  }
   static void flash(world::World& world, world::ModelRow row, double period, double dutycycle) {
     const std::uint32_t lamp = world.models.part[row.index];
     world.blinkenlights.period[lamp] = period;
     world.blinkenlights.dutycycle[lamp] = dutycycle;
   }
-  static void power(world::World& world, world::ModelRow row, bool on) {
-    world.blinkenlights.enabled[world.models.part[row.index]] = on;
-  }
 
-  /// What a command means; empty if it makes no sense. There is one lamp, of number 0.
-  static Setting meaning(const device::Message& message) {
+  Setting meaning(const device::Message& message) const override {
     switch (message.subtype) {
+      case bl::kCmdColor:
+        return color(message);
       case bl::kCmdPower:
         if (const auto value = wire::decode<bl::CmdPower>(message.body); value && value->id == 0)
           return [on = value->enable != 0](auto& world, auto row) { power(world, row, on); };
-        return {};
-      case bl::kCmdColor:
-        if (const auto value = wire::decode<bl::CmdColor>(message.body); value && value->id == 0)
-          return [color = value->color](auto& world, auto row) { set_color(world, row, color); };
         return {};
       case bl::kCmdFlash:
         if (const auto value = wire::decode<bl::CmdFlash>(message.body);
@@ -111,13 +127,48 @@ class Blinkenlight final : public SimulatedDevice {
     }
   }
 
-  std::uint64_t update_ticks_;
+  bl::Data data_of(const world::World& world, std::uint32_t lamp) const override {
+    const world::Blinkenlights& lamps = world.blinkenlights;
+    return {lamps.enabled[lamp],
+            static_cast<float>(lamps.period[lamp]),
+            static_cast<float>(lamps.dutycycle[lamp]),
+            {}};
+  }
+};
+
+/// It burns steadily.
+class Lightindicator final : public Light {
+ public:
+  using Light::Light;
+
+  std::span<const Served> served() const override {
+    static constexpr Served kServed[] = {
+        {MessageType::kCmd, bl::kCmdPower},
+        {MessageType::kCmd, bl::kCmdColor},
+    };
+    return kServed;
+  }
+
+ private:
+  Setting meaning(const device::Message& message) const override {
+    if (message.subtype == bl::kCmdColor) return color(message);
+    const auto value = wire::decode<bl::CmdPower>(message.body);
+    if (!value || value->id != 0) return {};
+    return [on = value->enable != 0](auto& world, auto row) {
+      world.lightindicators.lit[world.models.part[row.index]] = on;
+    };
+  }
+
+  bl::Data data_of(const world::World& world, std::uint32_t light) const override {
+    return {world.lightindicators.lit[light], 0, 1, {}};
+  }
 };
 
 }  // namespace
 
 std::unique_ptr<SimulatedDevice> make_blinkenlight_device(Simulation& simulation, world::ModelRow model) {
-  return std::make_unique<Blinkenlight>(simulation, model);
+  if (simulation.world().desc(model).blinkenlight) return std::make_unique<Blinkenlight>(simulation, model);
+  return std::make_unique<Lightindicator>(simulation, model);
 }
 
 }  // namespace playhouse::drivers

@@ -1,4 +1,4 @@
-// Lamps as Player devices, checked against the world's columns.
+// Lamps and lights as Player devices, checked against the world's columns.
 
 #include <gtest/gtest.h>
 
@@ -16,38 +16,53 @@ namespace bl = wire::blinkenlight;
 
 constexpr const char* kWorld = R"(
 interval_sim 100
-position( blinkenlight( name "lamp" period 500 dutycycle 0.2 enabled 0 color_rgba [0 0.2 1 0.5] update_interval 200 ) )
+position(
+  blinkenlight( period 500 dutycycle 0.2 enabled 0 color_rgba [0 0.2 1 0.5] update_interval 200 )
+  lightindicator( color "blue" ) )
 )";
 
-/// A lamp, open.
-class BlinkenlightDevice : public ::testing::Test {
+/// A light of kWorld, open.
+class LightDevice : public ::testing::Test {
  protected:
-  BlinkenlightDevice() : still_(kWorld), driver_(still_.simulation, "stage") {
-    driver_.add(kId, make_device(still_.simulation, bl::kCode, lamp()));
+  explicit LightDevice(std::uint32_t row) : row_(row), still_(kWorld), driver_(still_.simulation, "stage") {
+    driver_.add(kId, make_device(still_.simulation, bl::kCode, {row}));
     EXPECT_TRUE(driver_.start(kId));
     still_.run(0);
   }
 
-  world::ModelRow lamp() { return {1}; }
-  const world::Blinkenlights& lamps() { return still_.world().blinkenlights; }
-  const scene::Color& color() { return still_.world().models.color[lamp().index]; }
+  const scene::Color& color() { return still_.world().models.color[row_]; }
   template <typename Payload>
   device::Taken command(std::uint8_t subtype, const Payload& payload) {
     const std::vector<std::byte> body = wire::encode(payload);
     return driver_.command({kId, static_cast<std::uint8_t>(wire::MessageType::kCmd), subtype, body});
   }
+  bl::Data published(std::size_t nth) {
+    const device::Publication& data = still_.recorder.published.at(nth);
+    EXPECT_EQ(data.subtype, bl::kDataState);
+    return *wire::decode<bl::Data>(data.body);
+  }
 
   static constexpr device::DeviceId kId{3};
+  std::uint32_t row_;
   testing::StillSimulation still_;
   SimulatedDriver driver_;
+};
+
+class BlinkenlightDevice : public LightDevice {
+ protected:
+  BlinkenlightDevice() : LightDevice(1) {}
+  const world::Blinkenlights& lamps() { return still_.world().blinkenlights; }
+};
+
+class LightindicatorDevice : public LightDevice {
+ protected:
+  LightindicatorDevice() : LightDevice(2) {}
 };
 
 TEST_F(BlinkenlightDevice, tells_how_it_is_set_at_its_own_interval) {
   still_.run(4);
   ASSERT_EQ(still_.recorder.published.size(), 2u);
-  EXPECT_EQ(still_.recorder.published[0].subtype, bl::kDataState);
-  EXPECT_EQ(*wire::decode<bl::Data>(still_.recorder.published[0].body),
-            (bl::Data{0, 0.5f, 0.2f, {128, 0, 51, 255}}));
+  EXPECT_EQ(published(0), (bl::Data{0, 0.5f, 0.2f, {128, 0, 51, 255}}));
 }
 
 TEST_F(BlinkenlightDevice, commands_that_come_together_are_all_carried_out) {
@@ -82,6 +97,22 @@ TEST_F(BlinkenlightDevice, refuses_other_lamps_and_flashes_that_cannot_be) {
   still_.run(0);
   EXPECT_EQ(lamps().enabled[0], 0);
   EXPECT_EQ(lamps().period[0], 0.5);
+}
+
+TEST_F(LightindicatorDevice, is_switched_and_coloured_and_burns_steadily) {
+  still_.run(1);
+  EXPECT_EQ(published(0), (bl::Data{0, 0, 1, {255, 0, 0, 255}}));
+  EXPECT_EQ(command(bl::kCmdPower, bl::CmdPower{0, 1}), device::Taken::kQueued);
+  EXPECT_EQ(command(bl::kCmdColor, bl::CmdColor{0, {0, 255, 0, 0}}), device::Taken::kQueued);
+  EXPECT_EQ(command(bl::kCmdPower, bl::CmdPower{1, 0}), device::Taken::kNo);
+  still_.run(1);
+  EXPECT_EQ(still_.world().lightindicators.lit[0], 1);
+  EXPECT_EQ(published(1), (bl::Data{1, 0, 1, {255, 255, 0, 0}}));
+}
+
+TEST_F(LightindicatorDevice, makes_no_flashes) {
+  EXPECT_EQ(command(bl::kCmdFlash, bl::CmdFlash{0, 1, 0.5f}), device::Taken::kNo);
+  EXPECT_EQ(command(bl::kCmdState, bl::Cmd{0, 1, 1, 0.5f, {}}), device::Taken::kNo);
 }
 
 }  // namespace

@@ -142,6 +142,9 @@ std::uint8_t state_bits(const world::World& world, std::uint32_t model) {
       if (world.blinkenlights.lit[row]) bits |= 2;
       if (world.blinkenlights.enabled[row]) bits |= 4;
       break;
+    case scene::ModelKind::kLightindicator:
+      if (world.lightindicators.lit[row]) bits |= 2;
+      break;
     default:
       break;
   }
@@ -253,6 +256,8 @@ std::string_view kind_name(scene::ModelKind kind) {
       return "bumper";
     case scene::ModelKind::kBlinkenlight:
       return "blinkenlight";
+    case scene::ModelKind::kLightindicator:
+      return "lightindicator";
     case scene::ModelKind::kGripper:
       return "gripper";
   }

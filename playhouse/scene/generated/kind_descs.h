@@ -23,7 +23,8 @@ enum class ModelKind : std::uint8_t {
   kBlobfinder = 4,
   kBumper = 5,
   kBlinkenlight = 6,
-  kGripper = 7,
+  kLightindicator = 7,
+  kGripper = 8,
 };
 
 /// A plain body; its words are those of every model, whatever its kind.

@@ -187,6 +187,7 @@ void read_kind(const Properties& properties, ModelKind kind, KindDescs& to) {
       break;
     case ModelKind::kPlain:
     case ModelKind::kRanger:
+    case ModelKind::kLightindicator:
       break;
   }
 }

@@ -67,6 +67,12 @@ inline constexpr auto kColumns<Blinkenlights> = std::tuple{
 };
 
 template <>
+inline constexpr auto kColumns<Lightindicators> = std::tuple{
+    Column{"lightindicators.model", Role::kDerived, "", "", "", &Lightindicators::model},
+    Column{"lightindicators.lit", Role::kMark, "", "", "commands", &Lightindicators::lit},
+};
+
+template <>
 inline constexpr auto kColumns<Grippers> = std::tuple{
     Column{"grippers.model", Role::kDerived, "", "", "", &Grippers::model},
     Column{"grippers.paddles", Role::kMotion, "1", "", "act", &Grippers::paddles},
@@ -109,6 +115,8 @@ inline constexpr scene::ModelKind kKindOf<Bumpers> = scene::ModelKind::kBumper;
 template <>
 inline constexpr scene::ModelKind kKindOf<Blinkenlights> = scene::ModelKind::kBlinkenlight;
 template <>
+inline constexpr scene::ModelKind kKindOf<Lightindicators> = scene::ModelKind::kLightindicator;
+template <>
 inline constexpr scene::ModelKind kKindOf<Grippers> = scene::ModelKind::kGripper;
 
 /// The trait whose models have a row each; of other tables there is none.
@@ -121,10 +129,10 @@ inline constexpr auto kTraitTable = nullptr;
 template <>
 inline constexpr auto kTraitTable<Packs> = &Tables::packs;
 
-inline constexpr std::tuple kTables{&Tables::models, &Tables::positions, &Tables::rangers, &Tables::sensors, &Tables::fiducials, &Tables::blobfinders, &Tables::bumpers, &Tables::blinkenlights, &Tables::grippers, &Tables::packs};
+inline constexpr std::tuple kTables{&Tables::models, &Tables::positions, &Tables::rangers, &Tables::sensors, &Tables::fiducials, &Tables::blobfinders, &Tables::bumpers, &Tables::blinkenlights, &Tables::lightindicators, &Tables::grippers, &Tables::packs};
 
 /// Those of kinds: a row for each model of the kind, in the order of the models.
-inline constexpr std::tuple kKindTables{&Tables::positions, &Tables::rangers, &Tables::fiducials, &Tables::blobfinders, &Tables::bumpers, &Tables::blinkenlights, &Tables::grippers};
+inline constexpr std::tuple kKindTables{&Tables::positions, &Tables::rangers, &Tables::fiducials, &Tables::blobfinders, &Tables::bumpers, &Tables::blinkenlights, &Tables::lightindicators, &Tables::grippers};
 
 /// Those of traits: a row for each model that has it, in the order of the models.
 inline constexpr std::tuple kTraitTables{&Tables::packs};

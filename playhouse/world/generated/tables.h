@@ -19,6 +19,7 @@ using FiducialRow = Row<struct FiducialTable>;
 using BlobfinderRow = Row<struct BlobfinderTable>;
 using BumperRow = Row<struct BumperTable>;
 using BlinkenlightRow = Row<struct BlinkenlightTable>;
+using LightindicatorRow = Row<struct LightindicatorTable>;
 using GripperRow = Row<struct GripperTable>;
 using PackRow = Row<struct PackTable>;
 
@@ -137,6 +138,13 @@ struct Blinkenlights {
   std::size_t size() const { return model.size(); }
 };
 
+/// A body that is darker while it is off, as it is at the start.
+struct Lightindicators {
+  std::vector<ModelRow> model;  // The model that shows it.
+  std::vector<std::uint8_t> lit;  // It is on.
+  std::size_t size() const { return model.size(); }
+};
+
 /// Two paddles that close around a thing and carry it.
 struct Grippers {
   std::vector<ModelRow> model;  // The model that grips.
@@ -176,6 +184,7 @@ struct Tables {
   Blobfinders blobfinders;
   Bumpers bumpers;
   Blinkenlights blinkenlights;
+  Lightindicators lightindicators;
   Grippers grippers;
   Packs packs;
 };

@@ -5,7 +5,7 @@ import { el } from '../ui/dom';
 import { Painted } from '../view/painted';
 import type { Drawing, KindPage, PanelTools, Stage } from './kind_page';
 
-export default { kind: 'blinkenlight', panel, shade, drawing: (stage) => new Glows(stage) } satisfies KindPage;
+export default { kind: 'blinkenlight', panel, shade, drawings: (stage) => [new Glows(stage)] } satisfies KindPage;
 
 const kDark = 0.35; // of its colour
 const kRays = 16; // corners of a glow

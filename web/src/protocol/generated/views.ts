@@ -2,7 +2,7 @@
 import type { Pose, Rgba } from '../scene';
 
 /** What a model is. */
-export type Kind = 'plain' | 'position' | 'ranger' | 'fiducial' | 'blobfinder' | 'bumper' | 'blinkenlight' | 'gripper';
+export type Kind = 'plain' | 'position' | 'ranger' | 'fiducial' | 'blobfinder' | 'bumper' | 'blinkenlight' | 'lightindicator' | 'gripper';
 
 /** What models of any kind may have. */
 export type Trait = 'pack';
@@ -12,6 +12,7 @@ export const kBits = {
   subscribed: 1,
   position: { stalled: 2, motor_on: 4 },
   blinkenlight: { lit: 2, enabled: 4 },
+  lightindicator: { lit: 2 },
 } as const;
 
 /** A robot that drives in the plane. SI units and radians. */
