@@ -156,10 +156,10 @@ def _idle(kind: Kind) -> list[str]:
 def _state(kind: Kind) -> list[str]:
     lines = []
     if kind.state.columns:
-        rows = [[f"`{c.name}`", _type(c), c.unit, f"`{c.frame}`" if c.frame else "", c.role, c.writer, c.doc]
+        rows = [[f"`{c.name}`", _type(c), c.unit, f"`{c.frame}`" if c.frame else "", c.role, c.writer, f"`{c.word}`" if c.word else "", c.doc]
                 for c in kind.state.columns]
         lines += ["## State", "", f"The table `{kind.table}` of the world, for those who work on the program.", "",
-                  *_table(["column", "type", "unit", "frame", "role", "written by", ""], rows)]
+                  *_table(["column", "type", "unit", "frame", "role", "written by", "word", ""], rows)]
     for record in kind.state.records:
         rows = [[f"`{f.name}`", f.type, f.unit, f.doc] for f in record.fields]
         lines += [f"### {record.name}", "", record.doc, "", *_table(["field", "type", "unit", ""], rows)]

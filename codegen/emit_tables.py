@@ -18,7 +18,7 @@ ZERO = {"flag", "int32", "uint32", "uint64", "float32", "float64"}
 
 def emit(kinds: Kinds) -> dict[str, str]:
     """Path from the root of the tree -> content."""
-    return {f"{FOLDER}/tables.h": _tables(kinds), f"{FOLDER}/table_columns.h": _columns(kinds)}
+    return {f"{FOLDER}/tables.h": _tables(kinds), f"{FOLDER}/table_columns.h": _columns(kinds), f"{FOLDER}/worded.h": _worded(kinds)}
 
 
 def tabled(kinds: Kinds) -> list[Kind]:
@@ -119,3 +119,42 @@ def _columns(kinds: Kinds) -> str:
               "inline constexpr std::tuple kTraitTables{" + ", ".join(f"&Tables::{k.table}" for k in kinds.traits()) + "};",
               "", "}  // namespace playhouse::world", ""]
     return "\n".join(lines)
+
+
+def _worded(kinds: Kinds) -> str:
+    lines = [BANNER.rstrip(), "#pragma once", "",
+             "/// State that begins as a word of world files says, and that such a file says as it is now.", "",
+             '#include "playhouse/world/generated/tables.h"', "", "namespace playhouse::world {", "",
+             *_comment("Gives the last row of a table what the model's words say. Tables without such columns stay as they are."),
+             "template <typename Table>", "void begin_as_said(Table&, const scene::ModelDesc&) {}"]
+    found = [(k, words) for k in kinds.simulated() if (words := _words(k))]
+    for kind, words in found:
+        lines += [f"inline void begin_as_said({_table(kind)}& table, const scene::ModelDesc& model) {{",
+                  f"  if (!model.{kind.name}) return;",
+                  *(f"  table.{c.name}.back() = model.{kind.name}->{member};" for c, member in words), "}"]
+    lines += ["", *_comment("All such state of a model is what its words say."),
+              "inline bool is_as_said(const Tables& tables, std::uint32_t model, const scene::ModelDesc& said) {",
+              "  switch (said.kind) {"]
+    for kind, words in found:
+        differs = [f"static_cast<bool>(table.{c.name}[row]) == said.{kind.name}->{m}" if c.type == "flag" else
+                   f"table.{c.name}[row] == said.{kind.name}->{m}" for c, m in words]
+        lines += _case(kind, [f"return !said.{kind.name} || ({' && '.join(differs)});"])
+    lines += ["    default:", "      return true;", "  }", "}", "",
+              *_comment("Makes a model's words say all such state as it is."),
+              "inline void say_as_is(const Tables& tables, std::uint32_t model, scene::ModelDesc& says) {",
+              "  switch (says.kind) {"]
+    for kind, words in found:
+        lines += _case(kind, [f"if (!says.{kind.name}) says.{kind.name}.emplace();",
+                              *(f"says.{kind.name}->{m} = table.{c.name}[row];" for c, m in words), "return;"])
+    return "\n".join([*lines, "    default:", "      return;", "  }", "}", "", "}  // namespace playhouse::world", ""])
+
+
+def _words(kind: Kind) -> list[tuple[Quantity, str]]:
+    """Columns that a word says, each with the member of the description."""
+    members = {w.name: w.member for w in kind.words}
+    return [(c, members[c.word]) for c in kind.state.columns if c.word]
+
+
+def _case(kind: Kind, statements: list[str]) -> list[str]:
+    return [f"    case scene::ModelKind::{enumerator(kind.kind)}: {{", f"      const {_table(kind)}& table = tables.{kind.table};",
+            "      const std::uint32_t row = tables.models.part[model];", *(f"      {s}" for s in statements), "    }"]

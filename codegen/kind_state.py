@@ -16,6 +16,8 @@ TYPES = {
     "pose": (4, ("x", "y", "z", "a")), "twist": (4, ("x", "y", "z", "a")),
     "ModelKind": (0, ()), "ControlMode": (0, ()), "ModelId": (0, ()), "Mobility": (0, ()),
 }
+# Type of a column -> types of the words that may say what it begins with.
+WORDED = {"flag": ("flag",), "float64": ("number", "length", "angle")}
 # A number of these has a unit, "1" where it is none.
 MEASURED = {"float32", "float64", "size", "pose", "twist"}
 
@@ -38,7 +40,7 @@ QUANTIZED = {"difference", "turn", "fraction"}
 RECORD = re.compile(r"[A-Z][A-Za-z0-9]*$")
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*$")
 KEY_TYPES = {key: str for key in ("name", "doc", "type", "unit", "quantum", "frame", "role", "writer", "per", "field", "from", "code",
-                                  "when")} | {"list": bool, "fields": list}
+                                  "when", "word")} | {"list": bool, "fields": list}
 
 
 @dataclass
@@ -54,6 +56,7 @@ class Quantity:
     writer: str = ""
     per: str = ""       # "beam": a row of the column is a beam, not a row of the table
     list: bool = False  # a row holds any number of values
+    word: str = ""      # that says what it begins with, and by which a world file says what it is now
 
 
 @dataclass
@@ -88,7 +91,7 @@ def state(where: str, table: dict, words: list[Word]) -> State:
     for row in table.get("record", []):
         out.records.append(_record(f"{where}: record {row.get('name', '?')}", row))
     for row in table.get("column", []):
-        out.columns.append(_column(f"{where}: column {row.get('name', '?')}", row, out.records))
+        out.columns.append(_column(f"{where}: column {row.get('name', '?')}", row, out.records, words))
     for row in table.get("viewer", []):
         out.viewer.append(_shown(f"{where}: viewer {row.get('field', '?')}", row, out, words))
     unique(where, "record", [r.name for r in out.records])
@@ -113,8 +116,8 @@ def _record(where: str, row: dict) -> Record:
     return Record(row["name"], row["doc"], fields)
 
 
-def _column(where: str, row: dict, records: list[Record]) -> Quantity:
-    keys(where, row, {"name", "type", "role", "doc"}, {"unit", "frame", "writer", "per", "list"})
+def _column(where: str, row: dict, records: list[Record], words: list[Word]) -> Quantity:
+    keys(where, row, {"name", "type", "role", "doc"}, {"unit", "frame", "writer", "per", "list", "word"})
     typed(where, row, KEY_TYPES)
     out = _quantity(where, row, [r.name for r in records])
     one_of(where, "role", row["role"], ROLES)
@@ -125,6 +128,10 @@ def _column(where: str, row: dict, records: list[Record]) -> Quantity:
         raise SchemaError(f"{where}: writer is missing: only what stays as it came has none")
     if out.per:
         one_of(where, "per", out.per, ["beam"])
+    if "word" in row:
+        fitting = [w.name for w in words if w.type in WORDED.get(out.type, ()) and w.has_member and not (w.optional or w.indexed)]
+        one_of(where, f"word of a {out.type}", row["word"], fitting)
+        out.word = row["word"]
     return out
 
 

@@ -237,6 +237,8 @@ class Refused(unittest.TestCase):
         self.refuse("column angle: frame 'robot' is not a monogram", column=[column(frame="robot")])
         self.refuse("column angle: 2 units for a value of 1", column=[column(unit="m, rad")])
         self.refuse("column angle: unknown per 'ray'", column=[column(per="ray")])
+        self.refuse("column angle: unknown word of a float64 'raech' (did you mean 'reach'?)", column=[column(word="raech")])
+        self.refuse("column angle: unknown word of a uint64 'reach'", column=[without(column(type="uint64", word="reach"), "unit")])
         self.refuse("column 'angle' is there twice", column=[column(), column()])
 
     def test_columns_without_a_table(self):

@@ -415,8 +415,8 @@ TEST(WriteWorld, a_file_that_would_be_too_large_is_refused_with_a_line) {
 // ------------------------------------------------------------------------------------------------------
 
 std::string any_entity(int depth) {
-  static const std::vector<std::string> kTypes = {"position", "ranger", "model",
-                                                  "fiducial", "robot",  "gripper"};
+  static const std::vector<std::string> kTypes = {"position", "ranger",  "model",       "fiducial",
+                                                  "robot",    "gripper", "blinkenlight"};
   static const std::vector<std::string> kWords = {
       "name \"a\"",
       "name \"b\"",
@@ -448,6 +448,9 @@ std::string any_entity(int depth) {
       "boundary 1",
       "noblocks 1",
       "watts 3",
+      "period 333.3",
+      "dutycycle 0.3",
+      "enabled 0",
       "friction 0.1",
       "velocity [0.1 0 0 7]",
       "drive \"car\"",

@@ -147,6 +147,37 @@ TEST_F(AsSceneTest, batteries_hold_what_they_hold_now) {
   EXPECT_EQ(again_->packs.capacity[0], 2000);
 }
 
+TEST_F(AsSceneTest, lamps_are_set_as_they_are_and_not_as_the_file_says) {
+  scene_ = *scene::load_world_text(
+      "define lamp blinkenlight ( period 200 )\nlamp ( name \"a\" enabled 0 )\nlamp ( name \"b\" )\n"
+      "position ( name \"r\" lamp ( name \"c\" dutycycle 0.5 ) )\n",
+      "w/t.world", files_);
+  World world(scene_, 1);
+  EXPECT_EQ(difference(scene_, as_scene(world)), "");
+  const auto set = [&](const char* name, bool enabled, double period, double dutycycle) {
+    const std::uint32_t lamp = world.models.part[world.find(name).index];
+    world.blinkenlights.enabled[lamp] = enabled;
+    world.blinkenlights.period[lamp] = period;
+    world.blinkenlights.dutycycle[lamp] = dutycycle;
+  };
+  set("a", true, 1, 1);
+  set("r.c", false, static_cast<double>(0.1f), static_cast<double>(0.3f));
+  const Result<std::string> text = scene::write_world(as_scene(world), "w/saved.world");
+  ASSERT_TRUE(text.ok());
+  const Result<scene::SceneDesc> saved = scene::load_world_text(*text, "w/saved.world", files_);
+  ASSERT_TRUE(saved.ok()) << saved.error().line() << "\n" << *text;
+  const World again(*saved, 1);
+  for (const char* name : {"a", "b", "r.c"}) {
+    const std::uint32_t was = world.models.part[world.find(name).index];
+    const std::uint32_t is = again.models.part[again.find(name).index];
+    EXPECT_EQ(again.blinkenlights.enabled[is], world.blinkenlights.enabled[was]) << name << "\n" << *text;
+    EXPECT_EQ(again.blinkenlights.lit[is], again.blinkenlights.enabled[is]) << name;
+    EXPECT_NEAR(again.blinkenlights.period[is], world.blinkenlights.period[was], 1e-6)
+        << "files have microseconds";
+    EXPECT_EQ(again.blinkenlights.dutycycle[is], world.blinkenlights.dutycycle[was]) << name;
+  }
+}
+
 TEST_F(AsSceneTest, it_has_who_came_and_not_who_went) {
   ASSERT_TRUE(despawn(world_, id("r0")).ok());
   ASSERT_TRUE(spawn(world_, world_.models.desc[row("r1").index], {4, 4, 0, 1}).ok());

@@ -10,6 +10,7 @@
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/limits.h"
 #include "playhouse/world/columns.h"
+#include "playhouse/world/generated/worded.h"
 #include "playhouse/world/rows.h"
 
 namespace playhouse::world {
@@ -189,6 +190,7 @@ void Population::add_part(ModelRow row) {
     world_.models.part[row.index] = count32(table.model);
     add_row(table);
     table.model.back() = row;
+    begin_as_said(table, desc);
     fill_row(world_, table, desc, row);
   });
   each_trait_table([&]<typename Table>(Table Tables::*member) {

@@ -3,6 +3,7 @@
 #include "playhouse/base/rng.h"
 #include "playhouse/scene/charge.h"
 #include "playhouse/world/columns.h"
+#include "playhouse/world/generated/worded.h"
 #include "playhouse/world/gripper.h"
 #include "playhouse/world/traits.h"
 
@@ -59,11 +60,8 @@ void fill_row(World&, Packs& packs, const scene::ModelDesc& model, ModelRow) {
   packs.gives.back() = 1;
 }
 
-void fill_row(World&, Blinkenlights& lamps, const scene::ModelDesc& model, ModelRow) {
-  const scene::BlinkenlightDesc lamp = model.blinkenlight.value_or(scene::BlinkenlightDesc{});
-  lamps.enabled.back() = lamps.lit.back() = lamp.enabled;
-  lamps.period.back() = lamp.period;
-  lamps.dutycycle.back() = lamp.dutycycle;
+void fill_row(World&, Blinkenlights& lamps, const scene::ModelDesc&, ModelRow) {
+  lamps.lit.back() = lamps.enabled.back();
 }
 
 void fill_row(World&, Grippers& grippers, const scene::ModelDesc& model, ModelRow) {
@@ -98,7 +96,8 @@ bool say_row(const Grippers& grippers, std::uint32_t row, const scene::ModelDesc
 
 bool say_rows(const World& world, ModelRow row, scene::ModelDesc* said) {
   const scene::ModelDesc& model = world.desc(row);
-  bool is_new = false;
+  bool is_new = !is_as_said(world, row.index, model);
+  if (is_new && said) say_as_is(world, row.index, *said);
   each_kind_table([&]<typename Table>(Table Tables::*table) {
     if (kKindOf<Table> == model.kind)
       is_new |= say_row(world.*table, world.models.part[row.index], model, said);

@@ -1,7 +1,8 @@
 #pragma once
 
 /// What a row of a kind's or trait's table begins with, and how a description says it of a row as it stands:
-/// each the other's inverse. Tables without an overload begin with zeros, and have nothing to say.
+/// each the other's inverse. Columns with a `word` in kinds/*.toml need no code (generated/worded.h); here is
+/// the rest. Other columns begin with zeros, and have nothing to say.
 
 #include <cstdint>
 
@@ -9,7 +10,7 @@
 
 namespace playhouse::world {
 
-/// Fills the last row of a table, which is the model's.
+/// Fills the last row of a table, which is the model's and begins as its words say.
 template <typename Table>
 void fill_row(World&, Table&, const scene::ModelDesc&, ModelRow) {}
 void fill_row(World& world, Positions& positions, const scene::ModelDesc& model, ModelRow row);
