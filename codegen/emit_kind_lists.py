@@ -15,7 +15,7 @@ DRIVERS = "playhouse/drivers/generated"
 def emit(kinds: Kinds) -> dict[str, str]:
     """Path from the root of the tree -> content."""
     return {f"{SCENE}/bodies.h": _bodies(kinds), f"{BEHAVIOUR}/acts.h": _acts(kinds), f"{BEHAVIOUR}/draws.h": _draws(kinds),
-            f"{STAGE}/senses.h": _senses(kinds), f"{DRIVERS}/device_makers.h": _devices(kinds)}
+            f"{STAGE}/senses.h": _senses(kinds), f"{STAGE}/moves.h": _moves(kinds), f"{DRIVERS}/device_makers.h": _devices(kinds)}
 
 
 def _bodies(kinds: Kinds) -> str:
@@ -64,6 +64,19 @@ def _senses(kinds: Kinds) -> str:
     lines += ["", "inline void add_senses(Senses& senses, unsigned workers) {"]
     lines += [f"  senses.add(make_{k.name}_sense(workers));" for k in found]
     return "\n".join([*lines, "}", "", "}  // namespace playhouse::stage", ""])
+
+
+def _moves(kinds: Kinds) -> str:
+    """The first kind is asked for last: of it there are most."""
+    first, *others = [k for k in kinds.simulated() if k.moves]
+    lines = [BANNER.rstrip(), "#pragma once", "",
+             "/// How each kind that moves by itself does so; playhouse/stage/move_NAME.h has its functions.", ""]
+    lines += [f'#include "playhouse/stage/move_{name}.h"' for name in sorted(k.name for k in [first, *others])]
+    lines += ["", "namespace playhouse::stage {", "", "/// Calls visit(functions) with those of a kind that moves.",
+              "template <typename Visit>",
+              f"decltype(auto) with_move({'' if others else '[[maybe_unused]] '}scene::ModelKind kind, const Visit& visit) {{"]
+    lines += [f"  if (kind == scene::ModelKind::{enumerator(k.kind)}) return visit({enumerator(k.name)[1:]}Move{{}});" for k in others]
+    return "\n".join([*lines, f"  return visit({enumerator(first.name)[1:]}Move{{}});", "}", "", "}  // namespace playhouse::stage", ""])
 
 
 def _devices(kinds: Kinds) -> str:

@@ -54,10 +54,18 @@ def _tables(kinds: Kinds) -> str:
         for record in kind.state.records:
             lines += _record(record)
         lines += _struct(kinds, kind)
+    lines += _moves(kinds)
     lines += _comment("The state, in columns; columns.h lists them all, with what each is to a run.")
     lines += ["struct Tables {", "  Models models;", *(f"  {_table(k)} {k.table};" for k in found), "};", "",
               "}  // namespace playhouse::world", ""]
     return "\n".join(lines)
+
+
+def _moves(kinds: Kinds) -> list[str]:
+    lines = [*_comment("Whether models of a kind move by themselves in the phase `move`, and take along what they carry."),
+             "constexpr bool moves(scene::ModelKind kind) {", "  switch (kind) {"]
+    lines += [f"    case scene::ModelKind::{enumerator(k.kind)}:" for k in kinds.simulated() if k.moves]
+    return [*lines, "      return true;", "    default:", "      return false;", "  }", "}", ""]
 
 
 def _record(record: Record) -> list[str]:

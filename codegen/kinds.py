@@ -82,7 +82,15 @@ class Kind:
     @property
     def acts(self) -> bool:
         """It does something with its commands in the phase `act`."""
-        return any("act" in c.writer.split(", ") for c in self.state.columns)
+        return self._writes("act")
+
+    @property
+    def moves(self) -> bool:
+        """It moves by itself in the phase `move`, and takes along what it carries."""
+        return self.name != BASE and self._writes("move")
+
+    def _writes(self, phase: str) -> bool:
+        return any(phase in c.writer.split(", ") for c in self.state.columns)
 
     @property
     def members(self) -> list[Word]:

@@ -120,11 +120,15 @@ void put_in_place(Solids& solids, const world::Models& models, std::size_t first
   place(solids, models, first, solids.size());
 }
 
+bool stands_still(const world::Models& models, std::uint32_t row) {
+  return models.mobility[row] == world::Mobility::kFixed;
+}
+
 /// A model and all attached to it, parents first, behind the others.
 void add_tree(Trees& trees, const world::World& world, std::uint32_t row) {
+  const world::Models& models = world.models;
   trees.models.push_back(row);
-  if (world.models.kind[row] == scene::ModelKind::kPosition)
-    trees.positions.push_back(world.models.part[row]);
+  if (world::moves(models.kind[row])) trees.movers.push_back({row, models.part[row], models.kind[row]});
   for (const std::uint32_t child : world.children({row})) add_tree(trees, world, child);
 }
 
@@ -145,15 +149,18 @@ const std::vector<Shape>& Shapes::of(std::uint32_t row) {
 
 Trees make_trees(const world::World& world) {
   const world::Models& models = world.models;
+  std::vector<std::uint8_t> can_move(models.size());  // of tops: that something of their tree can
+  for (std::uint32_t row = 0; row < models.size(); ++row)
+    if (!stands_still(models, row)) can_move[models.root[row]] = 1;
   Trees trees;
   trees.first_model.push_back(0);
-  trees.first_position.push_back(0);
+  trees.first_mover.push_back(0);
   for (std::uint32_t row = 0; row < models.size(); ++row) {
-    if (models.root[row] != row || models.mobility[row] == world::Mobility::kFixed) continue;
+    if (!can_move[row]) continue;
     trees.root.push_back(row);
     add_tree(trees, world, row);
     trees.first_model.push_back(static_cast<std::uint32_t>(trees.models.size()));
-    trees.first_position.push_back(static_cast<std::uint32_t>(trees.positions.size()));
+    trees.first_mover.push_back(static_cast<std::uint32_t>(trees.movers.size()));
   }
   return trees;
 }
@@ -162,8 +169,7 @@ Solids make_fixed_solids(const world::World& world, Shapes& shapes) {
   Solids solids;
   solids.first_vertex.push_back(0);
   for (std::uint32_t row = 0; row < world.models.size(); ++row)
-    if (world.models.mobility[row] == world::Mobility::kFixed)
-      add_model_solids(solids, world, shapes, row, kNone);
+    if (stands_still(world.models, row)) add_model_solids(solids, world, shapes, row, kNone);
   solids.fixed = solids.size();
   put_in_place(solids, world.models, 0);
   return solids;
@@ -182,7 +188,8 @@ void replace_moving_solids(Solids& solids, const world::World& world, Shapes& sh
   trees.first_solid.assign(1, static_cast<std::uint32_t>(fixed));
   for (std::uint32_t tree = 0; tree < trees.size(); ++tree) {
     for (std::uint32_t i = trees.first_model[tree]; i < trees.first_model[tree + 1]; ++i)
-      add_model_solids(solids, world, shapes, trees.models[i], tree);
+      if (!stands_still(world.models, trees.models[i]))
+        add_model_solids(solids, world, shapes, trees.models[i], tree);
     trees.first_solid.push_back(static_cast<std::uint32_t>(solids.size()));
   }
   put_in_place(solids, world.models, fixed);

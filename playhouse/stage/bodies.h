@@ -3,7 +3,8 @@
 /// Bodies: the solids of a world as columns. A solid is one closed polygon extruded in z; a block is one
 /// solid, every contour of a bitmap is one. What stands still comes first; solids of trees that can move
 /// follow, in the order of the trees, so that a tree's solids and vertices are consecutive and change
-/// without those that stand still. Frames: W world, M the model that owns the solid.
+/// without those that stand still. What stands still of a tree, such as walls with a door, is not among the
+/// tree's solids. Frames: W world, M the model that owns the solid.
 
 #include <algorithm>
 #include <cstdint>
@@ -21,12 +22,19 @@ using geom::Pose;
 using geom::Rotation;
 using geom::Vec2;
 
-/// Trees of models that can move: those that hold at least one model that drives, and loose ones.
+/// A model that moves by itself.
+struct Mover {
+  std::uint32_t model, part;  // rows of world::Models and of its kind's table
+  scene::ModelKind kind;
+};
+
+/// Trees of models that hold some that can move.
 struct Trees {
-  std::vector<std::uint32_t> root;                       // model row of the top, ascending             (t)
-  std::vector<std::uint32_t> first_model, models;        // rows, parents first: models[first_model[t] ..]
-  std::vector<std::uint32_t> first_position, positions;  // position rows of the tree
-  std::vector<std::uint32_t> first_solid;                // solids first_solid[t] .. first_solid[t + 1] - 1
+  std::vector<std::uint32_t> root;                 // model row of the top, ascending             (t)
+  std::vector<std::uint32_t> first_model, models;  // rows, parents first: models[first_model[t] ..]
+  std::vector<std::uint32_t> first_mover;          // movers[first_mover[t] ..], in the order of models
+  std::vector<Mover> movers;
+  std::vector<std::uint32_t> first_solid;  // solids first_solid[t] .. first_solid[t + 1] - 1
   std::size_t size() const { return root.size(); }
   /// Row of the tree with this top.
   std::uint32_t of_root(std::uint32_t top) const {
@@ -57,7 +65,7 @@ class Shapes {
 struct Solids {
   // What a solid is.
   std::vector<std::uint32_t> model, root;   // rows of world::Models
-  std::vector<std::uint32_t> tree;          // row of Trees, or Row::kNone
+  std::vector<std::uint32_t> tree;          // row of Trees, or Row::kNone where it stands still
   std::vector<double> z_min_M, z_max_M;     // m
   std::vector<Vec2> center_M;               // mean of the vertices                                    [m]
   std::vector<double> radius;               // of the circle about the centre that holds the solid     [m]
@@ -68,7 +76,7 @@ struct Solids {
   // Counter-clockwise vertices, the first of each polygon again at its end.                            [m]
   // (vertices)
   std::vector<Vec2> p_M;
-  std::size_t fixed = 0;  // rows below this belong to no tree
+  std::size_t fixed = 0;  // rows below this stand still
 
   // Where it is.                              written by: place
   std::vector<Vec2> center;          // in W                                                    [m]
@@ -95,7 +103,7 @@ void place(Solids& solids, const world::Models& models, std::size_t begin, std::
 
 /// Where one tree would be: a proposal, or a step on the way to it. Rows count from the tree's first.
 struct TreeShape {
-  std::span<Pose> driven;        // X_PM of those that drive (positions of the tree)
+  std::span<Pose> moved;         // X_PM of those that move by themselves (movers of the tree)
   std::span<Pose> X_WM;          // (models of the tree)
   std::span<Rotation> rotation;  // of X_WM (models of the tree)
   std::span<Vec2> center, p;     // (solids of the tree), (their vertices)

@@ -5,14 +5,15 @@
 #include <map>
 
 #include "playhouse/base/limits.h"
+#include "playhouse/stage/generated/moves.h"
 
 namespace playhouse::stage {
 namespace {
 
 constexpr double kRounding = 1e-9;  // m; deeper by less than this is not deeper
 
-bool moves(const geom::Twist& velocity) {
-  return velocity.x != 0 || velocity.y != 0 || velocity.a != 0;
+bool is_moving(const world::World& world, const Mover& mover) {
+  return with_move(mover.kind, [&](auto move) { return move.is_moving(world, mover.part); });
 }
 
 double distance(Vec2 a, Vec2 b) {
@@ -21,12 +22,6 @@ double distance(Vec2 a, Vec2 b) {
 
 bool z_overlaps(const Solids& solids, std::size_t a, std::size_t b) {
   return solids.z_min[a] < solids.z_max[b] - kTouch && solids.z_min[b] < solids.z_max[a] - kTouch;
-}
-
-/// Where a body driving at `velocity` is after `dt`: straight along its first heading, turned at the end.
-Pose driven(const Pose& X_PM, const geom::Twist& velocity, double dt) {
-  const Vec2 p = Rotation::of(X_PM.a) * Vec2{velocity.x * dt, velocity.y * dt};
-  return {X_PM.x + p.x, X_PM.y + p.y, X_PM.z, geom::normalize(X_PM.a + velocity.a * dt)};
 }
 
 Pose part_at(const Pose& X_WP, Rotation rotation, const Pose& X_PM) {
@@ -67,7 +62,7 @@ void Motion::populate(const Trees& trees, const Solids& solids, const world::Mod
         std::max<std::size_t>(most_vertices, solids.first_vertex[last] - solids.first_vertex[first]);
   }
   for (Sweep& sweep : sweeps_) {
-    sweep.driven.resize(largest_tree);
+    sweep.moved.resize(largest_tree);
     sweep.X_WM.resize(largest_tree);
     sweep.rotation.resize(largest_tree);
     sweep.center.resize(most_solids);
@@ -75,7 +70,7 @@ void Motion::populate(const Trees& trees, const Solids& solids, const world::Mod
     sweep.conflicts.clear();
     sweep.conflicts.reserve(8 * trees.size());  // what few workers meet is met by one
   }
-  driven_.resize(trees.positions.size());
+  moved_.resize(trees.movers.size());
   rotation_.resize(trees.size());
   center_.resize(solids.moving());
   p_.resize(solids.p_M.size() - fixed_vertices_);
@@ -96,9 +91,8 @@ void Motion::add_parents(std::span<const std::uint32_t> rows, const world::Model
 
 TreeShape Motion::proposal(const Solids& solids, std::uint32_t tree, Sweep& sweep) {
   const std::uint32_t models = trees_->first_model[tree + 1] - trees_->first_model[tree];
-  const std::uint32_t robot = trees_->first_position[tree], robots = trees_->first_position[tree + 1] - robot;
   const std::uint32_t solid = trees_->first_solid[tree], last = trees_->first_solid[tree + 1];
-  return {{driven_.data() + robot, robots},
+  return {{moved_.data() + trees_->first_mover[tree], movers_of(tree).size()},
           {sweep.X_WM.data(), models},
           {sweep.rotation.data(), models},
           {center_.data() + place_of(solid), last - solid},
@@ -111,13 +105,15 @@ void Motion::shape_at(const Surroundings& in, std::uint32_t tree, double fractio
   const world::Models& models = in.world.models;
   const double dt = in.world.scene().interval * fraction;
   const std::uint32_t first = trees_->first_model[tree];
-  std::size_t robot = 0;
+  const std::span<const Mover> movers = movers_of(tree);
+  std::size_t next = 0;  // of movers
   for (std::size_t i = 0; i < out.X_WM.size(); ++i) {
     const std::uint32_t model = trees_->models[first + i];
     const Pose* X_PM = &models.X_PM[model];
-    if (models.kind[model] == scene::ModelKind::kPosition) {
-      Pose& X = out.driven[robot++];
-      X = driven(*X_PM, in.world.positions.velocity[models.part[model]], dt);
+    if (next < movers.size() && movers[next].model == model) {
+      const Mover& mover = movers[next];
+      Pose& X = out.moved[next++];
+      X = with_move(mover.kind, [&](auto move) { return move.after(in.world, mover.part, *X_PM, dt); });
       X_PM = &X;
     }
     if (i == 0) {
@@ -146,8 +142,8 @@ void Motion::shape_at(const Surroundings& in, std::uint32_t tree, double fractio
 void Motion::propose(const Surroundings& in, std::uint32_t tree, Sweep& sweep) {
   proposes_[tree] = stalls_[tree] = 0;
   reach_[tree] = 0;
-  for (std::uint32_t i = trees_->first_position[tree]; i < trees_->first_position[tree + 1]; ++i)
-    if (moves(in.world.positions.velocity[trees_->positions[i]])) proposes_[tree] = 1;
+  for (const Mover& mover : movers_of(tree))
+    if (is_moving(in.world, mover)) proposes_[tree] = 1;
   if (!proposes_[tree]) return;
   const TreeShape shape = proposal(in.solids, tree, sweep);
   shape_at(in, tree, 1.0, shape);
@@ -160,8 +156,9 @@ void Motion::propose(const Surroundings& in, std::uint32_t tree, Sweep& sweep) {
 /// Steps so short that nothing is jumped: each moves no solid by more than half its width.
 unsigned Motion::steps_of(const Surroundings& in, std::uint32_t tree) const {
   double turn = 0;
-  for (std::uint32_t i = trees_->first_position[tree]; i < trees_->first_position[tree + 1]; ++i)
-    turn += std::fabs(in.world.positions.velocity[trees_->positions[i]].a) * in.world.scene().interval;
+  for (const Mover& mover : movers_of(tree))
+    turn += with_move(mover.kind, [&](auto move) { return move.turn_rate(in.world, mover.part); }) *
+            in.world.scene().interval;
   double steps = 1;
   for (std::uint32_t row = trees_->first_solid[tree]; row < trees_->first_solid[tree + 1]; ++row) {
     if (!in.solids.is_obstacle(row)) continue;
@@ -180,7 +177,7 @@ bool Motion::meets_wall(const Surroundings& in, std::size_t solid, const Outline
   bool met = false;
   in.walls.near(box, [&](const Walls::Edge& edge) {
     if (met || !in.solids.is_obstacle(edge.solid) || !z_overlaps(in.solids, solid, edge.solid)) return;
-    if (!edge.reaches(box)) return;
+    if (!edge.reaches(box) || in.solids.root[edge.solid] == in.solids.root[solid]) return;
     const double inside = length_inside(then, edge.a, edge.b);
     met = inside > kRounding && inside > length_inside(now, edge.a, edge.b) + kRounding;
   });
@@ -242,7 +239,7 @@ bool Motion::meets(const Surroundings& in, std::uint32_t tree, const TreeShape& 
 bool Motion::is_blocked(const Surroundings& in, std::uint32_t tree, Sweep& sweep) {
   const unsigned steps = steps_of(in, tree);
   const TreeShape last = proposal(in.solids, tree, sweep);
-  const TreeShape between{{sweep.driven.data(), last.driven.size()},
+  const TreeShape between{{sweep.moved.data(), last.moved.size()},
                           last.X_WM,
                           last.rotation,
                           {sweep.center.data(), last.center.size()},
@@ -276,28 +273,13 @@ void Motion::decide() {
   }
 }
 
-/// What the robot believes after it has moved. Wheels of a stalled robot do not turn.
-void Motion::believe(world::World& world, std::uint32_t robot) const {
-  world::Positions& positions = world.positions;
-  const world::ModelRow model = positions.model[robot];
-  if (world.desc(model).position->localization == scene::Localization::kGps) {
-    const Pose &X_WO = positions.X_WO[robot], &X_WM = world.models.X_WM[model.index];
-    positions.X_OM[robot] = X_WO == Pose{} ? X_WM : geom::compose(geom::inverse(X_WO), X_WM);
-    return;
-  }
-  const geom::Twist &velocity = positions.velocity[robot], &error = positions.odom_error[robot];
-  const geom::Twist believed{velocity.x * (1 + error.x), velocity.y * (1 + error.y), 0,
-                             velocity.a * (1 + error.a)};
-  positions.X_OM[robot] = driven(positions.X_OM[robot], believed, world.scene().interval);
-}
-
 /// Computes again where the parts of the proposal are: most memory would be theirs otherwise.
 void Motion::put(world::Models& models, std::uint32_t tree, Sweep& sweep) const {
   const std::uint32_t first = trees_->first_model[tree];
-  std::size_t robot = trees_->first_position[tree];
+  for (std::uint32_t i = trees_->first_mover[tree]; i < trees_->first_mover[tree + 1]; ++i)
+    models.X_PM.own(trees_->movers[i].model) = moved_[i];
   for (std::uint32_t i = first; i < trees_->first_model[tree + 1]; ++i) {
     const std::uint32_t model = trees_->models[i];
-    if (models.kind[model] == scene::ModelKind::kPosition) models.X_PM.own(model) = driven_[robot++];
     const Pose& X_PM = models.X_PM[model];
     if (i == first) {
       models.X_WM[model] = X_PM;
@@ -312,9 +294,9 @@ void Motion::put(world::Models& models, std::uint32_t tree, Sweep& sweep) const 
 }
 
 void Motion::commit(world::World& world, Solids& solids, std::uint32_t tree, Sweep& sweep) const {
-  for (std::uint32_t i = trees_->first_position[tree]; i < trees_->first_position[tree + 1]; ++i) {
-    const std::uint32_t robot = trees_->positions[i];
-    world.positions.stall[robot] = stalls_[tree] && moves(world.positions.velocity[robot]);
+  for (const Mover& mover : movers_of(tree)) {
+    const bool stalls = stalls_[tree] && is_moving(world, mover);
+    with_move(mover.kind, [&](auto move) { move.stall(world, mover.part, stalls); });
   }
   if (!proposes_[tree] || stalls_[tree]) return;
   put(world.models, tree, sweep);
@@ -324,8 +306,8 @@ void Motion::commit(world::World& world, Solids& solids, std::uint32_t tree, Swe
   const std::uint32_t vertex = solids.first_vertex[first], last_vertex = solids.first_vertex[end];
   std::copy_n(p_.begin() + static_cast<std::ptrdiff_t>(vertex_of(solids, first)), last_vertex - vertex,
               solids.p.begin() + vertex);
-  for (std::uint32_t i = trees_->first_position[tree]; i < trees_->first_position[tree + 1]; ++i)
-    believe(world, trees_->positions[i]);
+  for (const Mover& mover : movers_of(tree))
+    with_move(mover.kind, [&](auto move) { move.arrive(world, mover.part); });
 }
 
 bool Motion::move(world::World& world, Solids& solids, const DiscIndex& index, const Walls& walls,

@@ -1,11 +1,11 @@
 #pragma once
 
 /// Motion: moves whole trees of models, with the result that trees moving one after the other, in row order,
-/// would have. Every tree that drives proposes where it would be. The proposal is refused, and the tree
-/// stalls and stays, if the way there meets something that stands still or another tree: where that came to
-/// be in this tick if it is before this one in row order, where it was if it comes after. So no two trees
-/// ever come to overlap, and a move that is refused is in nobody's way. A tree that overlaps something
-/// already may move as long as it does not get deeper into it.
+/// would have. Every tree in which something moves by itself proposes where it would be. The proposal is
+/// refused, and the tree stalls and stays, if the way there meets something that stands still or another
+/// tree: where that came to be in this tick if it is before this one in row order, where it was if it comes
+/// after. So no two trees ever come to overlap, and a move that is refused is in nobody's way. A tree that
+/// overlaps something already may move as long as it does not get deeper into it.
 ///
 /// Proposals and what their ways meet are found on any number of workers; what depends on the moves of trees
 /// before is noted as a conflict, and one pass in row order decides. Threads change no bit of the result.
@@ -40,7 +40,7 @@ class Motion {
   /// What one worker needs to follow one way after the other.
   struct Sweep {
     // The shape of a tree between here and its proposal.
-    std::vector<Pose> driven, X_WM;
+    std::vector<Pose> moved, X_WM;
     std::vector<Rotation> rotation;
     std::vector<Vec2> center, p;
     // Of all ways of this tick, those of one way together; keeps its capacity from tick to tick.
@@ -62,6 +62,10 @@ class Motion {
   };
 
   void add_parents(std::span<const std::uint32_t> rows, const world::Models& models, std::uint32_t tree);
+  std::span<const Mover> movers_of(std::uint32_t tree) const {
+    const std::uint32_t first = trees_->first_mover[tree];
+    return {trees_->movers.data() + first, trees_->first_mover[tree + 1] - first};
+  }
   void propose(const Surroundings& in, std::uint32_t tree, Sweep& sweep);
   void shape_at(const Surroundings& in, std::uint32_t tree, double fraction, const TreeShape& out) const;
   unsigned steps_of(const Surroundings& in, std::uint32_t tree) const;
@@ -74,7 +78,6 @@ class Motion {
   void decide();
   void commit(world::World& world, Solids& solids, std::uint32_t tree, Sweep& sweep) const;
   void put(world::Models& models, std::uint32_t tree, Sweep& sweep) const;
-  void believe(world::World& world, std::uint32_t robot) const;
   /// The proposal's own memory, with the sweep's for what can be computed again.
   TreeShape proposal(const Solids& solids, std::uint32_t tree, Sweep& sweep);
 
@@ -102,8 +105,8 @@ class Motion {
   std::vector<std::uint32_t> first_parent_;  // of parent_, or Row::kNone for a run                (trees)
   std::vector<std::uint32_t> parent_;        // (models of such trees)
   double reach_max_ = 0;                     // m, of this tick
-  // The proposals; rows as in Trees::positions, in Trees, and in Solids from the first that can move on.
-  std::vector<Pose> driven_;        // X_PM of those that drive
+  // The proposals; rows as in Trees::movers, in Trees, and in Solids from the first that can move on.
+  std::vector<Pose> moved_;         // X_PM of those that move by themselves
   std::vector<Rotation> rotation_;  // of the top
   std::vector<Vec2> center_, p_;
   std::vector<Sweep> sweeps_;  // one per worker

@@ -122,6 +122,26 @@ RC_GTEST_PROP(Motion, a_tick_is_that_of_robots_moving_one_after_the_other, ()) {
   }
 }
 
+TEST(Motion, a_robot_that_is_a_part_of_walls_leaves_them_where_they_are_for_all_others) {
+  scene::SceneDesc scene;
+  scene.models.push_back(testing::box("walls", {2, 0, 0, 0}, {0.2, 4, 1}));
+  scene.models.push_back(testing::robot("inside", {-1, 1, 0, 0}, {0.3, 0.3, 0.3}));
+  scene.models.back().parent = 0;
+  scene.models.push_back(testing::robot("outside", {1, 0, 0, 0}, {0.3, 0.3, 0.3}));
+  for (scene::ModelDesc& model : scene.models)
+    if (model.position) model.position->velocity = {0.5, 0, 0, 0};
+  const auto engine = engine_of(scene);
+  for (int tick = 0; tick < 40; ++tick) engine->step();
+  const world::World& world = engine->world();
+  EXPECT_EQ(world.models.X_WM[0], (geom::Pose{2, 0, 0, 0}));
+  EXPECT_NEAR(world.models.X_WM[1].x, 3, 1e-12) << "what is of its own tree is not in its way";
+  EXPECT_EQ(world.positions.stall[1], 1);
+  ASSERT_TRUE(world::set_pose(engine->world(), {0}, {5, 0, 0, 0}));
+  for (int tick = 0; tick < 10; ++tick) engine->step();
+  EXPECT_EQ(world.positions.stall[1], 0) << "the walls went, with the robot in them";
+  EXPECT_NEAR(world.models.X_WM[1].x, 6.5, 1e-12);
+}
+
 TEST(Motion, a_throng_gives_the_same_bits_with_any_number_of_workers) {
   const scene::SceneDesc scene = testing::throng(300, 1);
   std::vector<std::uint64_t> hashes;

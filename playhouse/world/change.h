@@ -11,11 +11,11 @@
 
 namespace playhouse::world {
 
-/// How a tree of models comes to move; of its top and of all in it.
+/// How a model comes to move. A tree of which the top is fixed may hold others that are not.
 enum class Mobility : std::uint8_t {
   kFixed,   // stands still; the engine indexes it once
-  kLoose,   // is moved by others: pucks, and what came during the run without a drive
-  kDriven,  // holds at least one model that drives
+  kLoose,   // is moved by others: pucks, and what came during the run
+  kDriven,  // moves by itself, or is carried by what does
 };
 
 struct Change {
@@ -31,7 +31,7 @@ struct Change {
   Kind kind;
   ModelId model, other;
   std::uint32_t count = 0;
-  /// Of the tree as it was when it changed; kFixed also where a part came to what stands still, which it no
+  /// Of `model` as it was when it changed; kFixed also where a part came to what stands still, which it no
   /// longer does, or went from what does so again.
   Mobility mobility = Mobility::kFixed;
   friend bool operator==(const Change&, const Change&) = default;

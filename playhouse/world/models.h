@@ -31,7 +31,7 @@ struct Models {
   std::vector<std::uint32_t> part;            // row in the kind's own table, or Row::kNone
   std::vector<std::uint32_t> first_child;     // rows or Row::kNone; see World::children()
   std::vector<std::uint32_t> next_sibling;    // ascending
-  std::vector<Mobility> mobility;             // of its tree
+  std::vector<Mobility> mobility;             // how it comes to move
   std::vector<std::uint32_t> subscribers;     // open devices and controllers, and one for alwayson
   std::vector<std::uint32_t> controllers;     // of the subscribers
   std::vector<std::int32_t> fiducial_return;  // 0: unseen

@@ -33,10 +33,18 @@ void add_row(Table& table) {
   });
 }
 
-/// What of a tree can be seen in its parts, without how it came there.
-Mobility mobility_of_part(const scene::ModelDesc& desc) {
-  if (desc.kind == scene::ModelKind::kPosition) return Mobility::kDriven;
-  return desc.gripper_return ? Mobility::kLoose : Mobility::kFixed;
+/// It moves by itself, or something above it does.
+bool is_driven(const Models& models, std::uint32_t row) {
+  while (row != kNone && !moves(models.kind[row])) row = models.parent[row];
+  return row != kNone;
+}
+
+/// The model, or one below it, is driven.
+bool holds_driven(const World& world, std::uint32_t row) {
+  if (world.models.mobility[row] == Mobility::kDriven) return true;
+  for (const std::uint32_t child : world.children({row}))
+    if (holds_driven(world, child)) return true;
+  return false;
 }
 
 /// A part that a scene's tree did not have: it was attached.
@@ -165,7 +173,7 @@ ModelRow Population::append(ModelId id, std::uint32_t desc_row, ModelRow parent,
   models.fiducial_return.push_back(desc.fiducial_return);
   models.flags.push_back(0);
   // What phases write, on any number of workers and without memory for it.
-  if (top || desc.kind == scene::ModelKind::kPosition) models.X_PM.own(row.index);
+  if (top || moves(desc.kind)) models.X_PM.own(row.index);
   if (!desc.ctrl.empty()) models.say.own(row.index);
   world_.corners_ += corners_of(desc);
   add_part(row);
@@ -313,8 +321,8 @@ void Population::derive_parts() {
   }
 }
 
-/// A tree is as movable as its most movable part; one that came during the run is loose at least, unless it
-/// has a bitmap, which only walls have.
+/// What is carried by something that moves is driven. The rest of a tree is loose if any of it can be lifted
+/// or if it came during the run, unless it has a bitmap, which only walls have.
 void Population::derive_mobility(std::uint32_t first) {
   Models& models = world_.models;
   for (std::uint32_t row = first; row < models.size(); ++row) {
@@ -322,13 +330,17 @@ void Population::derive_mobility(std::uint32_t first) {
     models.mobility[row] = came ? Mobility::kLoose : Mobility::kFixed;
   }
   for (std::uint32_t row = first; row < models.size(); ++row) {
+    if (is_driven(models, row)) continue;
     Mobility& top = models.mobility[models.root[row]];
     const scene::ModelDesc& desc = world_.desc({row});
-    top = std::max(top, mobility_of_part(desc));
-    if (!desc.bitmaps.empty() && top == Mobility::kLoose) top = Mobility::kFixed;
+    if (desc.gripper_return) top = Mobility::kLoose;
+    if (!desc.bitmaps.empty()) top = Mobility::kFixed;
   }
-  for (std::uint32_t row = first; row < models.size(); ++row)
-    models.mobility[row] = models.mobility[models.root[row]];
+  for (std::uint32_t row = first; row < models.size(); ++row) {
+    const bool driven = is_driven(models, row);
+    if (driven || models.root[row] != row)
+      models.mobility[row] = driven ? Mobility::kDriven : models.mobility[models.root[row]];
+  }
 }
 
 void Population::settle(std::uint32_t first) {
@@ -454,7 +466,8 @@ Result<void> attach(World& world, ModelId child, ModelId parent, const geom::Pos
   if (models.parent_id[child_row.index]) return Error{{}, "it is a part of another model"};
   if (models.root[parent_row.index] == child_row.index) return Error{{}, "it cannot be a part of itself"};
   const Mobility mobility = models.mobility[child_row.index];
-  if (mobility != Mobility::kLoose) return Error{{}, "only what is loose can be attached"};
+  if (mobility != Mobility::kLoose || holds_driven(world, child_row.index))
+    return Error{{}, "only what is loose can be attached"};
   const Mobility parents = models.mobility[parent_row.index];
   models.parent_id[child_row.index] = parent;
   Population population(world);

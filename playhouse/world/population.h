@@ -33,7 +33,7 @@ Result<void> despawn(World& world, ModelId model);
 Result<void> despawn(World& world, std::span<const ModelId> models);
 
 /// Makes a top-level model a part of another tree, at X_PC in `parent`. Fails where the parent is in the
-/// child's own tree, the child drives or is fixed, or either does not exist.
+/// child's own tree, something in that drives or the child is fixed, or either does not exist.
 Result<void> attach(World& world, ModelId child, ModelId parent, const geom::Pose& X_PC);
 
 /// Makes a model that was attached a top-level one again, where it is now. Fails for any other.

@@ -144,6 +144,36 @@ TEST_F(PopulationTest, a_puck_is_carried_and_put_down) {
   expect_whole();
 }
 
+TEST(Mobility, is_that_of_each_model_so_that_walls_with_a_robot_in_them_stand_still) {
+  scene::SceneDesc scene;
+  scene.models.push_back(model("walls", scene::ModelKind::kPlain, -1));
+  scene.models.back().bitmaps.emplace_back();
+  scene.models.push_back(model("walls.r", scene::ModelKind::kPosition, 0));
+  scene.models.back().position.emplace();
+  scene.models.push_back(model("walls.r.plate", scene::ModelKind::kPlain, 1));
+  scene.models.push_back(model("walls.shelf", scene::ModelKind::kPlain, 0));
+  scene.models.push_back(model("puck", scene::ModelKind::kPlain, -1));
+  scene.models.back().gripper_return = true;
+  World world(scene, 1);
+  using enum Mobility;
+  EXPECT_EQ(world.models.mobility, (std::vector{kFixed, kDriven, kDriven, kFixed, kLoose}));
+  ASSERT_TRUE(attach(world, {4}, {2}, {}));
+  EXPECT_EQ(world.models.mobility, (std::vector{kFixed, kDriven, kDriven, kFixed, kDriven}));
+}
+
+TEST(Attach, refuses_what_holds_something_that_drives) {
+  scene::SceneDesc scene;
+  scene.models.push_back(model("tray", scene::ModelKind::kPlain, -1));
+  scene.models.back().gripper_return = true;
+  scene.models.push_back(model("tray.r", scene::ModelKind::kPosition, 0));
+  scene.models.back().position.emplace();
+  scene.models.push_back(model("s", scene::ModelKind::kPosition, -1));
+  scene.models.back().position.emplace();
+  World world(scene, 1);
+  EXPECT_EQ(world.models.mobility[0], Mobility::kLoose);
+  EXPECT_FALSE(attach(world, {0}, {2}, {}));
+}
+
 TEST_F(PopulationTest, what_a_robot_carried_stays_when_it_goes) {
   ASSERT_TRUE(attach(world, {4}, {3}, {}).ok());
   const geom::Pose there = world.models.X_WM[4];
@@ -169,7 +199,8 @@ TEST_F(PopulationTest, names_are_found_as_in_a_world_that_never_changed) {
     std::vector<std::byte> bytes;
     ASSERT_TRUE(save_state(fresh, bytes).ok());
     ASSERT_TRUE(load_state(again, bytes).ok());
-    for (const char* name : {"wall", "r", "r~2", "r~3", "r~3.ranger:0", "s", "s~2", "s.ranger:0", "puck", "x"})
+    for (const char* name :
+         {"wall", "r", "r~2", "r~3", "r~3.ranger:0", "s", "s~2", "s.ranger:0", "puck", "x"})
       EXPECT_EQ(changed.find(name), again.find(name)) << name;
   }
 }

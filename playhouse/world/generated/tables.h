@@ -174,6 +174,16 @@ struct Packs {
   std::size_t size() const { return model.size(); }
 };
 
+/// Whether models of a kind move by themselves in the phase `move`, and take along what they carry.
+constexpr bool moves(scene::ModelKind kind) {
+  switch (kind) {
+    case scene::ModelKind::kPosition:
+      return true;
+    default:
+      return false;
+  }
+}
+
 /// The state, in columns; columns.h lists them all, with what each is to a run.
 struct Tables {
   Models models;

@@ -1,0 +1,16 @@
+// Generated from kinds/ by codegen (python3 -m codegen). Do not edit.
+#pragma once
+
+/// How each kind that moves by itself does so; playhouse/stage/move_NAME.h has its functions.
+
+#include "playhouse/stage/move_position.h"
+
+namespace playhouse::stage {
+
+/// Calls visit(functions) with those of a kind that moves.
+template <typename Visit>
+decltype(auto) with_move([[maybe_unused]] scene::ModelKind kind, const Visit& visit) {
+  return visit(PositionMove{});
+}
+
+}  // namespace playhouse::stage

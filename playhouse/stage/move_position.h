@@ -1,0 +1,48 @@
+#pragma once
+
+/// PositionMove: how the wheels of a robot move it (motion.h). Rows are of world::Positions.
+
+#include <cmath>
+
+#include "playhouse/world/world.h"
+
+namespace playhouse::stage {
+
+/// Where a body driving at `velocity` is after `dt`: straight along its first heading, turned at the end.
+inline geom::Pose driven(const geom::Pose& X_PM, const geom::Twist& velocity, double dt) {
+  const geom::Vec2 p = geom::Rotation::of(X_PM.a) * geom::Vec2{velocity.x * dt, velocity.y * dt};
+  return {X_PM.x + p.x, X_PM.y + p.y, X_PM.z, geom::normalize(X_PM.a + velocity.a * dt)};
+}
+
+struct PositionMove {
+  static bool is_moving(const world::World& world, std::uint32_t robot) {
+    const geom::Twist& velocity = world.positions.velocity[robot];
+    return velocity.x != 0 || velocity.y != 0 || velocity.a != 0;
+  }
+  static double turn_rate(const world::World& world, std::uint32_t robot) {
+    return std::fabs(world.positions.velocity[robot].a);
+  }
+  static geom::Pose after(const world::World& world, std::uint32_t robot, const geom::Pose& X_PM, double dt) {
+    return driven(X_PM, world.positions.velocity[robot], dt);
+  }
+  static void stall(world::World& world, std::uint32_t robot, bool stalls) {
+    world.positions.stall[robot] = stalls;
+  }
+
+  /// What the robot believes after it has moved. Wheels of a stalled robot do not turn.
+  static void arrive(world::World& world, std::uint32_t robot) {
+    world::Positions& positions = world.positions;
+    const world::ModelRow model = positions.model[robot];
+    if (world.desc(model).position->localization == scene::Localization::kGps) {
+      const geom::Pose &X_WO = positions.X_WO[robot], &X_WM = world.models.X_WM[model.index];
+      positions.X_OM[robot] = X_WO == geom::Pose{} ? X_WM : geom::compose(geom::inverse(X_WO), X_WM);
+      return;
+    }
+    const geom::Twist &velocity = positions.velocity[robot], &error = positions.odom_error[robot];
+    const geom::Twist believed{velocity.x * (1 + error.x), velocity.y * (1 + error.y), 0,
+                               velocity.a * (1 + error.a)};
+    positions.X_OM[robot] = driven(positions.X_OM[robot], believed, world.scene().interval);
+  }
+};
+
+}  // namespace playhouse::stage
