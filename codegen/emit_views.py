@@ -24,6 +24,7 @@ BITS = 8
 # Quantum -> (C++ that gives the whole number, what one is worth in SI units).
 QUANTA = {"mm": ("quantize({}, 1000)", 1e-3), "mm/s": ("quantize({}, 1000)", 1e-3), "mrad/s": ("quantize({}, 1000)", 1e-3),
           "mrad": ("quantize({}, 1000)", 1e-3), "mW": ("quantize({}, 1000)", 1e-3), "ms": ("quantize({}, 1000)", 1e-3),
+          "mm or mrad": ("quantize({}, 1000)", 1e-3), "mm/s or mrad/s": ("quantize({}, 1000)", 1e-3),
           "1/1000": ("quantize({}, 1000)", 1e-3), "J": ("quantize({}, 1)", 1), "px": ("static_cast<std::int32_t>({})", 1),
           "1/65536 turn": ("quantize_angle({})", None)}
 CODES = {"varint": "kVarint", "zigzag": "kZigzag", "turn": "kTurn", "rgba": "kRgba"}
@@ -79,7 +80,7 @@ def _start(kind: Kind) -> list[Shown]:
 
 def _cpp(kinds: Kinds) -> str:
     shown = views(kinds)
-    lines = [BANNER.rstrip(), '#include "playhouse/replicate/views.h"', "", "#include <fmt/format.h>", "", "#include <iterator>", "#include <string>",
+    lines = [BANNER.rstrip(), '#include "playhouse/replicate/views.h"', "", "#include <fmt/format.h>", "", "#include <iterator>", "#include <string>", "#include <string_view>",
              "", '#include "playhouse/replicate/json_text.h"', '#include "playhouse/replicate/quantize.h"',
              '#include "playhouse/scene/colors.h"', '#include "playhouse/world/traits.h"', "",
              "namespace playhouse::replicate {", "namespace {", ""]
@@ -169,6 +170,10 @@ def _json_fields(kind: Kind, base: Kind, own: str) -> list[str]:
             value = " + ',' + ".join(f"number({own}{p.member})" for p in word.parts)
             lines.append(f'  text += ",\\"{shown.field}\\":[" + {value} + "]";')
             continue
+        if word.type == "choice":
+            lines += [f"  static constexpr std::string_view {_words(word)}[] = {{{', '.join(f'{chr(34)}{v.word}{chr(34)}' for v in word.values)}}};",
+                      f'  text += ",\\"{shown.field}\\":" + quoted({_words(word)}[static_cast<std::size_t>({own}{word.member})]);']
+            continue
         if word.type not in JSON:
             raise SchemaError(f"{kind.source}: viewer {shown.field}: a {word.type} does not travel as json yet")
         held, write = f"{'model.' if where else own}{word.member}", JSON[word.type][0]
@@ -177,6 +182,10 @@ def _json_fields(kind: Kind, base: Kind, own: str) -> list[str]:
             value = f"list({held}, [](const auto& each) {{ return {write.format('each')}; }})"
         lines.append(f'  fmt::format_to(std::back_inserter(text), ",\\"{shown.field}\\":{{}}", {value});')
     return lines
+
+
+def _words(word: Word) -> str:
+    return "kWordsOf" + enumerator(word.name)[1:]
 
 
 def _json(kinds: Kinds) -> list[str]:
@@ -252,7 +261,7 @@ def _pascal(kind: Kind) -> str:
 
 def _unit(shown: Shown) -> str:
     units = {"mm": "m", "mm/s": "m/s", "mrad/s": "rad/s", "mrad": "rad", "mW": "W", "J": "J", "ms": "s", "px": "px",
-             "1/65536 turn": "rad, in (-pi, pi]"}
+             "mm or mrad": "m or rad", "mm/s or mrad/s": "m/s or rad/s", "1/65536 turn": "rad, in (-pi, pi]"}
     return f" // {units[shown.quantum]}" if shown.quantum in units else ""
 
 
@@ -289,11 +298,15 @@ def _unique(lines: list[str]) -> list[str]:
     return out
 
 
+def _json_type(word: Word) -> str:
+    return " | ".join(f"'{v.word}'" for v in word.values) if word.type == "choice" else JSON[word.type][1]
+
+
 def _fields(kind: Kind, base: Kind) -> list[str]:
     lines = []
     for shown in _start(kind):
         word, _ = _members(kind, base)[shown.source]
-        to = "[" + ", ".join(["number"] * len(word.parts)) + "]" if word.parts else JSON[word.type][1]
+        to = "[" + ", ".join(["number"] * len(word.parts)) + "]" if word.parts else _json_type(word)
         to += "[]" if word.indexed else ""
         lines.append(f"  {shown.field}: {to};" + (f" // {shown.unit}" if shown.unit else ""))
     return lines

@@ -34,7 +34,7 @@ TIMES = ("start", "changed", "selected", "shown")
 # model's state; and as what the names say.
 CODES = ("json", "difference", "turn", "bit", "rgba", "fraction", "varint", "zigzag")
 # What 1 stands for in the whole numbers that travel.
-QUANTA = ("mm", "mm/s", "mrad/s", "mrad", "mW", "J", "ms", "1/1000", "px", "1/65536 turn", "1/65535 of range_max")
+QUANTA = ("mm", "mm/s", "mrad/s", "mrad", "mm or mrad", "mm/s or mrad/s", "mW", "J", "ms", "1/1000", "px", "1/65536 turn", "1/65535 of range_max")
 QUANTIZED = {"difference", "turn", "fraction"}
 
 RECORD = re.compile(r"[A-Z][A-Za-z0-9]*$")

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "playhouse/behaviour/approach.h"
 #include "playhouse/behaviour/generated/acts.h"
 
 namespace playhouse::behaviour {
@@ -20,11 +21,6 @@ constexpr double kArrived = 0.02;            // m, per axis
 constexpr double kFacing = geom::kPi / 16;   // rad; a diff robot drives once it faces its goal this well
 constexpr double kCarArrived = 0.05;         // m
 constexpr double kSteering = geom::kPi / 4;  // rad; a car on its way to a goal steers no harder
-
-/// The speed that removes `error` without overshooting within one tick.
-double approach(double error, double limit, double dt) {
-  return std::clamp(error * std::min(1.0, 1.0 / dt), -limit, limit);
-}
 
 Twist car(double speed, double steering, double wheelbase) {
   const geom::SinCos sc = geom::sincos(steering);

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "playhouse/base/in_quotes.h"
+#include "playhouse/scene/actuator.h"
 #include "playhouse/scene/bitmap.h"
 #include "playhouse/scene/body.h"
 #include "playhouse/scene/expand.h"
@@ -343,6 +344,7 @@ void WorldLoader::read_words(const Properties& properties, const Kind& kind, Mod
   read(properties, number_of(scene_.models.size()), model);
   model.update_interval = std::max(model.update_interval, scene_.interval);
   read_kind(properties, kind.kind, model);
+  if (model.actuator) check_actuator(properties, *model.actuator);
   model.stacks_children = properties.flag("stack_children", true);
   model.kept = kept_words(kind, properties);
 }

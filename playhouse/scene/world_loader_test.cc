@@ -810,6 +810,25 @@ TEST(WorldModels, a_gripper_has_its_paddles) {
   EXPECT_THAT(error_of("gripper( paddle_size [0.5 2 0.5] )"), HasSubstr("numbers from 0 to 1"));
 }
 
+TEST(WorldModels, an_actuator_has_its_way_and_what_cannot_be_is_a_warning) {
+  const ActuatorDesc defaults = model_of("actuator( )").actuator.value();
+  EXPECT_EQ(defaults.type, ActuatorType::kLinear);
+  EXPECT_EQ(defaults.max_position, 1);
+  const SceneDesc scene = loaded(
+      "actuator( type \"rotational\" axis [1 0 -2] )\nactuator( min_position -1 start_position -3 )\n"
+      "actuator( min_position 2 )\nactuator( type \"linear\" axis [1 1 0] max_speed 0 )");
+  EXPECT_EQ(scene.models[0].actuator->axis_z, -2);
+  EXPECT_EQ(scene.models[1].actuator->start_position, -1);
+  EXPECT_EQ(scene.models[2].actuator->max_position, 2);
+  EXPECT_EQ(scene.models[2].actuator->start_position, 2);
+  EXPECT_THAT(scene.warnings,
+              ElementsAre("w/t.world:1: nothing turns about another axis than z; [0 0 -1] is meant",
+                          "w/t.world:2: \"start_position\" is beyond its ends; \"min_position\" is meant",
+                          "w/t.world:3: \"max_position\" is below \"min_position\"; it does not move"));
+  EXPECT_THAT(error_of("actuator( max_speed -1 )"), HasSubstr("\"max_speed\" must not be negative"));
+  EXPECT_THAT(error_of("actuator( type \"hydraulic\" )"), HasSubstr("linear"));
+}
+
 TEST(WorldModels, types_that_are_not_simulated_load_as_plain_bodies_with_one_warning_each) {
   for (const Kind& kind : kinds()) {
     if (kind.simulated) continue;

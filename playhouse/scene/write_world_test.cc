@@ -415,8 +415,8 @@ TEST(WriteWorld, a_file_that_would_be_too_large_is_refused_with_a_line) {
 // ------------------------------------------------------------------------------------------------------
 
 std::string any_entity(int depth) {
-  static const std::vector<std::string> kTypes = {"position", "ranger",  "model",       "fiducial",
-                                                  "robot",    "gripper", "blinkenlight"};
+  static const std::vector<std::string> kTypes = {"position", "ranger",  "model",        "fiducial",
+                                                  "robot",    "gripper", "blinkenlight", "actuator"};
   static const std::vector<std::string> kWords = {
       "name \"a\"",
       "name \"b\"",
@@ -450,6 +450,11 @@ std::string any_entity(int depth) {
       "watts 3",
       "period 333.3",
       "dutycycle 0.3",
+      "type \"rotational\"",
+      "axis [0.1 -0.7 2]",
+      "min_position -0.3",
+      "max_position 0.7",
+      "start_position 0.31",
       "enabled 0",
       "friction 0.1",
       "velocity [0.1 0 0 7]",

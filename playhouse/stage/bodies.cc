@@ -99,6 +99,7 @@ void add_solid(Solids& solids, const Shape& shape, const scene::ModelDesc& desc,
   solids.radius.push_back(shape.radius);
   solids.width.push_back(shape.width);
   solids.convex.push_back(shape.convex);
+  solids.full.push_back(shape.full);
   solids.seen_by.push_back(observers_of(desc));
   solids.p_M.insert(solids.p_M.end(), shape.p_M.begin(), shape.p_M.end());
   solids.first_vertex.push_back(static_cast<std::uint32_t>(solids.p_M.size()));
@@ -139,8 +140,10 @@ const std::vector<Shape>& Shapes::of(std::uint32_t row) {
   if (!is_new) return entry->second;
   const scene::ModelDesc& desc = scene_.models[row];
   for (const scene::Block& block : desc.blocks)
-    if (block.points.size() >= 3)
+    if (block.points.size() >= 3) {
       entry->second.push_back(make_shape(block.points, block.z_min, block.z_max, desc));
+      entry->second.back().full = true;
+    }
   for (const scene::Contours& bitmap : desc.bitmaps)
     for (const std::vector<Vec2>& loop : bitmap.loops)
       if (loop.size() >= 3) entry->second.push_back(make_shape(loop, bitmap.z_min, bitmap.z_max, desc));
@@ -181,6 +184,7 @@ void replace_moving_solids(Solids& solids, const world::World& world, Shapes& sh
   for (auto* column : {&solids.z_min_M, &solids.z_max_M, &solids.radius, &solids.width})
     column->resize(fixed);
   solids.convex.resize(fixed);
+  solids.full.resize(fixed);
   solids.seen_by.resize(fixed);
   solids.center_M.resize(fixed);
   solids.first_vertex.resize(fixed + 1);

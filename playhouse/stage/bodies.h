@@ -49,6 +49,7 @@ struct Shape {
   double radius = 0;                // of the circle about the centre that holds the solid     [m]
   double width = 0;                 // smallest extent                                         [m]
   bool convex = false;
+  bool full = false;      // what is inside of it is solid: a block, not a line of a bitmap
   std::vector<Vec2> p_M;  // counter-clockwise vertices, the first again at the end  [m]
 };
 
@@ -71,6 +72,7 @@ struct Solids {
   std::vector<double> radius;               // of the circle about the centre that holds the solid     [m]
   std::vector<double> width;                // smallest extent                                         [m]
   std::vector<std::uint8_t> convex;         // 1: a convex polygon
+  std::vector<std::uint8_t> full;           // 1: what is inside of it is solid, not only its outline
   std::vector<Observers> seen_by;           // bits of those who see it, or are stopped by it
   std::vector<std::uint32_t> first_vertex;  // (n + 1)
   // Counter-clockwise vertices, the first of each polygon again at its end.                            [m]
@@ -107,6 +109,7 @@ struct TreeShape {
   std::span<Pose> X_WM;          // (models of the tree)
   std::span<Rotation> rotation;  // of X_WM (models of the tree)
   std::span<Vec2> center, p;     // (solids of the tree), (their vertices)
+  std::span<double> z;           // of the models of the solids, in W; empty if no height changes
 };
 
 }  // namespace playhouse::stage

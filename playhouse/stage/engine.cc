@@ -33,6 +33,15 @@ bool finite(const scene::ModelDesc& model) {
   return true;
 }
 
+bool is_sound(const scene::ActuatorDesc& actuator) {
+  constexpr double kFarthest = 1e9;  // m or rad, as of poses
+  for (const double value : {actuator.axis_x, actuator.axis_y, actuator.axis_z, actuator.max_speed})
+    if (!std::isfinite(value)) return false;
+  return actuator.max_speed >= 0 && -kFarthest <= actuator.min_position &&
+         actuator.min_position <= actuator.start_position &&
+         actuator.start_position <= actuator.max_position && actuator.max_position <= kFarthest;
+}
+
 Result<void> check_model(const scene::SceneDesc& scene, const scene::ModelDesc& model) {
   const auto fault = [&](const std::string& text) {
     return Error{scene.at(model.where), "model " + model.name + text};
@@ -50,6 +59,8 @@ Result<void> check_model(const scene::SceneDesc& scene, const scene::ModelDesc& 
         !(sensor.fov >= 0) || sensor.fov > 1e3)
       return fault(" has a sensor whose pose, range or fov makes no sense");
   }
+  if (model.actuator && !is_sound(*model.actuator))
+    return fault(" has an axis, ends or a start that make no sense");
   if (!model.position) return {};
   for (int axis = 0; axis < 4; ++axis)
     if (!(model.position->velocity_bounds[axis].min <= model.position->velocity_bounds[axis].max) ||

@@ -20,8 +20,13 @@ double distance(Vec2 a, Vec2 b) {
   return std::sqrt(geom::dot(b - a, b - a));
 }
 
-bool z_overlaps(const Solids& solids, std::size_t a, std::size_t b) {
-  return solids.z_min[a] < solids.z_max[b] - kTouch && solids.z_min[b] < solids.z_max[a] - kTouch;
+struct Heights {
+  double z_min, z_max;  // m
+};
+
+template <typename A, typename B>
+bool z_overlaps(const A& a, const B& b) {
+  return a.z_min < b.z_max - kTouch && b.z_min < a.z_max - kTouch;
 }
 
 Pose part_at(const Pose& X_WP, Rotation rotation, const Pose& X_PM) {
@@ -40,12 +45,25 @@ Outline outline_now(const Solids& solids, std::size_t row) {
 
 }  // namespace
 
+Motion::Body Motion::body_now(const Solids& solids, std::size_t row) {
+  return {outline_now(solids, row), solids.z_min[row], solids.z_max[row]};
+}
+
+Motion::Body Motion::proposed(const Solids& solids, std::size_t row) const {
+  Body body = body_now(solids, row);
+  body.outline = outline_at(solids, row, center_[place_of(row)], p_.data() + vertex_of(solids, row));
+  if (!lifts_[solids.tree[row]]) return body;
+  const double z = z_[place_of(row)];
+  return {body.outline, z + solids.z_min_M[row], z + solids.z_max_M[row]};
+}
+
 void Motion::populate(const Trees& trees, const Solids& solids, const world::Models& models) {
   trees_ = &trees;
   fixed_ = solids.fixed;
   fixed_vertices_ = solids.first_vertex[fixed_];
   proposes_.assign(trees.size(), 0);
   stalls_.assign(trees.size(), 0);
+  lifts_.assign(trees.size(), 0);
   conflicts_.assign(trees.size(), {});
   reach_.assign(trees.size(), 0);
   first_parent_.assign(trees.size(), world::ModelRow::kNone);
@@ -66,6 +84,7 @@ void Motion::populate(const Trees& trees, const Solids& solids, const world::Mod
     sweep.X_WM.resize(largest_tree);
     sweep.rotation.resize(largest_tree);
     sweep.center.resize(most_solids);
+    sweep.z.resize(most_solids);
     sweep.p.resize(most_vertices);
     sweep.conflicts.clear();
     sweep.conflicts.reserve(8 * trees.size());  // what few workers meet is met by one
@@ -73,6 +92,7 @@ void Motion::populate(const Trees& trees, const Solids& solids, const world::Mod
   moved_.resize(trees.movers.size());
   rotation_.resize(trees.size());
   center_.resize(solids.moving());
+  z_.resize(solids.moving());
   p_.resize(solids.p_M.size() - fixed_vertices_);
 }
 
@@ -96,7 +116,8 @@ TreeShape Motion::proposal(const Solids& solids, std::uint32_t tree, Sweep& swee
           {sweep.X_WM.data(), models},
           {sweep.rotation.data(), models},
           {center_.data() + place_of(solid), last - solid},
-          {p_.data() + vertex_of(solids, solid), solids.first_vertex[last] - solids.first_vertex[solid]}};
+          {p_.data() + vertex_of(solids, solid), solids.first_vertex[last] - solids.first_vertex[solid]},
+          {z_.data() + place_of(solid), lifts_[tree] ? last - solid : 0}};
 }
 
 /// The tree after `fraction` of this tick's motion.
@@ -134,16 +155,21 @@ void Motion::shape_at(const Surroundings& in, std::uint32_t tree, double fractio
     const Vec2 p = out.X_WM[local].xy();
     const Rotation rotation = out.rotation[local];
     out.center[row - first_solid] = p + rotation * solids.center_M[row];
+    if (!out.z.empty()) out.z[row - first_solid] = out.X_WM[local].z;
     for (std::uint32_t v = solids.first_vertex[row]; v < solids.first_vertex[row + 1]; ++v)
       out.p[vertex++] = p + rotation * solids.p_M[v];
   }
 }
 
 void Motion::propose(const Surroundings& in, std::uint32_t tree, Sweep& sweep) {
-  proposes_[tree] = stalls_[tree] = 0;
+  proposes_[tree] = stalls_[tree] = lifts_[tree] = 0;
   reach_[tree] = 0;
-  for (const Mover& mover : movers_of(tree))
-    if (is_moving(in.world, mover)) proposes_[tree] = 1;
+  for (const Mover& mover : movers_of(tree)) {
+    if (!is_moving(in.world, mover)) continue;
+    proposes_[tree] = 1;
+    if (with_move(mover.kind, [&](auto move) { return move.changes_height(in.world, mover.part); }))
+      lifts_[tree] = 1;
+  }
   if (!proposes_[tree]) return;
   const TreeShape shape = proposal(in.solids, tree, sweep);
   shape_at(in, tree, 1.0, shape);
@@ -155,33 +181,61 @@ void Motion::propose(const Surroundings& in, std::uint32_t tree, Sweep& sweep) {
 
 /// Steps so short that nothing is jumped: each moves no solid by more than half its width.
 unsigned Motion::steps_of(const Surroundings& in, std::uint32_t tree) const {
+  const double dt = in.world.scene().interval;
   double turn = 0;
   for (const Mover& mover : movers_of(tree))
-    turn += with_move(mover.kind, [&](auto move) { return move.turn_rate(in.world, mover.part); }) *
-            in.world.scene().interval;
+    turn += with_move(mover.kind, [&](auto move) { return move.turn_rate(in.world, mover.part); }) * dt;
+  // What a joint swings round in a tick may come near to where it was.
+  const auto swing = [&](Vec2 center) {
+    double way = 0;
+    for (const Mover& mover : movers_of(tree))
+      way += with_move(mover.kind, [&](auto move) { return move.swing(in.world, mover.part, center); }) * dt;
+    return way;
+  };
   double steps = 1;
   for (std::uint32_t row = trees_->first_solid[tree]; row < trees_->first_solid[tree + 1]; ++row) {
     if (!in.solids.is_obstacle(row)) continue;
-    const double way = distance(center_[place_of(row)], in.solids.center[row]) + turn * in.solids.radius[row];
+    const double way = distance(center_[place_of(row)], in.solids.center[row]) +
+                       turn * in.solids.radius[row] + swing(in.solids.center[row]);
     steps = std::max(steps, way / std::max(0.5 * in.solids.width[row], kTouch));
+    if (!lifts_[tree]) continue;
+    const double height = in.solids.z_max[row] - in.solids.z_min[row];
+    steps = std::max(steps, rise_of(in.solids, row) / std::max(0.5 * height, kTouch));
   }
   return static_cast<unsigned>(std::ceil(std::min(steps, static_cast<double>(limits::kMotionSteps))));
 }
 
 /// True if the outline reaches deeper into a wall than it did.
-bool Motion::meets_wall(const Surroundings& in, std::size_t solid, const Outline& now,
-                        const Outline& then) const {
+bool Motion::meets_wall(const Surroundings& in, std::size_t solid, const Body& now, const Body& then) const {
   const double radius = in.solids.radius[solid];
-  if (in.walls.clear_about(then.center) > radius) return false;
-  const geom::Box box = box_about(then.center, radius);
+  const Vec2 center = then.outline.center;
+  if (in.walls.clear_about(center) > radius) return false;
+  const geom::Box box = box_about(center, radius);
   bool met = false;
   in.walls.near(box, [&](const Walls::Edge& edge) {
-    if (met || !in.solids.is_obstacle(edge.solid) || !z_overlaps(in.solids, solid, edge.solid)) return;
-    if (!edge.reaches(box) || in.solids.root[edge.solid] == in.solids.root[solid]) return;
-    const double inside = length_inside(then, edge.a, edge.b);
-    met = inside > kRounding && inside > length_inside(now, edge.a, edge.b) + kRounding;
+    if (met || !in.solids.is_obstacle(edge.solid) || !edge.reaches(box)) return;
+    const Heights wall{in.solids.z_min[edge.solid], in.solids.z_max[edge.solid]};
+    if (!z_overlaps(then, wall) || in.solids.root[edge.solid] == in.solids.root[solid]) return;
+    const double inside = length_inside(then.outline, edge.a, edge.b);
+    met = inside > kRounding &&
+          !(z_overlaps(now, wall) && inside <= length_inside(now.outline, edge.a, edge.b) + kRounding);
   });
   return met;
+}
+
+/// True if a solid that rises or sinks comes into a block that stands still, whose outline may be far.
+bool Motion::meets_inside(const Surroundings& in, std::size_t solid, const Body& now,
+                          const Body& then) const {
+  const Solids& solids = in.solids;
+  for (std::size_t row = 0; row < fixed_; ++row) {
+    if (!solids.full[row] || !solids.is_obstacle(row) || solids.root[row] == solids.root[solid]) continue;
+    const Body block = body_now(solids, row);
+    if (z_overlaps(then, block) && !z_overlaps(now, block) &&
+        distance(then.outline.center, block.outline.center) < solids.radius[solid] + solids.radius[row] &&
+        overlap(then.outline, block.outline))
+      return true;
+  }
+  return false;
 }
 
 bool Motion::Sweep::add(Conflict conflict) {
@@ -193,20 +247,19 @@ bool Motion::Sweep::add(Conflict conflict) {
 
 /// True if the outline overlaps another tree's solid wherever that may come to be. Where it depends on
 /// whether that tree moves, that is a conflict. Two that overlap already may part.
-bool Motion::meets_other(const Surroundings& in, std::size_t solid, const Outline& now, const Outline& then,
+bool Motion::meets_other(const Surroundings& in, std::size_t solid, const Body& now, const Body& then,
                          std::size_t other, Sweep& sweep) const {
   const double reach = in.solids.radius[solid] + in.solids.radius[other];
-  const auto meets_at = [&](const Outline& place) {
-    const double apart = distance(then.center, place.center);
-    if (apart >= reach || !overlap(then, place)) return false;
-    const bool parting = apart >= distance(now.center, place.center) - kRounding;
-    return !(parting && overlap(now, place));
+  const auto meets_at = [&](const Body& place) {
+    const double apart = distance(then.outline.center, place.outline.center);
+    if (apart >= reach || !z_overlaps(then, place) || !overlap(then.outline, place.outline)) return false;
+    const bool parting = apart >= distance(now.outline.center, place.outline.center) - kRounding;
+    return !(parting && z_overlaps(now, place) && overlap(now.outline, place.outline));
   };
-  const bool meets_now = meets_at(outline_now(in.solids, other));
+  const bool meets_now = meets_at(body_now(in.solids, other));
   const std::uint32_t tree = in.solids.tree[other];
   if (tree > in.solids.tree[solid] || !proposes_[tree]) return meets_now;
-  const bool meets_then = meets_at(
-      outline_at(in.solids, other, center_[place_of(other)], p_.data() + vertex_of(in.solids, other)));
+  const bool meets_then = meets_at(proposed(in.solids, other));
   if (meets_now == meets_then) return meets_now;
   return sweep.add({tree, meets_then});
 }
@@ -217,19 +270,24 @@ bool Motion::meets(const Surroundings& in, std::uint32_t tree, const TreeShape& 
   for (std::uint32_t row = first; row < end; ++row) {
     if (!solids.is_obstacle(row)) continue;
     const Vec2* p = shape.p.data() + (solids.first_vertex[row] - solids.first_vertex[first]);
-    const Outline now = outline_now(solids, row),
-                  then = outline_at(solids, row, shape.center[row - first], p);
+    const Body now = body_now(solids, row);
+    Body then{outline_at(solids, row, shape.center[row - first], p), now.z_min, now.z_max};
+    if (!shape.z.empty()) {
+      then.z_min = shape.z[row - first] + solids.z_min_M[row];
+      then.z_max = shape.z[row - first] + solids.z_max_M[row];
+      if (meets_inside(in, row, now, then)) return true;
+    }
     if (meets_wall(in, row, now, then)) return true;
     bool met = false;
     const double reach = solids.radius[row] + reach_max_;
-    in.index.near(
-        then.center, reach, solids.z_min[row] + kTouch, solids.z_max[row] - kTouch,
-        [&](const DiscIndex::Disc& disc) {
-          if (met || disc.root == solids.root[row] || !solids.is_obstacle(disc.row)) return;
-          if (distance(disc.center, then.center) >= disc.radius + reach || !z_overlaps(solids, row, disc.row))
-            return;
-          met = meets_other(in, row, now, then, disc.row, sweep);
-        });
+    // Heights, like places, are those before this tick.
+    const Body near{then.outline, then.z_min - rise_max_, then.z_max + rise_max_};
+    in.index.near(then.outline.center, reach, near.z_min + kTouch, near.z_max - kTouch,
+                  [&](const DiscIndex::Disc& disc) {
+                    if (met || disc.root == solids.root[row] || !solids.is_obstacle(disc.row)) return;
+                    if (distance(disc.center, near.outline.center) >= disc.radius + reach) return;
+                    if (z_overlaps(near, disc)) met = meets_other(in, row, now, then, disc.row, sweep);
+                  });
     if (met) return true;
   }
   return false;
@@ -243,7 +301,8 @@ bool Motion::is_blocked(const Surroundings& in, std::uint32_t tree, Sweep& sweep
                           last.X_WM,
                           last.rotation,
                           {sweep.center.data(), last.center.size()},
-                          {sweep.p.data(), last.p.size()}};
+                          {sweep.p.data(), last.p.size()},
+                          {sweep.z.data(), last.z.size()}};
   for (unsigned step = 1; step < steps; ++step) {
     shape_at(in, tree, static_cast<double>(step) / steps, between);
     if (meets(in, tree, between, sweep)) return true;
@@ -306,6 +365,10 @@ void Motion::commit(world::World& world, Solids& solids, std::uint32_t tree, Swe
   const std::uint32_t vertex = solids.first_vertex[first], last_vertex = solids.first_vertex[end];
   std::copy_n(p_.begin() + static_cast<std::ptrdiff_t>(vertex_of(solids, first)), last_vertex - vertex,
               solids.p.begin() + vertex);
+  for (std::uint32_t row = first; lifts_[tree] && row < end; ++row) {
+    solids.z_min[row] = z_[place_of(row)] + solids.z_min_M[row];
+    solids.z_max[row] = z_[place_of(row)] + solids.z_max_M[row];
+  }
   for (const Mover& mover : movers_of(tree))
     with_move(mover.kind, [&](auto move) { move.arrive(world, mover.part); });
 }
@@ -320,8 +383,13 @@ bool Motion::move(world::World& world, Solids& solids, const DiscIndex& index, c
     });
   };
   each_tree([&](std::uint32_t tree) { propose(in, tree, sweeps_[workers.current()]); });
-  reach_max_ = 0;
-  for (const double reach : reach_) reach_max_ = std::max(reach_max_, reach);
+  reach_max_ = rise_max_ = 0;
+  for (std::uint32_t tree = 0; tree < trees_->size(); ++tree) {
+    reach_max_ = std::max(reach_max_, reach_[tree]);
+    if (!lifts_[tree]) continue;
+    for (std::uint32_t row = trees_->first_solid[tree]; row < trees_->first_solid[tree + 1]; ++row)
+      rise_max_ = std::max(rise_max_, rise_of(solids, row));
+  }
   for (Sweep& sweep : sweeps_) sweep.conflicts.clear();
   each_tree([&](std::uint32_t tree) {
     if (proposes_[tree]) follow(in, tree, workers.current());

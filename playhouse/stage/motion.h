@@ -10,6 +10,7 @@
 /// Proposals and what their ways meet are found on any number of workers; what depends on the moves of trees
 /// before is noted as a conflict, and one pass in row order decides. Threads change no bit of the result.
 
+#include <cmath>
 #include <vector>
 
 #include "playhouse/stage/bodies.h"
@@ -43,6 +44,7 @@ class Motion {
     std::vector<Pose> moved, X_WM;
     std::vector<Rotation> rotation;
     std::vector<Vec2> center, p;
+    std::vector<double> z;
     // Of all ways of this tick, those of one way together; keeps its capacity from tick to tick.
     std::vector<Conflict> conflicts;
     std::size_t first_conflict = 0;  // of the present way
@@ -53,6 +55,11 @@ class Motion {
   /// The conflicts of a tree's way: sweeps_[worker].conflicts[begin .. end).
   struct Conflicts {
     std::uint32_t worker = 0, begin = 0, end = 0;
+  };
+  /// A solid somewhere: its outline, and its heights [m].
+  struct Body {
+    Outline outline;
+    double z_min, z_max;
   };
   struct Surroundings {
     const world::World& world;
@@ -72,9 +79,17 @@ class Motion {
   void follow(const Surroundings& in, std::uint32_t tree, std::uint32_t worker);
   bool is_blocked(const Surroundings& in, std::uint32_t tree, Sweep& sweep);
   bool meets(const Surroundings& in, std::uint32_t tree, const TreeShape& shape, Sweep& sweep) const;
-  bool meets_wall(const Surroundings& in, std::size_t solid, const Outline& now, const Outline& then) const;
-  bool meets_other(const Surroundings& in, std::size_t solid, const Outline& now, const Outline& then,
+  bool meets_wall(const Surroundings& in, std::size_t solid, const Body& now, const Body& then) const;
+  bool meets_inside(const Surroundings& in, std::size_t solid, const Body& now, const Body& then) const;
+  bool meets_other(const Surroundings& in, std::size_t solid, const Body& now, const Body& then,
                    std::size_t other, Sweep& sweep) const;
+  /// A solid where it is, and where its tree's proposal has it.
+  static Body body_now(const Solids& solids, std::size_t row);
+  Body proposed(const Solids& solids, std::size_t row) const;
+  /// How far the proposal of a tree that lifts has a solid above or below where it is. [m]
+  double rise_of(const Solids& solids, std::size_t row) const {
+    return std::fabs(z_[place_of(row)] + solids.z_min_M[row] - solids.z_min[row]);
+  }
   void decide();
   void commit(world::World& world, Solids& solids, std::uint32_t tree, Sweep& sweep) const;
   void put(world::Models& models, std::uint32_t tree, Sweep& sweep) const;
@@ -98,17 +113,19 @@ class Motion {
   std::size_t fixed_ = 0, fixed_vertices_ = 0;  // of Solids, before those that can move
   // Rows as in Trees.
   std::vector<std::uint8_t> proposes_, stalls_;  // (trees)
+  std::vector<std::uint8_t> lifts_;              // the proposal changes heights (trees)
   std::vector<Conflicts> conflicts_;             // (trees)
   std::vector<double> reach_;                    // largest displacement of a solid's centre  [m] (trees)
   // Row in its tree of a model's parent, for trees whose models are no run of rows: others were attached to
   // them. For a run it follows from the model's row.
   std::vector<std::uint32_t> first_parent_;  // of parent_, or Row::kNone for a run                (trees)
   std::vector<std::uint32_t> parent_;        // (models of such trees)
-  double reach_max_ = 0;                     // m, of this tick
+  double reach_max_ = 0, rise_max_ = 0;      // m, of this tick: what a proposal is away, and above or below
   // The proposals; rows as in Trees::movers, in Trees, and in Solids from the first that can move on.
   std::vector<Pose> moved_;         // X_PM of those that move by themselves
   std::vector<Rotation> rotation_;  // of the top
   std::vector<Vec2> center_, p_;
+  std::vector<double> z_;      // of the solid's model in W, where the tree lifts
   std::vector<Sweep> sweeps_;  // one per worker
 };
 

@@ -19,9 +19,12 @@ struct PositionMove {
     const geom::Twist& velocity = world.positions.velocity[robot];
     return velocity.x != 0 || velocity.y != 0 || velocity.a != 0;
   }
+  static bool changes_height(const world::World&, std::uint32_t) { return false; }
   static double turn_rate(const world::World& world, std::uint32_t robot) {
     return std::fabs(world.positions.velocity[robot].a);
   }
+  /// Wheels turn it about itself.
+  static double swing(const world::World&, std::uint32_t, geom::Vec2) { return 0; }
   static geom::Pose after(const world::World& world, std::uint32_t robot, const geom::Pose& X_PM, double dt) {
     return driven(X_PM, world.positions.velocity[robot], dt);
   }

@@ -47,6 +47,16 @@ inline scene::ModelDesc robot(const std::string& name, const Pose& X_WM, const g
   return model;
 }
 
+/// A subscribed slide from 0 to 1 m at no more than 1 m/s, a box.
+inline scene::ModelDesc actuator(const std::string& name, const Pose& X_PJ, const geom::Size& size) {
+  scene::ModelDesc model = box(name, X_PJ, size);
+  model.type = "actuator";
+  model.kind = scene::ModelKind::kActuator;
+  model.alwayson = true;
+  model.actuator.emplace();
+  return model;
+}
+
 /// A ranger on `parent`, without a body.
 inline scene::ModelDesc ranger(const std::string& name, int parent, const Pose& X_PM) {
   scene::ModelDesc model;

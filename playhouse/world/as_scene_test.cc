@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "playhouse/base/rng.h"
+#include "playhouse/scene/actuator.h"
 #include "playhouse/scene/testing_same_scene.h"
 #include "playhouse/scene/world_loader.h"
 #include "playhouse/scene/write_world.h"
@@ -176,6 +177,43 @@ TEST_F(AsSceneTest, lamps_are_set_as_they_are_and_not_as_the_file_says) {
         << "files have microseconds";
     EXPECT_EQ(again.blinkenlights.dutycycle[is], world.blinkenlights.dutycycle[was]) << name;
   }
+}
+
+TEST_F(AsSceneTest, actuators_start_at_the_position_that_they_have_on_the_way_that_they_had) {
+  scene_ = *scene::load_world_text(
+      "actuator( name \"slide\" pose [1 2 0 30] start_position 0.3 model( name \"load\" ) )\n"
+      "position( name \"r\" actuator( name \"joint\" type \"rotational\" min_position -2 start_position 0.7 "
+      ") )\n"
+      "actuator( name \"stays\" pose [0.1 -0.7 0 77] start_position 0.9 )",
+      "w/t.world", files_);
+  World world(scene_, 1);
+  EXPECT_EQ(difference(scene_, as_scene(world)), "");
+  const auto go = [&](const char* name, double position) {
+    const ModelRow row = world.find(name);
+    const std::uint32_t actuator = world.models.part[row.index];
+    world.actuators.position[actuator] = position;
+    world.models.X_PM.own(row.index) =
+        geom::compose(world.actuators.X_PJ[actuator], scene::way_along(*world.desc(row).actuator, position));
+    place_tree(world, row);
+  };
+  go("slide", 0.1234567);
+  go("r.joint", -1.1);
+  ASSERT_TRUE(set_pose(world, world.find("stays"), {3, 3, 0, 1}));
+  const Result<std::string> text = scene::write_world(as_scene(world), "w/saved.world");
+  ASSERT_TRUE(text.ok());
+  const Result<scene::SceneDesc> saved = scene::load_world_text(*text, "w/saved.world", files_);
+  ASSERT_TRUE(saved.ok()) << saved.error().line() << "\n" << *text;
+  World again(*saved, 1);
+  for (std::uint32_t row = 0; row < world.models.size(); ++row) {
+    const ModelRow found = again.find(world.name({row}));
+    ASSERT_TRUE(found) << *text;
+    const geom::Pose &was = world.models.X_WM[row], &is = again.models.X_WM[found.index];
+    EXPECT_NEAR(was.x, is.x, 1e-12) << *text;
+    EXPECT_NEAR(was.y, is.y, 1e-12) << *text;
+    EXPECT_NEAR(geom::normalize(was.a - is.a), 0, 1e-12) << *text;
+  }
+  EXPECT_EQ(again.actuators.position, world.actuators.position);
+  EXPECT_NE(text->find("start_position -1.1"), std::string::npos) << *text;
 }
 
 TEST_F(AsSceneTest, it_has_who_came_and_not_who_went) {

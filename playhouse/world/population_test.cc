@@ -161,6 +161,29 @@ TEST(Mobility, is_that_of_each_model_so_that_walls_with_a_robot_in_them_stand_st
   EXPECT_EQ(world.models.mobility, (std::vector{kFixed, kDriven, kDriven, kFixed, kDriven}));
 }
 
+TEST(Actuators, begin_at_their_start_and_have_it_again_after_a_return) {
+  scene::SceneDesc scene;
+  scene.models.push_back(model("lift", scene::ModelKind::kActuator, -1));
+  scene.models.back().X_PM = {1, 2, 0, 0};
+  scene.models.back().actuator.emplace();
+  scene.models.back().actuator->axis_z = 2;
+  scene.models.back().actuator->start_position = 0.5;
+  scene.models.push_back(model("lift.load", scene::ModelKind::kPlain, 0));
+  scene.models.back().X_PM = {0.1, 0, 0.2, 0};
+  World world(scene, 1);
+  EXPECT_EQ(world.models.X_WM[1], (geom::Pose{1.1, 2, 0.7, 0}));
+  EXPECT_EQ(world.actuators.position[0], 0.5);
+  ASSERT_TRUE(set_pose(world, {0}, {4, 4, 1, 0}));
+  EXPECT_EQ(world.actuators.X_PJ[0], (geom::Pose{4, 4, 0.5, 0}));
+  world.actuators.position[0] = 0.2;
+  return_to_start(world);
+  EXPECT_EQ(world.models.X_WM[1], (geom::Pose{1.1, 2, 0.7, 0}));
+  EXPECT_EQ(world.actuators.X_PJ[0], (geom::Pose{1, 2, 0, 0}));
+  EXPECT_EQ(world.actuators.position[0], 0.5);
+  EXPECT_TRUE(spawn(world, 0, {-1, 0, 0, 0}));
+  EXPECT_EQ(world.models.X_WM[2], (geom::Pose{-1, 0, 0.5, 0})) << "its pose is where it is at 0";
+}
+
 TEST(Attach, refuses_what_holds_something_that_drives) {
   scene::SceneDesc scene;
   scene.models.push_back(model("tray", scene::ModelKind::kPlain, -1));

@@ -1,6 +1,7 @@
 #include "playhouse/world/rows.h"
 
 #include "playhouse/base/rng.h"
+#include "playhouse/scene/actuator.h"
 #include "playhouse/scene/charge.h"
 #include "playhouse/world/columns.h"
 #include "playhouse/world/generated/worded.h"
@@ -62,6 +63,20 @@ void fill_row(World&, Packs& packs, const scene::ModelDesc& model, ModelRow) {
 
 void fill_row(World&, Blinkenlights& lamps, const scene::ModelDesc&, ModelRow) {
   lamps.lit.back() = lamps.enabled.back();
+}
+
+/// The file's pose is where it would be at position 0.
+void fill_row(World& world, Actuators& actuators, const scene::ModelDesc& model, ModelRow row) {
+  Models& models = world.models;
+  const geom::Pose X_PJ = models.X_PM[row.index];
+  actuators.X_PJ.back() = X_PJ;
+  actuators.speed.back() = model.actuator->max_speed;
+  actuators.motor_on.back() = 1;
+  if (actuators.position.back() == 0) return;
+  const geom::Pose X_PM = geom::compose(X_PJ, scene::way_along(*model.actuator, actuators.position.back()));
+  const std::uint32_t parent = models.parent[row.index];
+  models.X_PM.own(row.index) = X_PM;
+  models.X_WM[row.index] = parent == ModelRow::kNone ? X_PM : geom::compose(models.X_WM[parent], X_PM);
 }
 
 void fill_row(World&, Grippers& grippers, const scene::ModelDesc& model, ModelRow) {

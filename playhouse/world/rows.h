@@ -17,6 +17,7 @@ void fill_row(World& world, Positions& positions, const scene::ModelDesc& model,
 void fill_row(World& world, Rangers& rangers, const scene::ModelDesc& model, ModelRow row);
 void fill_row(World& world, Packs& packs, const scene::ModelDesc& model, ModelRow row);
 void fill_row(World& world, Blinkenlights& lamps, const scene::ModelDesc& model, ModelRow row);
+void fill_row(World& world, Actuators& actuators, const scene::ModelDesc& model, ModelRow row);
 void fill_row(World& world, Grippers& grippers, const scene::ModelDesc& model, ModelRow row);
 
 /// Whether a description says other than what the row stands for; then `said`, a copy of it or null, is made

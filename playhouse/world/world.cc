@@ -7,6 +7,7 @@
 
 #include "playhouse/base/assert.h"
 #include "playhouse/base/hash.h"
+#include "playhouse/scene/actuator.h"
 #include "playhouse/world/columns.h"
 #include "playhouse/world/population.h"
 #include "playhouse/world/values.h"
@@ -59,6 +60,23 @@ void believe_truth(World& world, std::uint32_t model) {
   if (drive_of(world, robot).localization != scene::Localization::kGps) return;
   world.positions.X_OM[robot.index] =
       geom::compose(geom::inverse(world.positions.X_WO[robot.index]), world.models.X_WM[model]);
+}
+
+/// What an actuator that is put elsewhere counts its position from goes with it.
+void take_along(World& world, std::uint32_t model) {
+  if (world.models.kind[model] != scene::ModelKind::kActuator) return;
+  const std::uint32_t actuator = world.models.part[model];
+  const geom::Pose way = scene::way_along(*world.desc({model}).actuator, world.actuators.position[actuator]);
+  world.actuators.X_PJ[actuator] = geom::compose(world.models.X_PM[model], geom::inverse(way));
+}
+
+/// Ends what a row of a kind that moves was told, and its motion.
+template <typename Table>
+void stop(Table& table, std::uint32_t row) {
+  table.mode[row] = ControlMode::kVelocity;
+  table.command[row] = {};
+  table.velocity[row] = {};
+  table.stall[row] = 0;
 }
 
 }  // namespace
@@ -354,6 +372,7 @@ bool set_odometry(World& world, PositionRow robot, const geom::Pose& X_OM) {
 bool set_pose(World& world, ModelRow model, const geom::Pose& X_PM) {
   if (!is_place(X_PM)) return false;
   world.models.X_PM.own(model.index) = {X_PM.x, X_PM.y, X_PM.z, geom::normalize(X_PM.a)};
+  take_along(world, model.index);
   place_tree(world, model);
   world.changes.add({Change::Kind::kPlace, world.id(model), {}, 0, world.models.mobility[model.index]});
   return true;
@@ -380,6 +399,21 @@ void return_to_start(World& world) {
       },
       world, start);
   world.models.X_WM = start.models.X_WM;
+}
+
+bool command_velocity(World& world, ActuatorRow actuator, double velocity) {
+  if (!std::isfinite(velocity)) return false;
+  world.actuators.mode[actuator.index] = ControlMode::kVelocity;
+  world.actuators.command[actuator.index] = velocity;
+  return true;
+}
+
+bool command_position(World& world, ActuatorRow actuator, double position) {
+  if (!std::isfinite(position)) return false;
+  const scene::ActuatorDesc& desc = *world.desc(world.actuators.model[actuator.index]).actuator;
+  world.actuators.mode[actuator.index] = ControlMode::kPosition;
+  world.actuators.goal[actuator.index] = scene::within_reach(desc, position);
+  return true;
 }
 
 void set_fiducial_return(World& world, ModelRow model, std::int32_t id) {
@@ -414,12 +448,12 @@ void subscribe_controller(World& world, ModelRow model) {
 void unsubscribe(World& world, ModelRow model) {
   std::uint32_t& subscribers = world.models.subscribers[model.index];
   PLAYHOUSE_ASSERT(subscribers > 0);
-  if (--subscribers > 0 || world.models.kind[model.index] != scene::ModelKind::kPosition) return;
-  const std::uint32_t robot = world.models.part[model.index];
-  world.positions.mode[robot] = ControlMode::kVelocity;
-  world.positions.command[robot] = {};
-  world.positions.velocity[robot] = {};
-  world.positions.stall[robot] = 0;
+  if (--subscribers > 0) return;
+  each_kind_table([&]<typename Table>(Table Tables::*table) {
+    if constexpr (moves(kKindOf<Table>))
+      if (world.models.kind[model.index] == kKindOf<Table>)
+        stop(world.*table, world.models.part[model.index]);
+  });
 }
 
 }  // namespace playhouse::world

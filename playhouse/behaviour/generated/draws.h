@@ -16,6 +16,8 @@ inline double draw_of(const scene::ModelDesc& model) {
       return 2;
     case scene::ModelKind::kBumper:
       return 0.1;
+    case scene::ModelKind::kActuator:
+      return 2;
     default:
       return model.watts;
   }

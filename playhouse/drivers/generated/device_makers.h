@@ -20,6 +20,7 @@ std::unique_ptr<SimulatedDevice> make_blobfinder_device(Simulation& simulation, 
 std::unique_ptr<SimulatedDevice> make_bumper_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_blinkenlight_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_gripper_device(Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_actarray_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_power_device(Simulation& simulation, world::ModelRow model);
 
 struct DeviceMaker {
@@ -36,6 +37,7 @@ inline constexpr DeviceMaker kDeviceMakers[] = {
     {14, make_bumper_device},
     {33, make_blinkenlight_device},
     {3, make_gripper_device},
+    {53, make_actarray_device},
     {2, make_power_device},
 };
 

@@ -5,6 +5,7 @@
 
 #include <iterator>
 #include <string>
+#include <string_view>
 
 #include "playhouse/replicate/json_text.h"
 #include "playhouse/replicate/quantize.h"
@@ -96,6 +97,16 @@ bool capture_gripper(const world::World& world, std::uint32_t row, std::vector<s
   return true;
 }
 
+std::uint32_t row_of_actuator(const world::World& world, std::uint32_t model) {
+  return world.models.kind[model] == scene::ModelKind::kActuator ? world.models.part[model] : world::ModelRow::kNone;
+}
+
+bool capture_actuator(const world::World& world, std::uint32_t row, std::vector<std::int32_t>& out) {
+  out.push_back(quantize(world.actuators.position[row], 1000));
+  out.push_back(quantize(world.actuators.velocity[row], 1000));
+  return true;
+}
+
 std::uint32_t row_of_pack(const world::World& world, std::uint32_t model) {
   return world::trait_row(world.packs, model);
 }
@@ -114,15 +125,17 @@ constexpr Code kCodesOfBlobfinder[] = {Code::kRgba, Code::kVarint, Code::kVarint
 constexpr Code kCodesOfBumper[] = {Code::kZigzag};
 constexpr Code kCodesOfBlinkenlight[] = {Code::kVarint, Code::kVarint};
 constexpr Code kCodesOfGripper[] = {Code::kVarint, Code::kZigzag, Code::kVarint, Code::kZigzag, Code::kZigzag, Code::kVarint, Code::kVarint};
+constexpr Code kCodesOfActuator[] = {Code::kZigzag, Code::kZigzag};
 constexpr Code kCodesOfPack[] = {Code::kZigzag, Code::kZigzag, Code::kZigzag, Code::kVarint};
 
-constexpr View kViews[7] = {
+constexpr View kViews[8] = {
     {When::kSelected, false, false, kCodesOfPosition, row_of_position, capture_position},
     {When::kShown, true, true, kCodesOfFiducial, row_of_fiducial, capture_fiducial},
     {When::kShown, true, true, kCodesOfBlobfinder, row_of_blobfinder, capture_blobfinder},
     {When::kShown, true, true, kCodesOfBumper, row_of_bumper, capture_bumper},
     {When::kSelected, false, false, kCodesOfBlinkenlight, row_of_blinkenlight, capture_blinkenlight},
     {When::kChanged, true, false, kCodesOfGripper, row_of_gripper, capture_gripper},
+    {When::kSelected, false, false, kCodesOfActuator, row_of_actuator, capture_actuator},
     {When::kSelected, false, false, kCodesOfPack, row_of_pack, capture_pack},
 };
 
@@ -144,6 +157,11 @@ std::uint8_t state_bits(const world::World& world, std::uint32_t model) {
       break;
     case scene::ModelKind::kLightindicator:
       if (world.lightindicators.lit[row]) bits |= 2;
+      break;
+    case scene::ModelKind::kActuator:
+      if (world.actuators.stall[row]) bits |= 2;
+      if (world.actuators.motor_on[row]) bits |= 4;
+      if (world.actuators.braked[row]) bits |= 8;
       break;
     default:
       break;
@@ -210,6 +228,15 @@ void tell_gripper(const scene::ModelDesc& model, std::string& text) {
   text += ",\"paddle\":[" + number(model.gripper->paddle_length) + ',' + number(model.gripper->paddle_width) + ',' + number(model.gripper->paddle_height) + "]";
 }
 
+void tell_actuator(const scene::ModelDesc& model, std::string& text) {
+  if (!model.actuator) return;
+  static constexpr std::string_view kWordsOfType[] = {"linear", "rotational"};
+  text += ",\"joint\":" + quoted(kWordsOfType[static_cast<std::size_t>(model.actuator->type)]);
+  fmt::format_to(std::back_inserter(text), ",\"lowest\":{}", number(model.actuator->min_position));
+  fmt::format_to(std::back_inserter(text), ",\"highest\":{}", number(model.actuator->max_position));
+  text += ",\"axis\":[" + number(model.actuator->axis_x) + ',' + number(model.actuator->axis_y) + ',' + number(model.actuator->axis_z) + "]";
+}
+
 }  // namespace
 
 void tell_kind(const scene::ModelDesc& model, std::string& text) {
@@ -231,6 +258,9 @@ void tell_kind(const scene::ModelDesc& model, std::string& text) {
       break;
     case scene::ModelKind::kGripper:
       tell_gripper(model, text);
+      break;
+    case scene::ModelKind::kActuator:
+      tell_actuator(model, text);
       break;
     default:
       break;
@@ -260,6 +290,8 @@ std::string_view kind_name(scene::ModelKind kind) {
       return "lightindicator";
     case scene::ModelKind::kGripper:
       return "gripper";
+    case scene::ModelKind::kActuator:
+      return "actuator";
   }
   return "";
 }

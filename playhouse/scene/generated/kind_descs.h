@@ -25,6 +25,7 @@ enum class ModelKind : std::uint8_t {
   kBlinkenlight = 6,
   kLightindicator = 7,
   kGripper = 8,
+  kActuator = 9,
 };
 
 /// A plain body; its words are those of every model, whatever its kind.
@@ -193,6 +194,30 @@ struct GripperDesc {
   friend bool operator==(const GripperDesc&, const GripperDesc&) = default;
 };
 
+/// How it moves.
+enum class ActuatorType : std::uint8_t { kLinear, kRotational };
+
+/// A joint that slides or turns, with what it carries.
+struct ActuatorDesc {
+  /// How it moves.
+  ActuatorType type = ActuatorType::kLinear;
+  /// The direction in which it slides, of any length, in its own frame; [0 0 0] is ahead. It turns about z
+  /// alone, to the right if z is negative.
+  double axis_x = 0;
+  double axis_y = 0;
+  double axis_z = 0;
+  /// Where it stops at the lower end, counted from its pose. [m or rad]
+  double min_position = 0;
+  /// Where it stops at the upper end; where that is below the lower one, it does not move. [m or rad]
+  double max_position = 1;
+  /// How fast it can move. [m/s or rad/s]
+  double max_speed = 1;
+  /// Where it is at the start, counted from its pose. [m or rad]
+  double start_position = 0;
+
+  friend bool operator==(const ActuatorDesc&, const ActuatorDesc&) = default;
+};
+
 /// One transducer or scanner of a ranger.
 struct RangerSensorDesc {
   /// Where the sensor is in the ranger. [frame X_BS, m, m, m, rad]
@@ -262,6 +287,7 @@ struct KindDescs {
   std::optional<BumperDesc> bumper;  // kBumper
   std::optional<BlinkenlightDesc> blinkenlight;  // kBlinkenlight
   std::optional<GripperDesc> gripper;  // kGripper
+  std::optional<ActuatorDesc> actuator;  // kActuator
 
   friend bool operator==(const KindDescs&, const KindDescs&) = default;
 };

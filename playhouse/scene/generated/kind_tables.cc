@@ -160,12 +160,12 @@ constexpr KindInterface kInterfacesOfGripper[1] = {
 };
 
 constexpr Word kWordsOfActuator[6] = {
-    {.name = "type", .use = Use::kSilent, .type = "choice", .form = "\"linear\" | \"rotational\"", .otherwise = "\"linear\"", .doc = "How it moves. \"linear\": it slides; \"rotational\": it turns."},
-    {.name = "axis", .use = Use::kSilent, .type = "tuple", .form = "[x y z]", .otherwise = "[0 0 0]", .doc = "The direction in which it slides."},
-    {.name = "min_position", .use = Use::kSilent, .type = "number", .unit = "m or rad", .otherwise = "0", .doc = "Where it stops at the lower end."},
-    {.name = "max_position", .use = Use::kSilent, .type = "number", .unit = "m or rad", .otherwise = "1", .doc = "Where it stops at the upper end."},
-    {.name = "max_speed", .use = Use::kSilent, .type = "number", .unit = "m/s or rad/s", .otherwise = "1", .doc = "How fast it can move."},
-    {.name = "start_position", .use = Use::kSilent, .type = "number", .unit = "m or rad", .otherwise = "0", .doc = "Where it is at the start."},
+    {.name = "type", .use = Use::kRead, .type = "choice", .form = "\"linear\" | \"rotational\"", .otherwise = "\"linear\"", .doc = "How it moves. \"linear\": it slides; \"rotational\": it turns."},
+    {.name = "axis", .use = Use::kRead, .type = "tuple", .form = "[x y z]", .otherwise = "[0 0 0]", .doc = "The direction in which it slides, of any length, in its own frame; [0 0 0] is ahead. It turns about z alone, to the right if z is negative."},
+    {.name = "min_position", .use = Use::kRead, .type = "number", .unit = "m or rad", .otherwise = "0", .doc = "Where it stops at the lower end, counted from its pose."},
+    {.name = "max_position", .use = Use::kRead, .type = "number", .unit = "m or rad", .otherwise = "1", .doc = "Where it stops at the upper end; where that is below the lower one, it does not move."},
+    {.name = "max_speed", .use = Use::kRead, .type = "number", .unit = "m/s or rad/s", .otherwise = "1", .limits = "not negative", .doc = "How fast it can move."},
+    {.name = "start_position", .use = Use::kRead, .type = "number", .unit = "m or rad", .otherwise = "0", .doc = "Where it is at the start, counted from its pose."},
 };
 
 constexpr KindInterface kInterfacesOfActuator[1] = {
@@ -305,7 +305,7 @@ constexpr Kind kKinds[16] = {
     {.name = "blinkenlight", .doc = "A lamp that can blink.", .entity = EntityForm::kModel, .table = "blinkenlights", .kind = ModelKind::kBlinkenlight, .simulated = true, .solid = true, .size = {0.02, 0.02, 0.02}, .color = {0, 1, 0, 1}, .words = kWordsOfBlinkenlight, .interfaces = kInterfacesOfBlinkenlight},
     {.name = "lightindicator", .doc = "A body that is darker while it is off, as it is at the start.", .entity = EntityForm::kModel, .table = "lightindicators", .kind = ModelKind::kLightindicator, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .interfaces = kInterfacesOfLightindicator},
     {.name = "gripper", .doc = "Two paddles that close around a thing and carry it.", .entity = EntityForm::kModel, .table = "grippers", .kind = ModelKind::kGripper, .simulated = true, .solid = true, .size = {0.2, 0.3, 0.2}, .color = {0.3f, 0.3f, 0.3f, 1}, .words = kWordsOfGripper, .interfaces = kInterfacesOfGripper},
-    {.name = "actuator", .doc = "A joint that slides or turns what it carries.", .entity = EntityForm::kModel, .simulated = false, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfActuator, .interfaces = kInterfacesOfActuator},
+    {.name = "actuator", .doc = "A joint that slides or turns, with what it carries.", .entity = EntityForm::kModel, .table = "actuators", .kind = ModelKind::kActuator, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfActuator, .interfaces = kInterfacesOfActuator},
     {.name = "camera", .doc = "A camera that takes images of the scene.", .entity = EntityForm::kModel, .simulated = false, .solid = true, .size = {0.1, 0.07, 0.05}, .color = {0, 0, 0, 1}, .words = kWordsOfCamera, .interfaces = kInterfacesOfCamera},
     {.name = "block", .doc = "A prism, as a part of a model's body; all blocks together are stretched to fill the model's size.", .entity = EntityForm::kPart, .inside = "model", .simulated = true, .words = kWordsOfBlock},
     {.name = "sensor", .doc = "One transducer or scanner of a ranger.", .entity = EntityForm::kPart, .inside = "ranger", .table = "sensors", .simulated = true, .words = kWordsOfSensor},

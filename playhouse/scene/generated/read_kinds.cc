@@ -85,6 +85,21 @@ void read(const Properties& properties, GripperDesc& to) {
   to.autosnatch = properties.flag("autosnatch", to.autosnatch);
 }
 
+void read(const Properties& properties, ActuatorDesc& to) {
+  static constexpr std::string_view kWordsOfType[] = {"linear", "rotational"};
+  to.type = static_cast<ActuatorType>(read_choice(properties, "type", kWordsOfType, static_cast<std::size_t>(to.type)));
+  double axis[3] = {to.axis_x, to.axis_y, to.axis_z};
+  properties.tuple("axis", "NNN", axis, "[x y z]");
+  to.axis_x = axis[0];
+  to.axis_y = axis[1];
+  to.axis_z = axis[2];
+  to.min_position = properties.number("min_position", to.min_position);
+  to.max_position = properties.number("max_position", to.max_position);
+  to.max_speed = properties.number("max_speed", to.max_speed);
+  require(to.max_speed >= 0, properties, "max_speed", "must not be negative");
+  to.start_position = properties.number("start_position", to.start_position);
+}
+
 }  // namespace
 
 void read(const Properties& properties, std::size_t row, PlainDesc& to) {
@@ -185,6 +200,9 @@ void read_kind(const Properties& properties, ModelKind kind, KindDescs& to) {
     case ModelKind::kGripper:
       read(properties, to.gripper.emplace());
       break;
+    case ModelKind::kActuator:
+      read(properties, to.actuator.emplace());
+      break;
     case ModelKind::kPlain:
     case ModelKind::kRanger:
     case ModelKind::kLightindicator:
@@ -206,6 +224,8 @@ bool is_described(ModelKind kind, const KindDescs& by) {
       return by.blinkenlight.has_value();
     case ModelKind::kGripper:
       return by.gripper.has_value();
+    case ModelKind::kActuator:
+      return by.actuator.has_value();
     default:
       return true;
   }

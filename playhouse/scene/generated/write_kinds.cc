@@ -60,6 +60,17 @@ void write(const GripperDesc& from, const GripperDesc& unsaid, Words& to) {
   if (from.autosnatch != unsaid.autosnatch) to.flag("autosnatch", from.autosnatch);
 }
 
+void write(const ActuatorDesc& from, const ActuatorDesc& unsaid, Words& to) {
+  static constexpr std::string_view kWordsOfType[] = {"linear", "rotational"};
+  if (from.type != unsaid.type) to.text("type", kWordsOfType[static_cast<std::size_t>(from.type)]);
+  const double axis[] = {from.axis_x, from.axis_y, from.axis_z};
+  if (from.axis_x != unsaid.axis_x || from.axis_y != unsaid.axis_y || from.axis_z != unsaid.axis_z) to.tuple("axis", "NNN", axis);
+  if (from.min_position != unsaid.min_position) to.number("min_position", from.min_position);
+  if (from.max_position != unsaid.max_position) to.number("max_position", from.max_position);
+  if (from.max_speed != unsaid.max_speed) to.number("max_speed", from.max_speed);
+  if (from.start_position != unsaid.start_position) to.number("start_position", from.start_position);
+}
+
 void write(const RangerSensorDesc& from, const RangerSensorDesc& unsaid, Words& to) {
   if (from.X_BS != unsaid.X_BS) to.pose("pose", from.X_BS);
   if (from.size != unsaid.size) to.size("size", from.size);
@@ -126,6 +137,7 @@ void write_kind(const KindDescs& from, const Units& units, Entity& to) {
   if (from.bumper) write(*from.bumper, {}, words);
   if (from.blinkenlight) write(*from.blinkenlight, {}, words);
   if (from.gripper) write(*from.gripper, {}, words);
+  if (from.actuator) write(*from.actuator, {}, words);
   for (const RangerSensorDesc& part : from.sensors) {
     Words words_of_part(units, to.parts.emplace_back(Entity{"sensor", {}, {}}).words);
     write(part, {}, words_of_part);

@@ -3,13 +3,15 @@
 
 /// How each kind that moves by itself does so; playhouse/stage/move_NAME.h has its functions.
 
+#include "playhouse/stage/move_actuator.h"
 #include "playhouse/stage/move_position.h"
 
 namespace playhouse::stage {
 
 /// Calls visit(functions) with those of a kind that moves.
 template <typename Visit>
-decltype(auto) with_move([[maybe_unused]] scene::ModelKind kind, const Visit& visit) {
+decltype(auto) with_move(scene::ModelKind kind, const Visit& visit) {
+  if (kind == scene::ModelKind::kActuator) return visit(ActuatorMove{});
   return visit(PositionMove{});
 }
 

@@ -88,6 +88,21 @@ inline constexpr auto kColumns<Grippers> = std::tuple{
 };
 
 template <>
+inline constexpr auto kColumns<Actuators> = std::tuple{
+    Column{"actuators.model", Role::kDerived, "", "", "", &Actuators::model},
+    Column{"actuators.mode", Role::kMotion, "", "", "commands", &Actuators::mode},
+    Column{"actuators.command", Role::kMotion, "m/s or rad/s", "", "commands", &Actuators::command},
+    Column{"actuators.goal", Role::kMotion, "m or rad", "", "commands", &Actuators::goal},
+    Column{"actuators.speed", Role::kMotion, "m/s or rad/s", "", "devices", &Actuators::speed},
+    Column{"actuators.velocity", Role::kMotion, "m/s or rad/s", "", "act", &Actuators::velocity},
+    Column{"actuators.position", Role::kMotion, "m or rad", "", "move", &Actuators::position},
+    Column{"actuators.X_PJ", Role::kMotion, "m, m, m, rad", "X_PJ", "place", &Actuators::X_PJ},
+    Column{"actuators.stall", Role::kMotion, "", "", "move", &Actuators::stall},
+    Column{"actuators.motor_on", Role::kMotion, "", "", "devices", &Actuators::motor_on},
+    Column{"actuators.braked", Role::kMotion, "", "", "devices", &Actuators::braked},
+};
+
+template <>
 inline constexpr auto kColumns<Packs> = std::tuple{
     Column{"packs.model", Role::kDerived, "", "", "", &Packs::model},
     Column{"packs.stored", Role::kMotion, "J", "", "energy", &Packs::stored},
@@ -118,6 +133,8 @@ template <>
 inline constexpr scene::ModelKind kKindOf<Lightindicators> = scene::ModelKind::kLightindicator;
 template <>
 inline constexpr scene::ModelKind kKindOf<Grippers> = scene::ModelKind::kGripper;
+template <>
+inline constexpr scene::ModelKind kKindOf<Actuators> = scene::ModelKind::kActuator;
 
 /// The trait whose models have a row each; of other tables there is none.
 template <typename Table>
@@ -129,10 +146,10 @@ inline constexpr auto kTraitTable = nullptr;
 template <>
 inline constexpr auto kTraitTable<Packs> = &Tables::packs;
 
-inline constexpr std::tuple kTables{&Tables::models, &Tables::positions, &Tables::rangers, &Tables::sensors, &Tables::fiducials, &Tables::blobfinders, &Tables::bumpers, &Tables::blinkenlights, &Tables::lightindicators, &Tables::grippers, &Tables::packs};
+inline constexpr std::tuple kTables{&Tables::models, &Tables::positions, &Tables::rangers, &Tables::sensors, &Tables::fiducials, &Tables::blobfinders, &Tables::bumpers, &Tables::blinkenlights, &Tables::lightindicators, &Tables::grippers, &Tables::actuators, &Tables::packs};
 
 /// Those of kinds: a row for each model of the kind, in the order of the models.
-inline constexpr std::tuple kKindTables{&Tables::positions, &Tables::rangers, &Tables::fiducials, &Tables::blobfinders, &Tables::bumpers, &Tables::blinkenlights, &Tables::lightindicators, &Tables::grippers};
+inline constexpr std::tuple kKindTables{&Tables::positions, &Tables::rangers, &Tables::fiducials, &Tables::blobfinders, &Tables::bumpers, &Tables::blinkenlights, &Tables::lightindicators, &Tables::grippers, &Tables::actuators};
 
 /// Those of traits: a row for each model that has it, in the order of the models.
 inline constexpr std::tuple kTraitTables{&Tables::packs};

@@ -21,6 +21,7 @@ using BumperRow = Row<struct BumperTable>;
 using BlinkenlightRow = Row<struct BlinkenlightTable>;
 using LightindicatorRow = Row<struct LightindicatorTable>;
 using GripperRow = Row<struct GripperTable>;
+using ActuatorRow = Row<struct ActuatorTable>;
 using PackRow = Row<struct PackTable>;
 
 /// A robot that drives in the plane.
@@ -161,6 +162,22 @@ struct Grippers {
   std::size_t size() const { return model.size(); }
 };
 
+/// A joint that slides or turns, with what it carries.
+struct Actuators {
+  std::vector<ModelRow> model;  // The model that moves.
+  std::vector<ControlMode> mode;  // What the command means: a velocity, or a position.
+  std::vector<double> command;  // Wanted velocity. [m/s or rad/s]
+  std::vector<double> goal;  // Wanted position, for control by position. [m or rad]
+  std::vector<double> speed;  // How fast it goes to a position, at most. [m/s or rad/s]
+  std::vector<double> velocity;  // Velocity along its axis, within its speed and its ends. [m/s or rad/s]
+  std::vector<double> position;  // How far it is along its axis. [m or rad]
+  std::vector<geom::Pose> X_PJ;  // Where it is in its parent when its position is 0. [m, m, m, rad]
+  std::vector<std::uint8_t> stall;  // The last motion was blocked.
+  std::vector<std::uint8_t> motor_on;  // Where it is 0 commands are kept and move nothing.
+  std::vector<std::uint8_t> braked;  // Where it is 1 commands are kept and move nothing.
+  std::size_t size() const { return model.size(); }
+};
+
 /// A battery, from which a model draws, and what is inside it and has none of its own.
 struct Packs {
   std::vector<ModelRow> model;  // The model that has it.
@@ -178,6 +195,7 @@ struct Packs {
 constexpr bool moves(scene::ModelKind kind) {
   switch (kind) {
     case scene::ModelKind::kPosition:
+    case scene::ModelKind::kActuator:
       return true;
     default:
       return false;
@@ -196,6 +214,7 @@ struct Tables {
   Blinkenlights blinkenlights;
   Lightindicators lightindicators;
   Grippers grippers;
+  Actuators actuators;
   Packs packs;
 };
 

@@ -16,6 +16,10 @@ inline void begin_as_said(Blinkenlights& table, const scene::ModelDesc& model) {
   table.period.back() = model.blinkenlight->period;
   table.dutycycle.back() = model.blinkenlight->dutycycle;
 }
+inline void begin_as_said(Actuators& table, const scene::ModelDesc& model) {
+  if (!model.actuator) return;
+  table.position.back() = model.actuator->start_position;
+}
 
 /// All such state of a model is what its words say.
 inline bool is_as_said(const Tables& tables, std::uint32_t model, const scene::ModelDesc& said) {
@@ -24,6 +28,11 @@ inline bool is_as_said(const Tables& tables, std::uint32_t model, const scene::M
       const Blinkenlights& table = tables.blinkenlights;
       const std::uint32_t row = tables.models.part[model];
       return !said.blinkenlight || (static_cast<bool>(table.enabled[row]) == said.blinkenlight->enabled && table.period[row] == said.blinkenlight->period && table.dutycycle[row] == said.blinkenlight->dutycycle);
+    }
+    case scene::ModelKind::kActuator: {
+      const Actuators& table = tables.actuators;
+      const std::uint32_t row = tables.models.part[model];
+      return !said.actuator || (table.position[row] == said.actuator->start_position);
     }
     default:
       return true;
@@ -40,6 +49,13 @@ inline void say_as_is(const Tables& tables, std::uint32_t model, scene::ModelDes
       says.blinkenlight->enabled = table.enabled[row];
       says.blinkenlight->period = table.period[row];
       says.blinkenlight->dutycycle = table.dutycycle[row];
+      return;
+    }
+    case scene::ModelKind::kActuator: {
+      const Actuators& table = tables.actuators;
+      const std::uint32_t row = tables.models.part[model];
+      if (!says.actuator) says.actuator.emplace();
+      says.actuator->start_position = table.position[row];
       return;
     }
     default:

@@ -2,7 +2,7 @@
 import type { Pose, Rgba } from '../scene';
 
 /** What a model is. */
-export type Kind = 'plain' | 'position' | 'ranger' | 'fiducial' | 'blobfinder' | 'bumper' | 'blinkenlight' | 'lightindicator' | 'gripper';
+export type Kind = 'plain' | 'position' | 'ranger' | 'fiducial' | 'blobfinder' | 'bumper' | 'blinkenlight' | 'lightindicator' | 'gripper' | 'actuator';
 
 /** What models of any kind may have. */
 export type Trait = 'pack';
@@ -13,6 +13,7 @@ export const kBits = {
   position: { stalled: 2, motor_on: 4 },
   blinkenlight: { lit: 2, enabled: 4 },
   lightindicator: { lit: 2 },
+  actuator: { stalled: 2, motor_on: 4, braked: 8 },
 } as const;
 
 /** A robot that drives in the plane. SI units and radians. */
@@ -64,6 +65,12 @@ export interface GripperView {
   contacts: number;
 }
 
+/** A joint that slides or turns, with what it carries. SI units and radians. */
+export interface ActuatorView {
+  position: number; // m or rad
+  velocity: number; // m/s or rad/s
+}
+
 /** A battery, from which a model draws, and what is inside it and has none of its own. SI units and radians. */
 export interface PackView {
   stored: number; // J
@@ -80,6 +87,7 @@ export interface Views {
   bumper: BumperView[];
   blinkenlight: BlinkenlightView;
   gripper: GripperView;
+  actuator: ActuatorView;
   pack: PackView;
 }
 
@@ -99,6 +107,7 @@ export const kViews: readonly ViewFormat[] = [
   { kind: 'bumper', list: true, fields: [['hit', 'zigzag', 1]] },
   { kind: 'blinkenlight', list: false, fields: [['period', 'varint', 0.001], ['dutycycle', 'varint', 0.001]] },
   { kind: 'gripper', list: false, fields: [['paddles', 'varint', 0.001], ['closing', 'zigzag', 1], ['lift', 'varint', 0.001], ['rising', 'zigzag', 1], ['held', 'zigzag', 1], ['beams', 'varint', 1], ['contacts', 'varint', 1]] },
+  { kind: 'actuator', list: false, fields: [['position', 'zigzag', 0.001], ['velocity', 'zigzag', 0.001]] },
   { kind: 'pack', list: false, fields: [['stored', 'zigzag', 1], ['capacity', 'zigzag', 1], ['watts', 'zigzag', 0.001], ['charging', 'varint', 1]] },
 ];
 
@@ -123,5 +132,9 @@ export interface KindStart {
   bpose?: Pose[]; // m, m, m, rad
   blength?: number[]; // m
   paddle?: [number, number, number];
+  joint?: 'linear' | 'rotational';
+  lowest?: number; // m or rad
+  highest?: number; // m or rad
+  axis?: [number, number, number]; // 1
   traits?: Trait[];
 }

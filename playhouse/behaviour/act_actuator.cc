@@ -1,0 +1,57 @@
+/// Actuators: turns the command of each into a velocity along its axis, within its speed and its ends.
+
+#include <algorithm>
+#include <cmath>
+
+#include "playhouse/behaviour/approach.h"
+#include "playhouse/behaviour/generated/acts.h"
+
+namespace playhouse::behaviour {
+namespace {
+
+constexpr double kNear = 1e-3;  // m or rad; what is left of a way is made in one tick, so that it ends
+constexpr double kRest = 1e-9;  // m or rad; less is no way
+
+double towards(double error, double limit, double dt) {
+  if (std::fabs(error) > kNear) return approach(error, limit, dt);
+  return std::clamp(error / dt, -limit, limit);
+}
+
+/// The velocity that does not go beyond an end within one tick.
+double before_the_ends(const scene::ActuatorDesc& desc, double position, double velocity, double dt) {
+  if (velocity > 0) return std::min(velocity, std::max(0.0, (desc.max_position - position) / dt));
+  return std::max(velocity, std::min(0.0, (desc.min_position - position) / dt));
+}
+
+double velocity_of(const world::World& world, std::size_t row) {
+  const world::Actuators& actuators = world.actuators;
+  const world::ModelRow model = actuators.model[row];
+  const bool is_free = actuators.motor_on[row] && !actuators.braked[row];
+  if (world.models.subscribers[model.index] == 0 || !is_free) return 0;
+  const scene::ActuatorDesc& desc = *world.desc(model).actuator;
+  const double dt = world.scene().interval, position = actuators.position[row];
+  const double wanted =
+      actuators.mode[row] == world::ControlMode::kPosition
+          ? towards(actuators.goal[row] - position, std::clamp(actuators.speed[row], 0.0, desc.max_speed), dt)
+          : std::clamp(actuators.command[row], -desc.max_speed, desc.max_speed);
+  const double velocity = before_the_ends(desc, position, wanted, dt);
+  return std::fabs(velocity) * dt < kRest ? 0 : velocity;
+}
+
+/// Writes actuators.velocity. Those that nobody subscribed, that are braked or without power stand still.
+class ActuatorAct final : public ActPhase {
+ public:
+  void act(world::World& world, world::Workers& workers) override {
+    workers.run(world.actuators.size(), 256, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t row = begin; row < end; ++row) world.actuators.velocity[row] = velocity_of(world, row);
+    });
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<ActPhase> make_actuator_act() {
+  return std::make_unique<ActuatorAct>();
+}
+
+}  // namespace playhouse::behaviour
