@@ -28,7 +28,7 @@ def state(message) -> tuple:
 
 class Actuators(HouseTest):
     def connect(self, world=None):
-        house = self.run_house("--fast", world=world or self.world(WORLD))
+        house = self.run_house("--speed", 20, world=world or self.world(WORLD))
         self.addCleanup(house.__exit__)
         self.client = Client(house.port())
         self.addCleanup(self.client.close)

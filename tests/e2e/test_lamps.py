@@ -23,7 +23,7 @@ def state(message) -> tuple:
 
 class Lamps(HouseTest):
     def open(self, index: int) -> Client:
-        house = self.run_house("--fast", world=self.world(WORLD))
+        house = self.run_house("--speed", 20, world=self.world(WORLD))
         self.addCleanup(house.__exit__)
         client = Client(house.port())
         self.addCleanup(client.close)

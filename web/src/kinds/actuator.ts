@@ -6,7 +6,7 @@ import { degrees, metres } from '../ui/texts';
 import { Painted } from '../view/painted';
 import type { Drawing, KindPage, PanelTools, Stage } from './kind_page';
 
-export default { kind: 'actuator', panel, drawing: (stage) => new Ways(stage) } satisfies KindPage;
+export default { kind: 'actuator', panel, drawings: (stage) => [new Ways(stage)] } satisfies KindPage;
 
 const kWay = new Color(0xe8590c);
 const kTurn = Math.PI / 32; // between two corners of an arc
