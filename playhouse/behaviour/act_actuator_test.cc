@@ -19,8 +19,8 @@ class Slide : public ::testing::Test {
   }
   double velocity() const { return world.actuators.velocity[0]; }
   double position() const { return world.actuators.position[0]; }
-  void go_to(double position) { EXPECT_TRUE(world::command_position(world, kRow, position)); }
-  void move_at(double velocity) { EXPECT_TRUE(world::command_velocity(world, kRow, velocity)); }
+  void go_to(double position) { EXPECT_TRUE(world::command_joint_position(world, kRow, position)); }
+  void move_at(double velocity) { EXPECT_TRUE(world::command_joint_velocity(world, kRow, velocity)); }
 
   static constexpr world::ActuatorRow kRow{0};
 
@@ -103,8 +103,8 @@ TEST_F(Slide, stands_still_without_power_or_with_brakes_or_when_nobody_has_it_op
 }
 
 TEST_F(Slide, refuses_what_is_no_number) {
-  EXPECT_FALSE(world::command_velocity(world, kRow, std::nan("")));
-  EXPECT_FALSE(world::command_position(world, kRow, std::numeric_limits<double>::infinity()));
+  EXPECT_FALSE(world::command_joint_velocity(world, kRow, std::nan("")));
+  EXPECT_FALSE(world::command_joint_position(world, kRow, std::numeric_limits<double>::infinity()));
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ class Running {
     for (int k = 0; k < ticks; ++k) engine_->step();
   }
   void set_speed(double speed, std::uint32_t actuator = 0) {
-    EXPECT_TRUE(world::command_velocity(world(), world::ActuatorRow{actuator}, speed));
+    EXPECT_TRUE(world::command_joint_velocity(world(), world::ActuatorRow{actuator}, speed));
   }
 
  private:
@@ -168,7 +168,7 @@ TEST(Actuator, is_in_the_way_of_robots_and_they_in_its) {
   run.set_speed(0.4);
   run.step(5);
   EXPECT_TRUE(run.stalls());
-  EXPECT_TRUE(world::command_velocity(run.world(), world::PositionRow{0}, {-0.5, 0, 0, 0}));
+  EXPECT_TRUE(world::command_velocity(run.world(), {0}, {-0.5, 0, 0, 0}));
   run.step(5);
   EXPECT_FALSE(run.stalls());
   EXPECT_EQ(run.world().positions.stall[0], 0);
@@ -216,7 +216,7 @@ TEST(Actuator, does_not_come_down_on_what_is_beneath) {
   EXPECT_TRUE(run.stalls());
   EXPECT_NEAR(run.X_WM(0).z, 0.52, 0.021);
   EXPECT_GE(run.X_WM(0).z, 0.5);
-  EXPECT_TRUE(world::command_velocity(run.world(), world::PositionRow{0}, {0.5, 0, 0, 0}));
+  EXPECT_TRUE(world::command_velocity(run.world(), {0}, {0.5, 0, 0, 0}));
   run.step(20);
   EXPECT_EQ(run.world().positions.stall[0], 0);
   EXPECT_LT(run.X_WM(0).z, 0.4);
@@ -353,9 +353,9 @@ void command_all(World& world, std::uint64_t seed) {
     Rng rng(seed, world.tick(), {Purpose::kTestScene, row});
     const double number = rng.uniform(-1, 1);
     if (row % 2 == 0) {
-      EXPECT_TRUE(world::command_velocity(world, world::ActuatorRow{row}, number));
+      EXPECT_TRUE(world::command_joint_velocity(world, world::ActuatorRow{row}, number));
     } else {
-      EXPECT_TRUE(world::command_position(world, world::ActuatorRow{row}, number));
+      EXPECT_TRUE(world::command_joint_position(world, world::ActuatorRow{row}, number));
     }
   }
 }

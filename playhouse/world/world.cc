@@ -401,14 +401,14 @@ void return_to_start(World& world) {
   world.models.X_WM = start.models.X_WM;
 }
 
-bool command_velocity(World& world, ActuatorRow actuator, double velocity) {
+bool command_joint_velocity(World& world, ActuatorRow actuator, double velocity) {
   if (!std::isfinite(velocity)) return false;
   world.actuators.mode[actuator.index] = ControlMode::kVelocity;
   world.actuators.command[actuator.index] = velocity;
   return true;
 }
 
-bool command_position(World& world, ActuatorRow actuator, double position) {
+bool command_joint_position(World& world, ActuatorRow actuator, double position) {
   if (!std::isfinite(position)) return false;
   const scene::ActuatorDesc& desc = *world.desc(world.actuators.model[actuator.index]).actuator;
   world.actuators.mode[actuator.index] = ControlMode::kPosition;

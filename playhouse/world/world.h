@@ -187,10 +187,10 @@ void set_say(World& world, ModelRow model, std::string_view text);
 void add_flags(World& world, ModelRow model, std::int64_t flags);
 /// An actuator's velocity along its axis, from the next tick on; its speed and its ends limit it. False, and
 /// nothing changes, if it is not finite. [m/s or rad/s]
-bool command_velocity(World& world, ActuatorRow actuator, double velocity);
+bool command_joint_velocity(World& world, ActuatorRow actuator, double velocity);
 /// Where an actuator goes: the nearest position that it can have. False, and nothing changes, if it is not
 /// finite. [m or rad]
-bool command_position(World& world, ActuatorRow actuator, double position);
+bool command_joint_position(World& world, ActuatorRow actuator, double position);
 /// Sensors measure and robots move only while subscribed (or alwayson). Calls are counted.
 void subscribe(World& world, ModelRow model);
 /// The same for a controller, which stays: from then on what the sensor measures is part of hash().

@@ -154,14 +154,14 @@ class Actarray final : public SimulatedDevice {
     if (!std::isfinite(position)) return {};
     return [id = model(), position](world::World& world) {
       if (const world::ModelRow model = world.row(id))
-        world::command_position(world, world::ActuatorRow{world.models.part[model.index]}, position);
+        world::command_joint_position(world, world::ActuatorRow{world.models.part[model.index]}, position);
     };
   }
   Change move_at(double velocity) const {
     if (!std::isfinite(velocity)) return {};
     return [id = model(), velocity](world::World& world) {
       if (const world::ModelRow model = world.row(id))
-        world::command_velocity(world, world::ActuatorRow{world.models.part[model.index]}, velocity);
+        world::command_joint_velocity(world, world::ActuatorRow{world.models.part[model.index]}, velocity);
     };
   }
 
