@@ -58,8 +58,8 @@ class World : public Tables {
 
   /// Hash of what robots do: of every column that a later tick depends on, what controllers sense and
   /// remember, and the tick. What is only measured for people and clients is no part of it: whoever watches
-  /// changes nothing but what that draws from batteries. A sum over models, so that neither their order nor
-  /// who computed them matters.
+  /// changes nothing but what models do while somebody subscribes: they draw from batteries, and grippers may
+  /// act by themselves. A sum over models, so that neither their order nor who computed them matters.
   std::uint64_t hash() const;
   /// Hash of what all sensors measured, and of who had them measure.
   std::uint64_t sensed_hash() const;
