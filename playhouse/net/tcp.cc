@@ -1,5 +1,7 @@
 // TCP behind Connection: one gathered write at a time, and an end that takes nothing back.
 
+#include <algorithm>
+#include <array>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
@@ -20,6 +22,7 @@ namespace asio = boost::asio;
 using asio::ip::tcp;
 using boost::system::error_code;
 
+constexpr std::size_t kGathered = 64;  // parts in one call, which are as many as asio gives the system
 constexpr std::chrono::seconds kFlushTime{5};   // a closing connection may use this long to send the rest
 constexpr std::chrono::seconds kLingerTime{1};  // and then its peer this long to end
 
@@ -103,9 +106,7 @@ class TcpStream : public std::enable_shared_from_this<TcpStream> {
   void write_queued() {
     writing_ = std::move(queued_);
     queued_.clear();
-    buffers_.clear();
-    for (const SharedBytes& part : writing_) buffers_.emplace_back(part->data(), part->size());
-    next_buffer_ = 0;
+    next_part_ = next_byte_ = 0;
     write();
   }
 
@@ -113,21 +114,19 @@ class TcpStream : public std::enable_shared_from_this<TcpStream> {
   // there behind whatever else is to be done.
   void write() {
     error_code error;
-    while (next_buffer_ < buffers_.size() && !error)
-      skip(socket_.write_some(std::span(std::as_const(buffers_)).subspan(next_buffer_), error));
+    while (next_part_ < writing_.size() && !error) write_some(error);
     if (error && !is_end(error)) return wait_for_room();
     asio::post(socket_.get_executor(), [self = shared_from_this(), error] { self->written(error); });
   }
 
-  void skip(std::size_t bytes) {
-    for (; next_buffer_ < buffers_.size(); ++next_buffer_) {
-      asio::const_buffer& buffer = buffers_[next_buffer_];
-      if (bytes < buffer.size()) {
-        buffer += bytes;
-        return;
-      }
-      bytes -= buffer.size();
-    }
+  void write_some(error_code& error) {
+    std::array<asio::const_buffer, kGathered> buffers;
+    const std::size_t count = std::min(kGathered, writing_.size() - next_part_);
+    for (std::size_t i = 0; i < count; ++i) buffers[i] = asio::buffer(*writing_[next_part_ + i]);
+    buffers[0] += next_byte_;
+    next_byte_ += socket_.write_some(std::span<const asio::const_buffer>(buffers.data(), count), error);
+    while (next_part_ < writing_.size() && next_byte_ >= writing_[next_part_]->size())
+      next_byte_ -= writing_[next_part_++]->size();
   }
 
   void wait_for_room() {
@@ -185,8 +184,7 @@ class TcpStream : public std::enable_shared_from_this<TcpStream> {
   asio::steady_timer end_timer_;  // once the owner has let it go
   ConnectionEvents* events_ = nullptr;
   std::vector<SharedBytes> writing_, queued_;
-  std::vector<asio::const_buffer> buffers_;  // of writing_
-  std::size_t next_buffer_ = 0;              // the first that the system has not taken whole
+  std::size_t next_part_ = 0, next_byte_ = 0;  // of writing_, that the system has not taken
   std::size_t in_flight_bytes_ = 0;
   std::optional<IoLoop::Impl::Lingering::iterator> lingering_;  // once everything is sent
   bool waiting_ = false, paused_ = false, read_to_end_ = false, closing_ = false, peer_lost_ = false;
