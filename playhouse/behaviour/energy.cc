@@ -59,7 +59,7 @@ void Energy::find_givers(const world::World& world, std::span<const world::PackR
 }
 
 double Energy::drawn_by(const world::World& world, const Load& load) const {
-  if (world.models.subscribers[load.model] == 0) return 0;
+  if (!world::is_used(world, {load.model})) return 0;
   if (load.position == world::PositionRow::kNone) return load.watts;
   return load.watts + load.watts_per_speed * speed_of(world.positions.velocity[load.position]);
 }
@@ -80,8 +80,7 @@ void Energy::drain(world::World& world, std::size_t pack) const {
 
 bool Energy::gives(const world::World& world, const Giver& giver) {
   const std::uint32_t pack = giver.pack.index;
-  return world.models.subscribers[giver.model.index] > 0 && world.packs.gives[pack] != 0 &&
-         world.packs.stored[pack] != 0;
+  return world::is_used(world, giver.model) && world.packs.gives[pack] != 0 && world.packs.stored[pack] != 0;
 }
 
 void Energy::charge(world::World& world, const Giver& giver, std::span<const std::uint32_t> takers) {

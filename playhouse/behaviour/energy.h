@@ -1,7 +1,7 @@
 #pragma once
 
-/// Energy: the phase in which models draw from batteries. A subscribed model draws what its kind or its words
-/// say from its own battery, else from that of the nearest model around it; robots draw more while they
+/// Energy: the phase in which models draw from batteries. A model that is used draws what its kind or its
+/// words say from its own battery, else from that of the nearest model around it; robots draw more while they
 /// drive. What a battery has not got is not drawn, and nothing stops for it. Then models charge those that
 /// touch them, in the order of the models; who does is for the engine to say. A tick costs nothing where no
 /// model has a battery. Thread: the tick thread.

@@ -65,6 +65,20 @@ TEST_F(EnergyTest, flows_to_models_that_somebody_subscribed) {
   EXPECT_DOUBLE_EQ(packs_.stored[1], 10);
 }
 
+TEST_F(EnergyTest, is_not_drawn_for_who_only_watches) {
+  world::watch(world_, {kScanner});
+  tick();
+  EXPECT_EQ(packs_.watts[0], 0);
+  subscribe(kScanner);
+  tick();
+  EXPECT_DOUBLE_EQ(packs_.watts[0], 0.4) << "whoever watches as well";
+  world::unsubscribe(world_, {kScanner});
+  tick();
+  EXPECT_EQ(packs_.watts[0], 0);
+  world::unwatch(world_, {kScanner});
+  EXPECT_EQ(world_.models.subscribers[kScanner], 0u);
+}
+
 TEST_F(EnergyTest, is_drawn_by_a_robot_as_fast_as_it_drives) {
   subscribe(kRobot);
   tick();

@@ -74,16 +74,16 @@ std::string machine_name() {
   return gethostname(name, sizeof name - 1) == 0 ? name : "";
 }
 
-/// Models that a selection lets measure: those that did when it was made, so that each is let go again.
+/// Sensors that a selection lets measure: those that did when it was made, so that each is let go again.
 using Measuring = std::vector<world::Use>;
 
-void subscribe_measuring(world::World& world, const world::Control& control, world::ModelId robot,
-                         Measuring& measuring) {
+void watch_sensors(world::World& world, const world::Control& control, world::ModelId robot,
+                   Measuring& measuring) {
   const world::ModelRow top = world.row(robot);
   if (!top) return;
   for (std::uint32_t row = 0; row < world.models.size(); ++row) {
-    if (world.models.root[row] != top.index || !replicate::measures(world.models.kind[row])) continue;
-    measuring.emplace_back().begin(world, control, world.id({row}));
+    if (world.models.root[row] != top.index || !replicate::only_measures(world.models.kind[row])) continue;
+    measuring.emplace_back().watch(world, control, world.id({row}));
   }
 }
 
@@ -522,7 +522,7 @@ class WebServer::Impl final : public net::HttpService,
   bool subscribe(world::ModelId robot) {
     auto models = std::make_shared<Measuring>();  // the tick thread's once it is posted
     const bool posted = control_.post([robot, models, &control = control_](world::World& world) {
-      subscribe_measuring(world, control, robot, *models);
+      watch_sensors(world, control, robot, *models);
     });
     if (!posted) return false;
     subscribed_[robot] = std::move(models);

@@ -477,6 +477,7 @@ TEST_F(WebServerTest, the_sensors_of_a_selected_robot_measure_until_its_viewer_l
     ASSERT_TRUE(viewer.upgrade());
     viewer.send_text("{\"do\":\"select\",\"model\":" + std::to_string(SmallWorld::robot(1)) + "}");
     EXPECT_TRUE(turn_until([&] { return subscribers() == 1; }));
+    EXPECT_FALSE(world::is_used(small_.world, {SmallWorld::robot(1) + 1})) << "looking is no use";
     EXPECT_EQ(small_.world.models.subscribers[SmallWorld::robot(1)], 0u) << "its wheels are not touched";
     EXPECT_EQ(small_.world.models.subscribers[SmallWorld::robot(0) + 1], 0u);
   }

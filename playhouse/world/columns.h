@@ -75,6 +75,7 @@ inline constexpr auto kColumns<Models> = std::tuple{
     Column{"models.mobility", Role::kDerived, "", "", "attach, detach", &Models::mobility},
     Column{"models.subscribers", Role::kUse, "", "", "subscribe, unsubscribe", &Models::subscribers},
     Column{"models.controllers", Role::kUse, "", "", "subscribe_controller", &Models::controllers},
+    Column{"models.watchers", Role::kUse, "", "", "watch, unwatch", &Models::watchers},
     Column{"models.fiducial_return", Role::kMark, "", "", "set_fiducial_return", &Models::fiducial_return},
     Column{"models.flags", Role::kMark, "", "", "add_flags", &Models::flags},
     Column{"models.color", Role::kMark, "", "", "set_color", &Models::color},

@@ -54,28 +54,36 @@ class Control {
   virtual std::uint64_t life(ModelId model) const = 0;
 };
 
-/// One subscription of a model, which ends with the model, also where that comes back. Tick thread.
+/// One subscription of a model, which ends with the model, also where that comes back; or that of somebody
+/// who watches it. Tick thread.
 class Use {
  public:
   /// Does nothing if there is no such model.
-  void begin(World& world, const Control& control, ModelId model) {
-    const ModelRow row = world.row(model);
-    if (!row) return;
-    subscribe(world, row);
-    model_ = model;
-    life_ = control.life(model);
+  void begin(World& world, const Control& control, ModelId model) { begin(world, control, model, subscribe); }
+  void watch(World& world, const Control& control, ModelId model) {
+    begin(world, control, model, world::watch);
+    watches_ = true;
   }
   /// The model; none if it has gone, or the use never began.
   ModelRow end(World& world, const Control& control) {
     const ModelRow row = life_ && *life_ == control.life(model_) ? world.row(model_) : ModelRow{};
     life_.reset();
-    if (row) unsubscribe(world, row);
+    if (row) watches_ ? unwatch(world, row) : unsubscribe(world, row);
     return row;
   }
 
  private:
+  void begin(World& world, const Control& control, ModelId model, void (&join)(World&, ModelRow)) {
+    const ModelRow row = world.row(model);
+    if (!row) return;
+    join(world, row);
+    model_ = model;
+    life_ = control.life(model);
+  }
+
   ModelId model_;
   std::optional<std::uint64_t> life_;  // in which it began; none: it has not
+  bool watches_ = false;
 };
 
 }  // namespace playhouse::world

@@ -34,6 +34,7 @@ struct Models {
   std::vector<Mobility> mobility;             // how it comes to move
   std::vector<std::uint32_t> subscribers;     // open devices and controllers, and one for alwayson
   std::vector<std::uint32_t> controllers;     // of the subscribers
+  std::vector<std::uint32_t> watchers;        // of the subscribers: people who look
   std::vector<std::int32_t> fiducial_return;  // 0: unseen
   std::vector<std::int32_t> flags;            // tokens carried (source, sink)
   SharedColumn<scene::Color> color{desc};

@@ -170,6 +170,7 @@ ModelRow Population::append(ModelId id, std::uint32_t desc_row, ModelRow parent,
   models.mobility.push_back(Mobility::kFixed);
   models.subscribers.push_back(desc.alwayson ? 1 : 0);
   models.controllers.push_back(0);
+  models.watchers.push_back(0);
   models.fiducial_return.push_back(desc.fiducial_return);
   models.flags.push_back(0);
   // What phases write, on any number of workers and without memory for it.

@@ -180,20 +180,24 @@ Result<void> check(const Census& census, std::uint32_t next_id, const scene::Sce
 
 /// Subscribers of models that the new state has as well.
 class KeptUsers {
+  template <typename Of>
+  static auto users_of(Of& models, std::uint32_t row) {
+    return std::tie(models.subscribers[row], models.controllers[row], models.watchers[row]);
+  }
+
  public:
   explicit KeptUsers(const Models& models) {
-    for (std::uint32_t row = 0; row < models.size(); ++row)
-      users_[models.id[row]] = {models.subscribers[row], models.controllers[row]};
+    for (std::uint32_t row = 0; row < models.size(); ++row) users_[models.id[row]] = users_of(models, row);
   }
   void give_back(Models& models) const {
     for (std::uint32_t row = 0; row < models.size(); ++row) {
       const auto kept = users_.find(models.id[row]);
-      if (kept != users_.end()) std::tie(models.subscribers[row], models.controllers[row]) = kept->second;
+      if (kept != users_.end()) users_of(models, row) = kept->second;
     }
   }
 
  private:
-  std::map<ModelId, std::pair<std::uint32_t, std::uint32_t>> users_;
+  std::map<ModelId, std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> users_;
 };
 
 class Loader {

@@ -445,6 +445,21 @@ void subscribe_controller(World& world, ModelRow model) {
   ++world.models.controllers[model.index];
 }
 
+void watch(World& world, ModelRow model) {
+  subscribe(world, model);
+  ++world.models.watchers[model.index];
+}
+
+void unwatch(World& world, ModelRow model) {
+  PLAYHOUSE_ASSERT(world.models.watchers[model.index] > 0);
+  --world.models.watchers[model.index];
+  unsubscribe(world, model);
+}
+
+bool is_used(const World& world, ModelRow model) {
+  return world.models.subscribers[model.index] > world.models.watchers[model.index];
+}
+
 void unsubscribe(World& world, ModelRow model) {
   std::uint32_t& subscribers = world.models.subscribers[model.index];
   PLAYHOUSE_ASSERT(subscribers > 0);

@@ -58,8 +58,7 @@ class World : public Tables {
 
   /// Hash of what robots do: of every column that a later tick depends on, what controllers sense and
   /// remember, and the tick. What is only measured for people and clients is no part of it: whoever watches
-  /// changes nothing but what models do while somebody subscribes: they draw from batteries, and grippers may
-  /// act by themselves. A sum over models, so that neither their order nor who computed them matters.
+  /// changes nothing. A sum over models, so that neither their order nor who computed them matters.
   std::uint64_t hash() const;
   /// Hash of what all sensors measured, and of who had them measure.
   std::uint64_t sensed_hash() const;
@@ -197,5 +196,11 @@ void subscribe(World& world, ModelRow model);
 void subscribe_controller(World& world, ModelRow model);
 /// The last unsubscribe of a robot or an actuator stops it: its command and velocity become zero.
 void unsubscribe(World& world, ModelRow model);
+/// Subscribes for somebody who only looks, at a model that does nothing but measure: it draws nothing from
+/// batteries for that, so that whoever watches changes nothing.
+void watch(World& world, ModelRow model);
+void unwatch(World& world, ModelRow model);
+/// Somebody other than watchers has subscribed it.
+bool is_used(const World& world, ModelRow model);
 
 }  // namespace playhouse::world

@@ -24,10 +24,12 @@ after(async () => {
   await program?.stop();
 });
 
-test('a gripper is told as it stands, and what it feels once it is selected', async () => {
+test('a gripper is told as it stands, and what it feels while somebody uses it, which to look at it is not', async () => {
   await chooseRobot(page, 'r0');
-  await page.waitForFunction(() => document.querySelector('[data-testid=beams]')?.textContent === 'none');
-  assert.deepEqual(await Promise.all(['paddles', 'lift', 'holds', 'contacts'].map(told)), ['open', 'down', 'nothing', 'none']);
+  await page.waitForFunction(() => document.querySelector('[data-testid=paddles]')?.textContent === 'open');
+  assert.deepEqual(await Promise.all(['lift', 'holds', 'beams', 'contacts'].map(told)), ['down', 'nothing', 'nobody uses it', 'nobody uses it']);
+  await chooseRobot(page, 'collector');
+  await page.waitForFunction(() => ['none', 'inner', 'outer', 'inner, outer'].includes(document.querySelector('[data-testid=beams]').textContent));
 });
 
 test('a puck that was taken up is named, and stays where the robot is removed', async () => {

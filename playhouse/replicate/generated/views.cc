@@ -169,13 +169,12 @@ std::uint8_t state_bits(const world::World& world, std::uint32_t model) {
   return static_cast<std::uint8_t>(bits);
 }
 
-bool measures(scene::ModelKind kind) {
+bool only_measures(scene::ModelKind kind) {
   switch (kind) {
     case scene::ModelKind::kRanger:
     case scene::ModelKind::kFiducial:
     case scene::ModelKind::kBlobfinder:
     case scene::ModelKind::kBumper:
-    case scene::ModelKind::kGripper:
       return true;
     default:
       return false;

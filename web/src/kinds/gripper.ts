@@ -142,7 +142,7 @@ function panel(model: Model, { replica, row, line, codes }: PanelTools): Node[] 
     return now ? text(now) : '–';
   };
   const measured = (text: (now: GripperView) => string) =>
-    told((now) => (replica().state[row(model.id)] & kSubscribed ? text(now) : 'no data yet'));
+    told((now) => (replica().state[row(model.id)] & kSubscribed ? text(now) : 'nobody uses it'));
   const nameOf = (id: number) => replica().scene.models[replica().rows.get(id) ?? -1]?.name ?? 'nothing';
   return [
     el('h3', {}, 'Gripper', ...codes(model)),
