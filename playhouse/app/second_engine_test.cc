@@ -9,24 +9,29 @@
 #include "playhouse/app/service.h"
 #include "playhouse/behaviour/testing/spring_engine.h"
 #include "playhouse/drivers/testing/still_engine.h"
+#include "playhouse/replicate/quantize.h"
 #include "playhouse/replicate/viewer.h"
 #include "playhouse/world/population.h"
 #include "playhouse/world/state.h"
 #include "playhouse_client/laser.h"
 #include "playhouse_client/position2d.h"
+#include "playhouse_client/simulation.h"
 
 namespace playhouse {
 namespace {
 
 using behaviour::testing::SpringEngine;
 
-// A robot that clients drive, one that a controller drives, something loose and something that stands still.
+// A robot that clients drive, one that a controller drives, two loose things, of which one has a mark on
+// top, and something that stands still.
 constexpr const char* kWorld = R"(
 interval_sim 100
 define rover position( size [0.4 0.4 0.3] ranger( sensor( samples 9 fov 90 range [0 8] ) ) )
 rover( name "guest" pose [0 0 0 0] )
 rover( name "wanderer" pose [-5 3 0 0] ctrl "wander" )
 model( name "puck" pose [3 0 0 0] size [0.2 0.2 0.2] gripper_return 1 )
+model( name "ball" pose [6 0 0 0] size [0.2 0.2 0.2] gripper_return 1
+  model( name "mark" pose [0.1 0 0 0] size [0.01 0.01 0.01] ) )
 model( name "post" pose [-3 0 0 0] size [0.2 0.2 0.2] )
 )";
 
@@ -42,6 +47,8 @@ std::unique_ptr<world::Engine> springs_with_controllers(const scene::SceneDesc& 
   EXPECT_TRUE(engine);
   return std::move(*engine);
 }
+
+constexpr client::Pose3d kLeaning{-3, 0, 0.5, 0.3, -0.2, 1};
 
 double x_of(const world::World& world, std::string_view name) {
   return world.models.X_WM[world.find(name).index].x;
@@ -60,6 +67,23 @@ TEST(SecondEngine, moves_bodies_its_own_way_and_robots_by_the_shared_drive_model
   EXPECT_EQ(x_of(world, "post"), -3);
   EXPECT_NE(x_of(world, "wanderer"), -5);
   EXPECT_GT(engine->rays(), 0u);
+}
+
+TEST(SecondEngine, rolls_what_is_loose_with_all_its_parts) {
+  const scene::SceneDesc scene = drivers::testing::scene_of(kWorld);
+  const auto engine = springs_with_controllers(scene, 1);
+  const world::World& world = engine->world();
+  for (int tick = 0; tick < 5; ++tick) engine->step();
+  const double angle = SpringEngine::kSwing / 0.1;
+  const world::ModelRow ball = world.find("ball");
+  const geom::SpatialPose X_WM = world::pose_in_world(world.models, ball);
+  EXPECT_NEAR(X_WM.tilt.y, angle, 1e-12);
+  EXPECT_NEAR(X_WM.X.a, 0, 1e-12);
+  ASSERT_FALSE(world.children(ball).empty());
+  const geom::Pose& mark = world.models.X_WM[*world.children(ball).begin()];
+  EXPECT_NEAR(mark.x, 6 + SpringEngine::kSwing + 0.1 * std::cos(angle) + 0.2 * std::sin(angle), 1e-12);
+  EXPECT_NEAR(mark.z, 0.2 * std::cos(angle) - 0.1 * std::sin(angle), 1e-12) << "it has gone under";
+  EXPECT_EQ(world.models.tilt_WM[world.find("guest").index], geom::Tilt{});
 }
 
 TEST(SecondEngine, hears_of_changes_saves_and_goes_on_to_the_same_hash_with_any_number_of_workers) {
@@ -114,6 +138,8 @@ class Watcher {
   }
   /// Where it sees a model. [mm]
   std::int32_t x_of(std::uint32_t row) const { return seen_->models[row].x; }
+  /// How far it sees it rolled. [1/65536 turn]
+  std::uint16_t tilt_of(std::uint32_t row) const { return seen_->models[row].tilt_y; }
 
  private:
   std::optional<replicate::Prototypes> prototypes_;
@@ -148,13 +174,28 @@ TEST(SecondEngine, serves_clients_and_viewers_as_the_first_does) {
       if (const auto read = client->read(); !read) return read.error();
     return laser->scan()->ranges[4];
   };
+  const auto lean_the_post = [&]() -> Result<client::Pose3d> {
+    Result<client::Client> client = client::Client::connect("127.0.0.1", port);
+    if (!client) return client.error();
+    Result<client::Simulation> simulation = client::Simulation::open(*client, 0);
+    if (!simulation) return simulation.error();
+    if (const auto set = simulation->set_pose3d("post", kLeaning); !set) return set.error();
+    return simulation->pose3d("post");
+  };
+  Result<client::Pose3d> leaning = Error{{}, "nobody asked"};
   Result<double> ahead = Error{{}, "nobody drove"};
   std::thread program([&] {
+    leaning = lean_the_post();
     ahead = drive_towards_the_puck();
     service.stop();
   });
   service.run();
   program.join();
+  ASSERT_TRUE(leaning) << leaning.error().line();
+  EXPECT_NEAR(leaning->z, kLeaning.z, 1e-12);
+  EXPECT_NEAR(leaning->roll, kLeaning.roll, 1e-12);
+  EXPECT_NEAR(leaning->pitch, kLeaning.pitch, 1e-12);
+  EXPECT_NEAR(leaning->yaw, kLeaning.yaw, 1e-12);
   ASSERT_TRUE(ahead) << ahead.error().line();
   EXPECT_GT(*ahead, 0.3);
   EXPECT_LT(*ahead, 1.2) << "the puck swings between 2.65 and 3.15 m";
@@ -162,7 +203,9 @@ TEST(SecondEngine, serves_clients_and_viewers_as_the_first_does) {
   for (const char* name : {"guest", "puck", "wanderer"}) {
     const std::uint32_t row = world.find(name).index;
     EXPECT_EQ(watcher.x_of(row), std::lround(1000 * world.models.X_WM[row].x)) << name;
+    EXPECT_EQ(watcher.tilt_of(row), replicate::quantize_angle(world.models.tilt_WM[row].y)) << name;
   }
+  EXPECT_NE(watcher.tilt_of(world.find("puck").index), 0);
 }
 
 }  // namespace

@@ -2,8 +2,11 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <limits>
 
+#include "playhouse/geom/orientation.h"
 #include "playhouse/geom/pose.h"
 #include "playhouse/geom/trig.h"
 
@@ -59,6 +62,104 @@ TEST(Pose, a_point_ahead_of_a_robot_facing_left_is_to_the_left) {
   const Vec2 p = transform({1, 1, 0, kPi / 2}, {2, 0});
   EXPECT_NEAR(p.x, 1, 1e-12);
   EXPECT_NEAR(p.y, 3, 1e-12);
+}
+
+using Matrix = std::array<std::array<double, 3>, 3>;
+
+Matrix product(const Matrix& a, const Matrix& b) {
+  Matrix result{};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      for (int k = 0; k < 3; ++k) result[i][j] += a[i][k] * b[k][j];
+  return result;
+}
+
+/// About axis x, y or z.
+Matrix about(int axis, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  Matrix m{};
+  const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+  m[axis][axis] = 1;
+  m[i][i] = m[j][j] = c;
+  m[i][j] = -s;
+  m[j][i] = s;
+  return m;
+}
+
+Vec3 turned(const Matrix& m, const Vec3& v) {
+  return {m[0][0] * v.x + m[0][1] * v.y + m[0][2] * v.z, m[1][0] * v.x + m[1][1] * v.y + m[1][2] * v.z,
+          m[2][0] * v.x + m[2][1] * v.y + m[2][2] * v.z};
+}
+
+/// The matrix of a heading and a tilt: Rodrigues' formula for the tilt's axis, by turns about z.
+Matrix matrix_of(const SpatialPose& X) {
+  const double angle = std::hypot(X.tilt.x, X.tilt.y), axis = std::atan2(X.tilt.y, X.tilt.x);
+  return product(product(about(2, X.X.a + axis), about(0, angle)), about(2, -axis));
+}
+
+double distance(const Vec3& a, const Vec3& b) {
+  return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
+}
+
+rc::Gen<double> within(double most) {
+  return rc::gen::map(rc::gen::inRange(-100000, 100001), [most](int n) { return most * n / 100000; });
+}
+
+SpatialPose any_pose() {
+  const double axis = *within(kPi), angle = *within(kPi);
+  return {{*within(10), *within(10), *within(10), *within(kPi)},
+          {angle * std::cos(axis), angle * std::sin(axis)}};
+}
+
+// Oracle: products of rotation matrices by <cmath>.
+RC_GTEST_PROP(SpatialPose, composes_as_matrices_do, ()) {
+  const SpatialPose X_AB = any_pose(), X_BC = any_pose(), X_AC = compose(X_AB, X_BC);
+  RC_ASSERT(is_tilt(X_AC.tilt));
+  const Matrix R_AB = matrix_of(X_AB), R_AC = product(R_AB, matrix_of(X_BC)), found = matrix_of(X_AC);
+  for (const Vec3& v : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}})
+    RC_ASSERT(distance(turned(R_AC, v), turned(found, v)) < 1e-7);
+  const Vec3 p = turned(R_AB, {X_BC.X.x, X_BC.X.y, X_BC.X.z});
+  RC_ASSERT(distance({X_AB.X.x + p.x, X_AB.X.y + p.y, X_AB.X.z + p.z}, {X_AC.X.x, X_AC.X.y, X_AC.X.z}) <
+            1e-12);
+}
+
+RC_GTEST_PROP(SpatialPose, turns_about_fixed_axes_come_back, ()) {
+  const double roll = *within(kPi), pitch = *within(1.57), yaw = *within(kPi);
+  const SpatialPose X = spatial_pose({}, RollPitchYaw{roll, pitch, yaw});
+  const Matrix expected = product(product(about(2, yaw), about(1, pitch)), about(0, roll));
+  const Matrix found = matrix_of(X);
+  for (const Vec3& v : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}})
+    RC_ASSERT(distance(turned(expected, v), turned(found, v)) < 1e-7);
+  const RollPitchYaw back = roll_pitch_yaw(X.X.a, X.tilt);
+  const Matrix again = product(product(about(2, back.yaw), about(1, back.pitch)), about(0, back.roll));
+  for (const Vec3& v : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}})
+    RC_ASSERT(distance(turned(expected, v), turned(again, v)) < 1e-7);
+}
+
+RC_GTEST_PROP(SpatialPose, of_upright_bodies_is_their_pose_to_the_bit, ()) {
+  const SpatialPose X_AB{any_pose().X, {}}, X_BC{any_pose().X, {}};
+  RC_ASSERT(compose(X_AB, X_BC) == (SpatialPose{compose(X_AB.X, X_BC.X), {}}));
+  const RollPitchYaw turns = roll_pitch_yaw(X_AB.X.a, {});
+  RC_ASSERT(turns.roll == 0 && turns.pitch == 0 && turns.yaw == X_AB.X.a);
+}
+
+TEST(SpatialPose, rolls_over_its_head_without_turning_round) {
+  SpatialPose X;
+  for (int step = 1; step <= 40; ++step) {
+    X = spatial_pose({}, orientation(0, {0, 0.25}) * orientation(X.X.a, X.tilt));
+    ASSERT_NEAR(normalize(X.tilt.y - 0.25 * step), 0, 1e-12) << step;
+    ASSERT_NEAR(X.X.a, 0, 1e-12) << step;
+    ASSERT_NEAR(X.tilt.x, 0, 1e-12) << step;
+  }
+}
+
+TEST(SpatialPose, upside_down_is_a_tilt_and_what_goes_further_is_none) {
+  EXPECT_TRUE(is_tilt({0, -kPi}));
+  EXPECT_FALSE(is_tilt({3, 3}));
+  EXPECT_FALSE(is_tilt({std::nan(""), 0}));
+  EXPECT_FALSE(is_tilt({0, std::numeric_limits<double>::infinity()}));
+  const SpatialPose X = spatial_pose({}, RollPitchYaw{kPi, 0, 0});
+  EXPECT_NEAR(std::hypot(X.tilt.x, X.tilt.y), kPi, 1e-12);
 }
 
 }  // namespace

@@ -53,6 +53,7 @@ class PacketReader {
     if (mask & 8) turn(state.a);
     if (mask & 16) state.state = in_.u8();
     if (mask & 32) state.color = in_.u32();
+    if (mask & 128) state.tilt_x = in_.u16(), state.tilt_y = in_.u16();
   }
 
   void scan(std::uint8_t tag, std::uint32_t model) {

@@ -161,7 +161,8 @@ class PacketWriter {
     const ModelState& to = snapshot_.models[row];
     const int mask = (from.x != to.x ? 1 : 0) | (from.y != to.y ? 2 : 0) | (from.z != to.z ? 4 : 0) |
                      (from.a != to.a ? 8 : 0) | (from.state != to.state ? 16 : 0) |
-                     (from.color != to.color ? 32 : 0);
+                     (from.color != to.color ? 32 : 0) |
+                     (from.tilt_x != to.tilt_x || from.tilt_y != to.tilt_y ? 128 : 0);
     if (mask == 0) return;
     item(static_cast<unsigned>(mask), row);
     if (mask & 1) difference(from.x, to.x);
@@ -170,6 +171,7 @@ class PacketWriter {
     if (mask & 8) pack_.zigzag(turn_difference(from.a, to.a));
     if (mask & 16) pack_.u8(to.state);
     if (mask & 32) pack_.u32(to.color);
+    if (mask & 128) pack_.u16(to.tilt_x), pack_.u16(to.tilt_y);
     from = to;
   }
 

@@ -21,7 +21,7 @@
 ///   v: place in views(); values: of each of its codes in turn, and, where it is a list, varint n and n times
 ///   that the second form of scans and views: no data any more, nothing follows model fields, by mask bit: 1
 ///   x, 2 y, 4 z (zz difference, mm), 8 heading (zz difference mod 2^16),
-///                              16 u8 state, 32 u32 colour
+///                              16 u8 state, 32 u32 colour, 128 u16 tilt x, u16 tilt y
 ///   codes: varint, zz, u16 turn, u32 colour
 ///
 /// Frames of one viewer count from 1. A scan has as many beams as the scene says its sensor has.

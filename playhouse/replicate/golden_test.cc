@@ -32,8 +32,8 @@ std::string held(const Replica& replica) {
   std::string models, scans, views_text;
   for (std::size_t row = 0; row < replica.models.size(); ++row) {
     const ModelState& m = replica.models[row];
-    models += fmt::format("{}\"{}\":[{},{},{},{},{},{}]", models.empty() ? "" : ",", layout.id[row].value,
-                          m.x, m.y, m.z, m.a, m.state, m.color);
+    models += fmt::format("{}\"{}\":[{},{},{},{},{},{},{},{}]", models.empty() ? "" : ",",
+                          layout.id[row].value, m.x, m.y, m.z, m.a, m.state, m.color, m.tilt_x, m.tilt_y);
   }
   for (std::size_t row = 0; row < replica.scans.size(); ++row) {
     if (replica.scans[row].empty()) continue;
@@ -61,6 +61,7 @@ std::vector<std::string> small_devices(world::ModelId model) {
 /// goes, another one and a puck come, and a robot takes the puck along.
 std::string make_golden() {
   SmallWorld small(3);
+  small.world.upright = false;
   auto layout = small.layout(small_devices);
   const std::string scene = scene_text(small.world.scene(), small.prototypes, *layout);
   for (std::uint32_t row = 0; row < small.world.models.size(); ++row) world::subscribe(small.world, {row});
@@ -81,7 +82,10 @@ std::string make_golden() {
     if (frame == 8) puck = *world::spawn(small.world, small.puck(), {1, 1, 0, 0}, "load");
     if (frame == 9) EXPECT_TRUE(world::attach(small.world, puck, SmallWorld::id(1), {0.3, 0, 0.1, 0}).ok());
     if (frame != 4) small.tick();
-    if (frame == 6) world::set_pose(small.world, {SmallWorld::robot(2)}, {-2000.5, 300000, 1, -3.1});
+    if (frame == 8) world::set_spatial_pose(small.world, small.world.row(puck), {{1, 1, 0, 0}, {0.5, -3}});
+    if (frame == 6)
+      world::set_spatial_pose(small.world, {SmallWorld::robot(2)},
+                              {{-2000.5, 300000, 1, -3.1}, {0.25, -0.125}});
     const world::Pace pace{frame == 4, frame == 5 ? 0.0 : 1.5, 0.5};
     Interest interest;
     if (wish.sensors) interest.view = wish.view;

@@ -54,6 +54,8 @@ ModelState model_state(const world::World& world, std::uint32_t row) {
   state.y = quantize(X_PM.y, 1000);
   state.z = quantize(X_PM.z, 1000);
   state.a = quantize_angle(X_PM.a);
+  state.tilt_x = quantize_angle(models.tilt_PM[row].x);
+  state.tilt_y = quantize_angle(models.tilt_PM[row].y);
   state.color = scene::rgba8(models.color[row]);
   state.state = state_bits(world, row);
   return state;

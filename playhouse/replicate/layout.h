@@ -20,10 +20,11 @@ namespace playhouse::replicate {
 
 /// One model as viewers see it.
 struct ModelState {
-  std::int32_t x = 0, y = 0, z = 0;  // pose in the parent  [mm]
-  std::uint16_t a = 0;               // heading             [1/65536 turn]
-  std::uint8_t state = 0;            // state_bits()
-  std::uint32_t color = 0;           // 0xRRGGBBAA
+  std::int32_t x = 0, y = 0, z = 0;      // pose in the parent  [mm]
+  std::uint16_t a = 0;                   // heading             [1/65536 turn]
+  std::uint8_t state = 0;                // state_bits()
+  std::uint32_t color = 0;               // 0xRRGGBBAA
+  std::uint16_t tilt_x = 0, tilt_y = 0;  // as geom::Tilt  [1/65536 turn]
   friend bool operator==(const ModelState&, const ModelState&) = default;
 };
 

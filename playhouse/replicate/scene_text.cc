@@ -21,8 +21,11 @@ void add_model(const Layout& layout, std::uint32_t row, std::string& text) {
   if (layout.parent[row] != world::ModelRow::kNone)
     fmt::format_to(out, R"(,"parent":{})", layout.id[layout.parent[row]].value);
   const ModelState& start = layout.start[row];
-  fmt::format_to(out, R"(,"start":[{},{},{},{},{},{}],{}}})", start.x, start.y, start.z, start.a, start.state,
-                 start.color, *layout.words[row]);
+  fmt::format_to(out, R"(,"start":[{},{},{},{},{},{}],)", start.x, start.y, start.z, start.a, start.state,
+                 start.color);
+  if (start.tilt_x != 0 || start.tilt_y != 0)
+    fmt::format_to(out, R"("tilt":[{},{}],)", start.tilt_x, start.tilt_y);
+  fmt::format_to(out, "{}}}", *layout.words[row]);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "playhouse/base/row.h"
-#include "playhouse/geom/pose.h"
+#include "playhouse/geom/orientation.h"
 #include "playhouse/scene/scene_desc.h"
 #include "playhouse/world/change.h"
 #include "playhouse/world/model_id.h"
@@ -26,7 +26,10 @@ struct Models {
   std::vector<std::uint32_t> parent;    // the same as a row, or Row::kNone
   SharedColumn<geom::Pose> X_PM{desc};  // pose in the parent; that of a top or a robot is its own
   std::vector<geom::Pose> X_WM;         // pose in the world
-  std::vector<std::uint32_t> root;      // top of the tree; its own row for a top-level model
+  /// How it stands in the parent, and in the world: with X_PM and X_WM, six degrees of freedom. Zero where
+  /// the engine keeps models upright.
+  SharedColumn<geom::Tilt> tilt_PM{desc}, tilt_WM{desc};
+  std::vector<std::uint32_t> root;  // top of the tree; its own row for a top-level model
   std::vector<scene::ModelKind> kind;
   std::vector<std::uint32_t> part;            // row in the kind's own table, or Row::kNone
   std::vector<std::uint32_t> first_child;     // rows or Row::kNone; see World::children()

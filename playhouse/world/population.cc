@@ -117,6 +117,8 @@ void Population::begin(std::span<const scene::TreeDesc> trees) {
   world_.models.X_PM.set_prototypes(std::move(poses));
   world_.models.color.set_prototypes(std::move(colors));
   world_.models.say.set_prototypes(std::move(says));
+  world_.models.tilt_PM.set_prototypes(std::vector<geom::Tilt>(descs.size()));
+  world_.models.tilt_WM.set_prototypes(std::vector<geom::Tilt>(descs.size()));
 
   std::vector<std::size_t> count(descs.size());  // of trees, by row of their top
   for (const scene::TreeDesc& tree : trees) ++count[tree.top];
@@ -161,7 +163,8 @@ ModelRow Population::append(ModelId id, std::uint32_t desc_row, ModelRow parent,
   models.parent_id.push_back(top ? ModelId{} : models.id[parent.index]);
   models.parent.push_back(parent.index);
   models.X_PM.set(row.index, X_PM);
-  models.X_WM.push_back(top ? X_PM : geom::compose(models.X_WM[parent.index], X_PM));
+  models.X_WM.push_back({});
+  place(models, row);
   models.root.push_back(top ? row.index : models.root[parent.index]);
   models.kind.push_back(desc.kind);
   models.part.push_back(kNone);
@@ -478,6 +481,7 @@ Result<void> attach(World& world, ModelId child, ModelId parent, const geom::Pos
     return Error{{}, "too many models would be attached to each other"};
   }
   models.X_PM.own(child_row.index) = {X_PC.x, X_PC.y, X_PC.z, geom::normalize(X_PC.a)};
+  models.tilt_PM.set(child_row.index, {});
   place_tree(world, child_row);
   world.changes.add({Change::Kind::kAttach, child, parent, 0, std::min(mobility, parents)});
   return {};
@@ -490,6 +494,7 @@ Result<void> detach(World& world, ModelId child) {
   const ModelId parent = world.models.parent_id[row.index];
   world.models.parent_id[row.index] = {};
   world.models.X_PM.own(row.index) = world.models.X_WM[row.index];
+  world.models.tilt_PM.set(row.index, world.models.tilt_WM[row.index]);
   Population population(world);
   const bool derived = population.derive();
   PLAYHOUSE_ASSERT(derived);

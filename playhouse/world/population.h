@@ -32,7 +32,7 @@ Result<void> despawn(World& world, ModelId model);
 /// none, is a part, or is named twice.
 Result<void> despawn(World& world, std::span<const ModelId> models);
 
-/// Makes a top-level model a part of another tree, at X_PC in `parent`. Fails where the parent is in the
+/// Makes a top-level model a part of another tree, at X_PC in `parent` and upright in that. Fails where the parent is in the
 /// child's own tree, something in that drives or the child is fixed, or either does not exist.
 Result<void> attach(World& world, ModelId child, ModelId parent, const geom::Pose& X_PC);
 

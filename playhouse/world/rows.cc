@@ -73,10 +73,9 @@ void fill_row(World& world, Actuators& actuators, const scene::ModelDesc& model,
   actuators.speed.back() = model.actuator->max_speed;
   actuators.motor_on.back() = 1;
   if (actuators.position.back() == 0) return;
-  const geom::Pose X_PM = geom::compose(X_PJ, scene::way_along(*model.actuator, actuators.position.back()));
-  const std::uint32_t parent = models.parent[row.index];
-  models.X_PM.own(row.index) = X_PM;
-  models.X_WM[row.index] = parent == ModelRow::kNone ? X_PM : geom::compose(models.X_WM[parent], X_PM);
+  models.X_PM.own(row.index) =
+      geom::compose(X_PJ, scene::way_along(*model.actuator, actuators.position.back()));
+  place(models, row);
 }
 
 void fill_row(World&, Grippers& grippers, const scene::ModelDesc& model, ModelRow) {

@@ -56,6 +56,7 @@ constexpr double kMostTurn = 1e6;
 template <typename T>
 bool is_good(const T& value) {
   if constexpr (std::is_same_v<T, geom::Pose>) return is_place(value) && std::fabs(value.a) <= kMostTurn;
+  if constexpr (std::is_same_v<T, geom::Tilt>) return geom::is_tilt(value);
   if constexpr (std::is_same_v<T, ControlMode>) return value <= ControlMode::kHeading;
   bool good = true;
   if constexpr (!kIsList<T>)
@@ -268,7 +269,8 @@ class Loader {
           }
         },
         world_);
-    return result ? check_ticks() : result;
+    if (result) result = check_ticks();
+    return result ? check_tilts() : result;
   }
 
   /// What was measured later than now would not be measured again for ages.
@@ -281,11 +283,16 @@ class Loader {
     return ahead ? damaged("a sensor measured in the future") : Result<void>{};
   }
 
+  Result<void> check_tilts() {
+    if (!world_.upright) return {};
+    for (std::uint32_t row = 0; row < world_.models.size(); ++row)
+      if (world_.models.tilt_PM[row] != geom::Tilt{})
+        return Error{{}, "has models that are tilted, and this engine keeps all upright"};
+    return {};
+  }
+
   void place(std::uint32_t row) {
-    Models& models = world_.models;
-    const std::uint32_t parent = models.parent[row];
-    models.X_WM[row] =
-        parent == ModelRow::kNone ? models.X_PM[row] : geom::compose(models.X_WM[parent], models.X_PM[row]);
+    world::place(world_.models, {row});
     for (const std::uint32_t child : world_.children({row})) place(child);
   }
 

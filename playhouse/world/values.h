@@ -40,6 +40,9 @@ void each_number(V& value, const Visit& visit) {
   } else if constexpr (std::is_same_v<T, geom::Pose> || std::is_same_v<T, geom::Twist>) {
     auto& [x, y, z, a] = value;
     visit(x), visit(y), visit(z), visit(a);
+  } else if constexpr (std::is_same_v<T, geom::Tilt>) {
+    auto& [x, y] = value;
+    visit(x), visit(y);
   } else if constexpr (std::is_same_v<T, geom::Size>) {
     auto& [x, y, z] = value;
     visit(x), visit(y), visit(z);

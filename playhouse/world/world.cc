@@ -316,11 +316,24 @@ std::size_t World::bytes() const {
   return bytes;
 }
 
+geom::SpatialPose pose_in_parent(const Models& models, ModelRow model) {
+  return {models.X_PM[model.index], models.tilt_PM[model.index]};
+}
+
+geom::SpatialPose pose_in_world(const Models& models, ModelRow model) {
+  return {models.X_WM[model.index], models.tilt_WM[model.index]};
+}
+
+void place(Models& models, ModelRow model) {
+  const ModelRow parent{models.parent[model.index]};
+  const geom::SpatialPose X_PM = pose_in_parent(models, model);
+  const geom::SpatialPose X_WM = parent ? geom::compose(pose_in_world(models, parent), X_PM) : X_PM;
+  models.X_WM[model.index] = X_WM.X;
+  models.tilt_WM.set(model.index, X_WM.tilt);
+}
+
 void place_tree(World& world, ModelRow model) {
-  Models& models = world.models;
-  const std::uint32_t parent = models.parent[model.index];
-  models.X_WM[model.index] = parent == kNone ? models.X_PM[model.index]
-                                             : geom::compose(models.X_WM[parent], models.X_PM[model.index]);
+  place(world.models, model);
   believe_truth(world, model.index);
   for (const std::uint32_t child : world.children(model)) place_tree(world, {child});
 }
@@ -370,8 +383,14 @@ bool set_odometry(World& world, PositionRow robot, const geom::Pose& X_OM) {
 }
 
 bool set_pose(World& world, ModelRow model, const geom::Pose& X_PM) {
-  if (!is_place(X_PM)) return false;
-  world.models.X_PM.own(model.index) = {X_PM.x, X_PM.y, X_PM.z, geom::normalize(X_PM.a)};
+  return set_spatial_pose(world, model, {X_PM, world.models.tilt_PM[model.index]});
+}
+
+bool set_spatial_pose(World& world, ModelRow model, const geom::SpatialPose& X_PM) {
+  const geom::Pose& X = X_PM.X;
+  if (!is_place(X) || !geom::is_tilt(X_PM.tilt)) return false;
+  world.models.X_PM.own(model.index) = {X.x, X.y, X.z, geom::normalize(X.a)};
+  if (!world.upright) world.models.tilt_PM.set(model.index, X_PM.tilt);
   take_along(world, model.index);
   place_tree(world, model);
   world.changes.add({Change::Kind::kPlace, world.id(model), {}, 0, world.models.mobility[model.index]});
@@ -390,7 +409,7 @@ void return_to_start(World& world) {
     at_start.append(world.models.id[row], world.models.desc[row], {world.models.parent[row]},
                     population.start_of({row}));
   for (std::uint32_t row = 0; row < world.models.size(); ++row) {
-    if (world.models.X_PM[row] == start.models.X_PM[row]) continue;
+    if (pose_in_parent(world.models, {row}) == pose_in_parent(start.models, {row})) continue;
     world.changes.add({Change::Kind::kPlace, world.models.id[row], {}, 0, world.models.mobility[row]});
   }
   each_column(
@@ -399,6 +418,7 @@ void return_to_start(World& world) {
       },
       world, start);
   world.models.X_WM = start.models.X_WM;
+  world.models.tilt_WM = start.models.tilt_WM;
 }
 
 bool command_joint_velocity(World& world, ActuatorRow actuator, double velocity) {

@@ -69,6 +69,8 @@ class World : public Tables {
   std::vector<std::unique_ptr<Decider>> deciders;
 
   ChangeList changes;
+  /// The engine keeps every model upright: there are no tilts. Written by the engine, as it is made.
+  bool upright = true;
   std::uint64_t tick_ = 0;  // written by: freeze (the engine) alone
 
  private:
@@ -156,7 +158,14 @@ inline World::Children World::children(ModelRow row) const {
   return {models, row.index};
 }
 
-/// Recomputes X_WM of a model and everything attached to it from X_PM; what robots with gps believe follows.
+/// Six degrees of freedom in one value: X_PM with tilt_PM, and X_WM with tilt_WM.
+geom::SpatialPose pose_in_parent(const Models& models, ModelRow model);
+geom::SpatialPose pose_in_world(const Models& models, ModelRow model);
+
+/// Recomputes X_WM and tilt_WM of one model from those of its parent.
+void place(Models& models, ModelRow model);
+/// Recomputes X_WM and tilt_WM of a model and everything attached to it from X_PM and tilt_PM; what robots
+/// with gps believe follows.
 void place_tree(World& world, ModelRow model);
 
 /// False for poses of which sums and products may be no numbers any more: not finite, or beyond any scene.
@@ -173,8 +182,11 @@ bool command_heading(World& world, PositionRow robot, double speed, double headi
 bool command_acceleration(World& world, PositionRow robot, const geom::Twist& acceleration);
 /// The robot believes from now on that it is at X_OM.
 bool set_odometry(World& world, PositionRow robot, const geom::Pose& X_OM);
-/// Puts a model somewhere in its parent's frame, without any collision check; children follow.
+/// Puts a model somewhere in its parent's frame, without any collision check; children follow. It stays as
+/// tilted as it was.
 bool set_pose(World& world, ModelRow model, const geom::Pose& X_PM);
+/// The same with a tilt, which an engine that keeps models upright leaves out.
+bool set_spatial_pose(World& world, ModelRow model, const geom::SpatialPose& X_PM);
 /// Puts every model where the scene has it; robots do and believe what they did at the start. Time goes on,
 /// and what controllers remember, colours and subscriptions stay.
 void return_to_start(World& world);

@@ -15,6 +15,7 @@
 
 #include "playhouse/scene/kinds.h"
 #include "playhouse/world/columns.h"
+#include "playhouse/world/population.h"
 #include "playhouse/world/state.h"
 #include "playhouse/world/values.h"
 #include "playhouse/world/workers.h"
@@ -95,6 +96,56 @@ TEST(World, gps_without_an_origin_is_the_true_pose_and_odometry_starts_at_zero) 
   EXPECT_NEAR(World(scene, 1).positions.X_OM[0].y, 0, 1e-12);
 }
 
+TEST(World, tilted_models_take_their_parts_along_in_space) {
+  const scene::SceneDesc scene = small_scene();
+  World world(scene, 1);
+  world.upright = false;
+  ASSERT_TRUE(set_spatial_pose(world, {0}, {{1, 2, 0.5, geom::kPi / 2}, {0, geom::kPi / 2}}));  // nose down
+  EXPECT_NEAR(world.models.X_WM[1].x, 1, 1e-12);
+  EXPECT_NEAR(world.models.X_WM[1].y, 2.2, 1e-12) << "what was above it is ahead";
+  EXPECT_NEAR(world.models.X_WM[1].z, 0.4, 1e-12) << "what was ahead is below";
+  EXPECT_NEAR(world.models.tilt_WM[1].y, geom::kPi / 2, 1e-12);
+  ASSERT_TRUE(set_pose(world, {0}, {0, 0, 0, 0}));
+  EXPECT_NEAR(world.models.X_WM[1].z, -0.1, 1e-12) << "it is as tilted as it was";
+  return_to_start(world);
+  EXPECT_EQ(world.models.X_WM[1], World(scene, 1).models.X_WM[1]);
+  EXPECT_EQ(world.models.tilt_WM[0], geom::Tilt{});
+}
+
+TEST(World, what_comes_off_a_tilted_model_stays_as_it_stands) {
+  scene::SceneDesc scene = small_scene();
+  scene.models[2].gripper_return = true;
+  World world(scene, 1);
+  world.upright = false;
+  ASSERT_TRUE(set_spatial_pose(world, {0}, {{0, 0, 1, 0}, {0.5, 0}}));
+  ASSERT_TRUE(set_spatial_pose(world, {2}, {{5, 5, 0, 0}, {0, 1}}));
+  ASSERT_TRUE(attach(world, {2}, {0}, {0, 0.3, 0, 0}));
+  const geom::SpatialPose held = pose_in_world(world.models, {2});
+  EXPECT_EQ(world.models.tilt_PM[2], geom::Tilt{}) << "it is put down flat";
+  EXPECT_NEAR(held.tilt.x, 0.5, 1e-12);
+  ASSERT_TRUE(detach(world, {2}));
+  EXPECT_EQ(pose_in_parent(world.models, {2}), held);
+}
+
+TEST(World, of_an_engine_that_keeps_models_upright_has_no_tilts) {
+  const scene::SceneDesc scene = small_scene();
+  World upright(scene, 1), tilting(scene, 1);
+  tilting.upright = false;
+  const geom::SpatialPose X_WM{{1, 2, 3, 0.5}, {0.25, 0}};
+  for (World* world : {&upright, &tilting}) ASSERT_TRUE(set_spatial_pose(*world, {0}, X_WM));
+  EXPECT_EQ(pose_in_world(tilting.models, {0}), X_WM);
+  EXPECT_EQ(pose_in_world(upright.models, {0}), (geom::SpatialPose{X_WM.X, {}}));
+  std::vector<std::byte> saved;
+  ASSERT_TRUE(save_state(tilting, saved));
+  World other(scene, 1);
+  other.upright = false;
+  ASSERT_TRUE(load_state(other, saved));
+  EXPECT_EQ(pose_in_world(other.models, {1}), pose_in_world(tilting.models, {1}));
+  const Result<void> loaded = load_state(upright, saved);
+  ASSERT_FALSE(loaded);
+  EXPECT_EQ(loaded.error().text, "has models that are tilted, and this engine keeps all upright");
+}
+
 TEST(World, a_robot_told_where_it_is_believes_it_also_after_it_was_moved) {
   const scene::SceneDesc scene = small_scene();
   World world(scene, 1);
@@ -116,6 +167,8 @@ TEST(World, refuses_numbers_that_are_not_finite) {
   EXPECT_FALSE(command_acceleration(world, {0}, {0, 0, 0, nan}));
   EXPECT_FALSE(set_odometry(world, {0}, {nan, 0, 0, 0}));
   EXPECT_FALSE(set_pose(world, {0}, {0, 0, infinite, 0}));
+  EXPECT_FALSE(set_spatial_pose(world, {0}, {{}, {nan, 0}}));
+  EXPECT_FALSE(set_spatial_pose(world, {0}, {{}, {0, 4}}));
   EXPECT_EQ(world.hash(), before);
 }
 
@@ -307,7 +360,8 @@ TEST_F(EveryColumn, says_its_unit_and_frame_where_it_has_one) {
   each_column(
       [](const auto& column, const auto& values) {
         using Value = typename std::remove_cvref_t<decltype(values)>::value_type;
-        const bool is_pose = std::is_same_v<Value, geom::Pose> || std::is_same_v<Value, geom::Twist>;
+        const bool is_pose = std::is_same_v<Value, geom::Pose> || std::is_same_v<Value, geom::Twist> ||
+                             std::is_same_v<Value, geom::Tilt>;
         EXPECT_EQ(is_pose, std::string_view(column.frame).size() > 0 && !kIsList<Value>) << column.name;
         if (is_pose || std::is_same_v<Value, float>) EXPECT_STRNE(column.unit, "") << column.name;
       },
@@ -318,6 +372,7 @@ TEST_F(EveryColumn, says_its_unit_and_frame_where_it_has_one) {
 TEST_F(EveryColumn, is_saved_loaded_and_compared_as_its_role_says) {
   const auto prepare = [](World& w) {
     control_parts(w);
+    w.upright = false;
     w.tick_ = 5;
   };
   prepare(world);

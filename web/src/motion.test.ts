@@ -55,6 +55,35 @@ describe('Motion', () => {
     expect(motion.y[1]).toBeCloseTo(0.1);
   });
 
+  it('rolls the short way over its head, and takes parts along', () => {
+    const replica = new Replica(scene);
+    const motion = new Motion(scene, replica);
+    const roll = (turns: number, now: number) => {
+      replica.tiltY[0] = Math.round(turns * 65536) & 0xffff;
+      replica.tick += 1;
+      motion.aim(now);
+    };
+    roll(0.25, 1000);
+    motion.update(2000);
+    expect(motion.z[1]).toBeCloseTo(-0.1); // nose down
+    expect(motion.x[1]).toBeCloseTo(0);
+    roll(0.4, 3000);
+    motion.update(4000);
+    roll(0.6, 5000); // which is -0.4
+    motion.update(5000);
+    const before = motion.x[1];
+    motion.update(5050);
+    expect(motion.x[1]).toBeLessThan(before); // through upside down, where it is furthest back
+    motion.update(6000);
+    expect(motion.x[1]).toBeCloseTo(0.1 * Math.cos(0.6 * 2 * Math.PI));
+    roll(0, 7000);
+    motion.update(8000);
+    motion.aim(8100);
+    motion.update(9000);
+    expect(motion.tilted.size).toBe(0);
+    expect(motion.x[1]).toBeCloseTo(0.1);
+  });
+
   it('does not glide across the world after a jump', () => {
     const replica = new Replica(scene);
     const motion = new Motion(scene, replica);

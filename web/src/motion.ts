@@ -1,20 +1,25 @@
+import { Vector3, type Quaternion } from 'three';
+import { orientationOf, standingOf, type Standing } from './orientation';
 import { radiansOf, type Replica } from './protocol/replica';
 import { parentsFirst, type Scene } from './protocol/scene';
 
 const kJump = 1.0; // m: further than this between two packets is no motion to be drawn
+const kParts = 6; // of a pose
 const kPeriodMs = { least: 16, most: 250 };
 
 /**
  * Where everything is drawn: between the last two known poses, so that a world of ten ticks a second moves
- * smoothly. World poses of all models, in metres and radians.
+ * smoothly. World poses of all models, in metres and radians, and how those stand that are not upright.
  */
 export class Motion {
   readonly x: Float64Array;
   readonly y: Float64Array;
   readonly z: Float64Array;
   readonly a: Float64Array;
+  /** By row, in the world; who is not in it stands upright. */
+  readonly tilted = new Map<number, Quaternion>();
 
-  // Poses in the parent: where the motion began, and where it ends. Interleaved x, y, z, a.
+  // Poses in the parent: where the motion began, and where it ends. Interleaved x, y, z, a, tilt x, tilt y.
   private readonly from: Float64Array;
   private readonly to: Float64Array;
   private readonly parent: Int32Array;
@@ -36,8 +41,8 @@ export class Motion {
     this.y = new Float64Array(count);
     this.z = new Float64Array(count);
     this.a = new Float64Array(count);
-    this.from = new Float64Array(count * 4);
-    this.to = new Float64Array(count * 4);
+    this.from = new Float64Array(count * kParts);
+    this.to = new Float64Array(count * kParts);
     this.parent = Int32Array.from(scene.models, (model) => model.parent);
     this.order = parentsFirst(scene);
     this.readTargets();
@@ -52,7 +57,7 @@ export class Motion {
     for (const [id, row] of this.replica.rows) {
       const was = before.replica.rows.get(id);
       if (was === undefined || before.replica.scene.models[was].parentId !== this.replica.scene.models[row].parentId) continue;
-      for (let k = 0; k < 4; ++k) this.from[row * 4 + k] = before.from[was * 4 + k];
+      for (let k = 0; k < kParts; ++k) this.from[row * kParts + k] = before.from[was * kParts + k];
     }
     const held = before.held;
     const row = held && this.replica.rows.get(before.replica.scene.models[held.row].id);
@@ -62,7 +67,7 @@ export class Motion {
   /** A packet was applied to the replica. */
   aim(now: number): void {
     const drawn = this.fraction(now);
-    for (let i = 0; i < this.from.length; i += 4) this.advance(i, drawn);
+    for (let i = 0; i < this.from.length; i += kParts) this.advance(i, drawn);
     const wentBack = this.replica.tick < this.lastTick;
     if (this.replica.tick !== this.lastTick) {
       const passed = Math.min(Math.max(now - this.since, kPeriodMs.least), kPeriodMs.most);
@@ -72,7 +77,7 @@ export class Motion {
     this.since = now;
     this.readTargets();
     if (wentBack) this.from.set(this.to);
-    for (let i = 0; i < this.from.length; i += 4) this.dropJump(i);
+    for (let i = 0; i < this.from.length; i += kParts) this.dropJump(i);
     this.settled = false;
   }
 
@@ -89,16 +94,24 @@ export class Motion {
     if (this.held && now > this.held.until) this.held = null;
     for (const row of this.order) {
       const { from, to } = this;
-      const i = row * 4;
-      this.place(row, from[i] + t * (to[i] - from[i]), from[i + 1] + t * (to[i + 1] - from[i + 1]), to[i + 2],
-        from[i + 3] + t * turn(from[i + 3], to[i + 3]));
+      const i = row * kParts;
+      let [x, y] = [from[i] + t * (to[i] - from[i]), from[i + 1] + t * (to[i + 1] - from[i + 1])];
+      const upright = this.isUpright(i) && !this.tilted.has(this.parent[row]);
+      const standing = upright ? null : this.standing(i, t);
+      let a = standing ? standing.a : from[i + 3] + t * turn(from[i + 3], to[i + 3]);
+      if (this.held?.row === row) ({ x, y, a } = this.held);
+      if (standing) {
+        this.placeTilted(row, x, y, to[i + 2], { ...standing, a });
+      } else {
+        if (this.tilted.size > 0) this.tilted.delete(row);
+        this.place(row, x, y, to[i + 2], a);
+      }
     }
     this.settled = t >= 1 && !this.held;
     return true;
   }
 
   private place(row: number, x: number, y: number, z: number, a: number): void {
-    if (this.held?.row === row) ({ x, y, a } = this.held);
     const parent = this.parent[row];
     if (parent < 0) {
       this.x[row] = x;
@@ -115,6 +128,31 @@ export class Motion {
     this.a[row] = this.a[parent] + a;
   }
 
+  private placeTilted(row: number, x: number, y: number, z: number, standing: Standing): void {
+    const parent = this.parent[row];
+    const place = new Vector3(x, y, z);
+    const turned = orientationOf(standing);
+    if (parent >= 0) {
+      const around = this.tilted.get(parent) ?? orientationOf({ a: this.a[parent], tiltX: 0, tiltY: 0 });
+      place.applyQuaternion(around).add(new Vector3(this.x[parent], this.y[parent], this.z[parent]));
+      turned.premultiply(around);
+    }
+    [this.x[row], this.y[row], this.z[row], this.a[row]] = [place.x, place.y, place.z, standingOf(turned).a];
+    this.tilted.set(row, turned);
+  }
+
+  private isUpright(i: number): boolean {
+    const { from, to } = this;
+    return from[i + 4] === 0 && from[i + 5] === 0 && to[i + 4] === 0 && to[i + 5] === 0;
+  }
+
+  /** How a model stands in its parent after a part of its way. */
+  private standing(i: number, t: number): Standing {
+    const { from, to } = this;
+    const at = (list: Float64Array): Standing => ({ a: list[i + 3], tiltX: list[i + 4], tiltY: list[i + 5] });
+    return t >= 1 ? at(to) : standingOf(orientationOf(at(from)).slerp(orientationOf(at(to)), t));
+  }
+
   private fraction(now: number): number {
     return Math.min(Math.max((now - this.since) / this.periodMs, 0), 1);
   }
@@ -123,22 +161,29 @@ export class Motion {
     const { from, to } = this;
     from[i] += t * (to[i] - from[i]);
     from[i + 1] += t * (to[i + 1] - from[i + 1]);
-    from[i + 3] += t * turn(from[i + 3], to[i + 3]);
+    if (this.isUpright(i)) {
+      from[i + 3] += t * turn(from[i + 3], to[i + 3]);
+    } else {
+      const { a, tiltX, tiltY } = this.standing(i, t);
+      [from[i + 3], from[i + 4], from[i + 5]] = [a, tiltX, tiltY];
+    }
   }
 
   private dropJump(i: number): void {
     const { from, to } = this;
     if (Math.abs(to[i] - from[i]) < kJump && Math.abs(to[i + 1] - from[i + 1]) < kJump) return;
-    for (let k = 0; k < 4; ++k) from[i + k] = to[i + k];
+    for (let k = 0; k < kParts; ++k) from[i + k] = to[i + k];
   }
 
   private readTargets(): void {
     const { replica, to } = this;
-    for (let row = 0, i = 0; row < this.x.length; ++row, i += 4) {
+    for (let row = 0, i = 0; row < this.x.length; ++row, i += kParts) {
       to[i] = replica.x[row] / 1000;
       to[i + 1] = replica.y[row] / 1000;
       to[i + 2] = replica.z[row] / 1000;
       to[i + 3] = radiansOf(replica.a[row]);
+      to[i + 4] = radiansOf(replica.tiltX[row]);
+      to[i + 5] = radiansOf(replica.tiltY[row]);
     }
   }
 }

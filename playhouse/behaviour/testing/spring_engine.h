@@ -1,7 +1,7 @@
 #pragma once
 
 /// SpringEngine: a second engine, for tests of what stands in front of engines. Everything is a disc; robots
-/// drive through each other, and what is loose swings along x as on a spring, about where it was put. Rangers
+/// drive through each other, and what is loose rolls along x as on a spring, about where it was put. Rangers
 /// measure, other sensors do not.
 
 #include <algorithm>
@@ -82,6 +82,7 @@ class SpringEngine final : public PhasedEngine {
 
   SpringEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers)
       : PhasedEngine(scene, seed, workers) {
+    world_.upright = false;
     senses_.add(std::make_unique<DiscRanger>());
     populate();
   }
@@ -99,12 +100,27 @@ class SpringEngine final : public PhasedEngine {
   void move() override {
     for (std::uint32_t row = 0; row < world_.models.size(); ++row) {
       if (world_.models.parent[row] != world::ModelRow::kNone) continue;
+      if (world_.models.mobility[row] == world::Mobility::kLoose) roll({row}, swing(1) - swing(0));
       geom::Pose& X_WM = world_.models.X_PM.own(row);
-      if (world_.models.mobility[row] == world::Mobility::kLoose) X_WM.x += swing(1) - swing(0);
       if (world_.models.kind[row] == scene::ModelKind::kPosition) drive(world_.models.part[row], X_WM);
       world::place_tree(world_, {row});
     }
     place();
+  }
+
+  /// Along x of the world, without slip. [m]
+  void roll(world::ModelRow ball, double way) {
+    const geom::SpatialPose X = world::pose_in_parent(world_.models, ball);
+    const geom::Quaternion turned = geom::orientation(0, {0, way / radius_of(ball)});
+    const geom::SpatialPose rolled =
+        geom::spatial_pose({X.X.x + way, X.X.y, X.X.z}, turned * geom::orientation(X.X.a, X.tilt));
+    world_.models.X_PM.own(ball.index) = rolled.X;
+    world_.models.tilt_PM.set(ball.index, rolled.tilt);
+  }
+
+  double radius_of(world::ModelRow top) const {
+    const geom::Size& size = world_.desc(top).size;
+    return 0.5 * std::max(size.x, size.y);
   }
 
   void drive(std::uint32_t robot, geom::Pose& X_WM) {
@@ -148,8 +164,7 @@ class SpringEngine final : public PhasedEngine {
     discs_.all.clear();
     for (std::uint32_t row = 0; row < world_.models.size(); ++row) {
       if (world_.models.parent[row] != world::ModelRow::kNone) continue;
-      const geom::Size& size = world_.desc({row}).size;
-      discs_.all.push_back({world_.models.X_WM[row].xy(), 0.5 * std::max(size.x, size.y), row});
+      discs_.all.push_back({world_.models.X_WM[row].xy(), radius_of({row}), row});
     }
   }
 

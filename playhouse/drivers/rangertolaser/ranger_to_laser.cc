@@ -38,7 +38,7 @@ lsr::Geom laser_geom(const rng::Geom& geom) {
   lsr::Geom laser{geom.pose, geom.size};
   if (geom.element_poses.empty()) return laser;
   const wire::Pose3d& element = geom.element_poses.front();
-  const geom::Pose X = geom::compose({geom.pose.px, geom.pose.py, geom.pose.pz, geom.pose.pyaw},
+  const geom::Pose X = geom::compose(geom::Pose{geom.pose.px, geom.pose.py, geom.pose.pz, geom.pose.pyaw},
                                      {element.px, element.py, element.pz, element.pyaw});
   laser.pose = {X.x, X.y, X.z, geom.pose.proll, geom.pose.ppitch, X.a};
   return laser;

@@ -34,13 +34,18 @@ world::ModelRow SimulationDevice::find_or_warn(const world::World& world, const 
 }
 
 /// Poses in requests are in the parent's frame, with z from the top of a parent that stacks, as in world
-/// files. Without a z the model keeps its height.
-bool SimulationDevice::move(world::World& world, const std::string& name, geom::Vec2 p,
-                            std::optional<double> z, double a) {
+/// files. From a pose in the plane the model keeps its height and tilt.
+bool SimulationDevice::move(world::World& world, const std::string& name, const wire::Pose2d& pose) {
+  const world::ModelRow row = find_or_warn(world, name);
+  return row && world::set_pose(world, row, {pose.px, pose.py, world.models.X_PM[row.index].z, pose.pa});
+}
+
+bool SimulationDevice::move(world::World& world, const std::string& name, const wire::Pose3d& pose) {
   const world::ModelRow row = find_or_warn(world, name);
   if (!row) return false;
-  const double z_P = z ? *z + world.desc(row).stacked : world.models.X_PM[row.index].z;
-  return world::set_pose(world, row, {p.x, p.y, z_P, a});
+  const geom::Vec3 p{pose.px, pose.py, pose.pz + world.desc(row).stacked};
+  return world::set_spatial_pose(
+      world, row, geom::spatial_pose(p, geom::RollPitchYaw{pose.proll, pose.ppitch, pose.pyaw}));
 }
 
 std::span<const Served> SimulationDevice::served() const {
@@ -116,7 +121,7 @@ void SimulationDevice::pose_2d(const device::Message& message, device::Replier r
   if (!request) return;
   if (message.subtype == sim::kReqSetPose2d) {
     ask_world(std::move(replier), [this, r = *request](world::World& world) -> std::optional<Bytes> {
-      if (!move(world, r.name, {r.pose.px, r.pose.py}, std::nullopt, r.pose.pa)) return std::nullopt;
+      if (!move(world, r.name, r.pose)) return std::nullopt;
       return Bytes();
     });
     return;
@@ -134,7 +139,7 @@ void SimulationDevice::pose_3d(const device::Message& message, device::Replier r
   if (!request) return;
   if (message.subtype == sim::kReqSetPose3d) {
     ask_world(std::move(replier), [this, r = *request](world::World& world) -> std::optional<Bytes> {
-      if (!move(world, r.name, {r.pose.px, r.pose.py}, r.pose.pz, r.pose.pyaw)) return std::nullopt;
+      if (!move(world, r.name, r.pose)) return std::nullopt;
       return Bytes();
     });
     return;
@@ -142,7 +147,7 @@ void SimulationDevice::pose_3d(const device::Message& message, device::Replier r
   ask_world(std::move(replier), [this, r = *request](world::World& world) mutable -> std::optional<Bytes> {
     const world::ModelRow row = find_or_warn(world, r.name);
     if (!row) return std::nullopt;
-    r.pose = pose3d(world.models.X_PM[row.index]);
+    r.pose = pose3d(world::pose_in_parent(world.models, row));
     r.pose.pz -= world.desc(row).stacked;
     r.simtime = world.time() * 1e6;  // Stage's clients know microseconds here
     return wire::encode(r);

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "playhouse/drivers/simulated/simulated_device.h"
+#include "playhouse/wire/generated/common.h"
 
 namespace playhouse::drivers {
 
@@ -39,7 +40,8 @@ class SimulationDevice final : public SimulatedDevice {
   std::map<std::uint32_t, Bytes> model_pages_;
   std::uint64_t pages_of_ = 0;  // the population that they show
   world::ModelRow find_or_warn(const world::World& world, const std::string& raw_name);
-  bool move(world::World& world, const std::string& name, geom::Vec2 p, std::optional<double> z, double a);
+  bool move(world::World& world, const std::string& name, const wire::Pose2d& pose);
+  bool move(world::World& world, const std::string& name, const wire::Pose3d& pose);
   std::set<std::string> unknown_names_;  // as shown in the log; at most kUnknownNames
 };
 

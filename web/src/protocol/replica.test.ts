@@ -47,7 +47,7 @@ function held(replica: Replica): Held {
     tick: replica.tick,
     paused: replica.paused,
     speed: replica.speed,
-    models: Object.fromEntries(models.map(({ id }, r) => [id, [replica.x[r], replica.y[r], replica.z[r], replica.a[r], replica.state[r], replica.color[r]]])),
+    models: Object.fromEntries(models.map(({ id }, r) => [id, [replica.x[r], replica.y[r], replica.z[r], replica.a[r], replica.state[r], replica.color[r], replica.tiltX[r], replica.tiltY[r]]])),
     scans: Object.fromEntries(scans),
     views: Object.fromEntries(views),
   };

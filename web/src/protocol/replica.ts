@@ -11,6 +11,7 @@ export interface SensorPlace {
   sensor: Sensor;
 }
 
+const kColumns = ['x', 'y', 'z', 'a', 'state', 'color', 'tiltX', 'tiltY'] as const;
 const kEnd = 0;
 const kFresh = 1;
 
@@ -29,13 +30,15 @@ export class Replica {
   speed = 1;
   realTimeFactor = 0;
 
-  // Per model, in the parent's frame: mm, mm, mm, 1/65536 turn; bits; 0xRRGGBBAA.
+  // Per model, in the parent's frame: mm, mm, mm, 1/65536 turn; bits; 0xRRGGBBAA; 1/65536 turn, twice.
   readonly x: Int32Array;
   readonly y: Int32Array;
   readonly z: Int32Array;
   readonly a: Uint16Array;
   readonly state: Uint8Array;
   readonly color: Uint32Array;
+  readonly tiltX: Uint16Array;
+  readonly tiltY: Uint16Array;
 
   /** By sensor row: ranges as fractions of the sensor's range_max, times 65535. */
   readonly scans = new Map<number, Uint16Array>();
@@ -57,9 +60,12 @@ export class Replica {
     this.a = new Uint16Array(count);
     this.state = new Uint8Array(count);
     this.color = new Uint32Array(count);
+    this.tiltX = new Uint16Array(count);
+    this.tiltY = new Uint16Array(count);
     this.rows = rowsOf(scene.models);
     scene.models.forEach((model, row) => {
       [this.x[row], this.y[row], this.z[row], this.a[row], this.state[row], this.color[row]] = model.start;
+      [this.tiltX[row], this.tiltY[row]] = model.tilt ?? [0, 0];
       if (!model.sensors) return;
       this.firstSensor.set(row, this.sensors.length);
       for (const sensor of model.sensors) this.sensors.push({ model: row, sensor });
@@ -74,7 +80,7 @@ export class Replica {
     this.scene.models.forEach(({ id }, before) => {
       const row = next.rows.get(id);
       if (row === undefined || came.has(id)) return;
-      for (const column of ['x', 'y', 'z', 'a', 'state', 'color'] as const) next[column][row] = this[column][before];
+      for (const column of kColumns) next[column][row] = this[column][before];
       this.viewed.forEach((held, view) => held.has(before) && next.viewed[view].set(row, held.get(before)));
       const first = this.firstSensor.get(before);
       if (first === undefined) return;
@@ -124,6 +130,7 @@ export class Replica {
     if (mask & 8) this.a[row] += bytes.zigzag();
     if (mask & 16) this.state[row] = bytes.u8();
     if (mask & 32) this.color[row] = bytes.u32();
+    if (mask & 128) [this.tiltX[row], this.tiltY[row]] = [bytes.u16(), bytes.u16()];
   }
 
   private readScan(bytes: ByteReader, tag: number, model: number): void {

@@ -31,6 +31,7 @@ interface Words {
   alias?: string;
   devices?: string[]; // as Player clients address them
   start: [x_mm: number, y_mm: number, z_mm: number, turn: number, state: number, color: number];
+  tilt?: [x_turn: number, y_turn: number]; // at the start; none: upright
   fiducial?: number;
 }
 

@@ -1,9 +1,10 @@
 import {
   BufferAttribute, BufferGeometry, Color, DoubleSide, DynamicDrawUsage, Group, InstancedMesh, LineBasicMaterial,
-  LineSegments, Matrix4, MeshLambertMaterial,
+  LineSegments, Matrix4, MeshLambertMaterial, Vector3, type Quaternion,
 } from 'three';
 import { kKindPages, type KindPage } from '../kinds/kind_page';
 import type { Motion } from '../motion';
+import { orientationOf } from '../orientation';
 import type { Replica } from '../protocol/replica';
 import type { Model, Pose, Scene, Solid } from '../protocol/scene';
 import { edgesOf, geometryOf, heightOf } from './shapes';
@@ -140,6 +141,8 @@ export class Bodies {
 
   private bodyMatrix(row: number, origin: Pose): Matrix4 {
     const { motion } = this;
+    const tilted = motion.tilted.get(row);
+    if (tilted) return this.tiltedMatrix(row, origin, tilted);
     const c = Math.cos(motion.a[row]);
     const s = Math.sin(motion.a[row]);
     const x = motion.x[row] + c * origin[0] - s * origin[1];
@@ -147,6 +150,14 @@ export class Bodies {
     const cb = Math.cos(motion.a[row] + origin[3]);
     const sb = Math.sin(motion.a[row] + origin[3]);
     return this.matrix.set(cb, -sb, 0, x, sb, cb, 0, y, 0, 0, 1, motion.z[row] + origin[2], 0, 0, 0, 1);
+  }
+
+  private tiltedMatrix(row: number, [x, y, z, a]: Pose, tilted: Quaternion): Matrix4 {
+    const { motion } = this;
+    const place = new Vector3(x, y, z).applyQuaternion(tilted);
+    const turned = tilted.clone().multiply(orientationOf({ a, tiltX: 0, tiltY: 0 }));
+    place.add(new Vector3(motion.x[row], motion.y[row], motion.z[row]));
+    return this.matrix.makeRotationFromQuaternion(turned).setPosition(place);
   }
 
   private noseMatrix(row: number): Matrix4 {
@@ -159,7 +170,7 @@ export class Bodies {
       e[k] *= length;
       e[4 + k] *= width;
     }
-    e[14] += middle;
+    for (let k = 0; k < 3; ++k) e[12 + k] += middle * e[8 + k];
     return matrix;
   }
 }
