@@ -36,7 +36,6 @@ class StandingScene {
   Change change_of(std::uint32_t row, std::uint32_t size) const;
   bool is_another(std::uint32_t row) const;
   /// What a file says of where it is: an actuator's pose is that at position 0.
-  const geom::Pose& pose_said(std::uint32_t row) const;
   /// Who came during the run has no controllers, whatever its prototype says.
   bool came(std::uint32_t top) const { return Population::given(world_).contains(world_.models.id[top]); }
   /// Descriptions of a model as it stands and of all inside it, behind those there are.
@@ -79,7 +78,7 @@ void StandingScene::add_tree(std::uint32_t row) {
                        world_.name({row}),
                        unsaid_name({row}, {}, tops_),
                        world_.where({row}),
-                       pose_said(row),
+                       pose_said(world_, {row}),
                        world_.models.color[row],
                        world_.models.fiducial_return[row]};
   const Change change = change_of(row, size);
@@ -109,13 +108,8 @@ StandingScene::Change StandingScene::change_of(std::uint32_t row, std::uint32_t 
 bool StandingScene::is_another(std::uint32_t row) const {
   const Models& models = world_.models;
   const scene::ModelDesc& desc = world_.desc({row});
-  return pose_said(row) != desc.X_PM || models.color[row] != desc.color ||
+  return pose_said(world_, {row}) != desc.X_PM || models.color[row] != desc.color ||
          models.fiducial_return[row] != desc.fiducial_return;
-}
-
-const geom::Pose& StandingScene::pose_said(std::uint32_t row) const {
-  const bool slides_or_turns = world_.models.kind[row] == scene::ModelKind::kActuator;
-  return slides_or_turns ? world_.actuators.X_PJ[world_.models.part[row]] : world_.models.X_PM[row];
 }
 
 std::string StandingScene::unsaid_name(ModelRow row, std::string_view before, Siblings& siblings) const {
@@ -129,7 +123,7 @@ void StandingScene::describe(std::uint32_t row, std::int32_t parent, std::string
   desc.name = world_.name({row});
   desc.alias = std::move(alias);
   desc.parent = parent;
-  desc.X_PM = pose_said(row);
+  desc.X_PM = pose_said(world_, {row});
   desc.color = world_.models.color[row];
   desc.fiducial_return = world_.models.fiducial_return[row];
   desc.say = world_.models.say[row];

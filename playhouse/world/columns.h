@@ -109,6 +109,14 @@ void each_kind_table(const Visit& visit) {
   std::apply([&](auto... table) { (visit(table), ...); }, kKindTables);
 }
 
+/// Calls visit(table) for the table of a model's kind, if that has one; visit is a template.
+template <typename Visit>
+void of_kind(scene::ModelKind kind, const Visit& visit) {
+  each_kind_table([&]<typename Table>(Table Tables::*table) {
+    if (kKindOf<Table> == kind) visit(table);
+  });
+}
+
 /// Calls visit(table) for every table of a trait; visit is a template.
 template <typename Visit>
 void each_trait_table(const Visit& visit) {

@@ -196,8 +196,7 @@ void Population::append_tree(ModelId top, std::uint32_t desc, std::uint32_t coun
 
 void Population::add_part(ModelRow row) {
   const scene::ModelDesc& desc = world_.desc(row);
-  each_kind_table([&]<typename Table>(Table Tables::*member) {
-    if (kKindOf<Table> != desc.kind) return;
+  of_kind(desc.kind, [&]<typename Table>(Table Tables::*member) {
     Table& table = world_.*member;
     world_.models.part[row.index] = count32(table.model);
     add_row(table);

@@ -112,14 +112,36 @@ bool say_rows(const World& world, ModelRow row, scene::ModelDesc* said) {
   const scene::ModelDesc& model = world.desc(row);
   bool is_new = !is_as_said(world, row.index, model);
   if (is_new && said) say_as_is(world, row.index, *said);
-  each_kind_table([&]<typename Table>(Table Tables::*table) {
-    if (kKindOf<Table> == model.kind)
-      is_new |= say_row(world.*table, world.models.part[row.index], model, said);
+  of_kind(model.kind, [&]<typename Table>(Table Tables::*table) {
+    is_new |= say_row(world.*table, world.models.part[row.index], model, said);
   });
   each_trait_table([&]<typename Table>(Table Tables::*table) {
     if (kHas<Table>(model)) is_new |= say_row(world.*table, trait_row(world.*table, row.index), model, said);
   });
   return is_new;
+}
+
+const geom::Pose& pose_said(const World& world, const Actuators& actuators, ModelRow row) {
+  return actuators.X_PJ[world.models.part[row.index]];
+}
+
+const geom::Pose& pose_said(const World& world, ModelRow row) {
+  const geom::Pose* said = &world.models.X_PM[row.index];
+  of_kind(world.models.kind[row.index],
+          [&]<typename Table>(Table Tables::*table) { said = &pose_said(world, world.*table, row); });
+  return *said;
+}
+
+void moved_in_parent(World& world, Actuators& actuators, ModelRow row) {
+  const std::uint32_t actuator = world.models.part[row.index];
+  const geom::Pose way = scene::way_along(*world.desc(row).actuator, actuators.position[actuator]);
+  actuators.X_PJ[actuator] = geom::compose(world.models.X_PM[row.index], geom::inverse(way));
+}
+
+void moved_in_world(World& world, Positions& positions, ModelRow row) {
+  if (world.desc(row).position->localization != scene::Localization::kGps) return;
+  const std::uint32_t robot = world.models.part[row.index];
+  positions.X_OM[robot] = geom::compose(geom::inverse(positions.X_WO[robot]), world.models.X_WM[row.index]);
 }
 
 }  // namespace playhouse::world

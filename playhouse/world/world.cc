@@ -10,6 +10,7 @@
 #include "playhouse/scene/actuator.h"
 #include "playhouse/world/columns.h"
 #include "playhouse/world/population.h"
+#include "playhouse/world/rows.h"
 #include "playhouse/world/values.h"
 
 namespace playhouse::world {
@@ -51,23 +52,6 @@ bool finite(double x, double y, double z, double a) {
 
 const scene::PositionDesc& drive_of(const World& world, PositionRow robot) {
   return *world.desc(world.positions.model[robot.index]).position;
-}
-
-/// What a robot with gps believes is where it is.
-void believe_truth(World& world, std::uint32_t model) {
-  if (world.models.kind[model] != scene::ModelKind::kPosition) return;
-  const PositionRow robot{world.models.part[model]};
-  if (drive_of(world, robot).localization != scene::Localization::kGps) return;
-  world.positions.X_OM[robot.index] =
-      geom::compose(geom::inverse(world.positions.X_WO[robot.index]), world.models.X_WM[model]);
-}
-
-/// What an actuator that is put elsewhere counts its position from goes with it.
-void take_along(World& world, std::uint32_t model) {
-  if (world.models.kind[model] != scene::ModelKind::kActuator) return;
-  const std::uint32_t actuator = world.models.part[model];
-  const geom::Pose way = scene::way_along(*world.desc({model}).actuator, world.actuators.position[actuator]);
-  world.actuators.X_PJ[actuator] = geom::compose(world.models.X_PM[model], geom::inverse(way));
 }
 
 /// Ends what a row of a kind that moves was told, and its motion.
@@ -334,7 +318,8 @@ void place(Models& models, ModelRow model) {
 
 void place_tree(World& world, ModelRow model) {
   place(world.models, model);
-  believe_truth(world, model.index);
+  of_kind(world.models.kind[model.index],
+          [&]<typename Table>(Table Tables::*table) { moved_in_world(world, world.*table, model); });
   for (const std::uint32_t child : world.children(model)) place_tree(world, {child});
 }
 
@@ -391,7 +376,8 @@ bool set_spatial_pose(World& world, ModelRow model, const geom::SpatialPose& X_P
   if (!is_place(X) || !geom::is_tilt(X_PM.tilt)) return false;
   world.models.X_PM.own(model.index) = {X.x, X.y, X.z, geom::normalize(X.a)};
   if (!world.upright) world.models.tilt_PM.set(model.index, X_PM.tilt);
-  take_along(world, model.index);
+  of_kind(world.models.kind[model.index],
+          [&]<typename Table>(Table Tables::*table) { moved_in_parent(world, world.*table, model); });
   place_tree(world, model);
   world.changes.add({Change::Kind::kPlace, world.id(model), {}, 0, world.models.mobility[model.index]});
   return true;
@@ -484,10 +470,8 @@ void unsubscribe(World& world, ModelRow model) {
   std::uint32_t& subscribers = world.models.subscribers[model.index];
   PLAYHOUSE_ASSERT(subscribers > 0);
   if (--subscribers > 0) return;
-  each_kind_table([&]<typename Table>(Table Tables::*table) {
-    if constexpr (moves(kKindOf<Table>))
-      if (world.models.kind[model.index] == kKindOf<Table>)
-        stop(world.*table, world.models.part[model.index]);
+  of_kind(world.models.kind[model.index], [&]<typename Table>(Table Tables::*table) {
+    if constexpr (moves(kKindOf<Table>)) stop(world.*table, world.models.part[model.index]);
   });
 }
 
