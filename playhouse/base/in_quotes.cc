@@ -1,5 +1,7 @@
 #include "playhouse/base/in_quotes.h"
 
+#include "playhouse/base/utf8.h"
+
 namespace playhouse {
 namespace {
 
@@ -13,29 +15,6 @@ std::string_view beginning(std::string_view text) {
   std::size_t end = kShownBytes;
   while (end > kShownBytes - kLongest && goes_on(end)) --end;
   return text.substr(0, end);
-}
-
-/// Of a character, by its first byte; 0: none begins so.
-std::size_t announced_bytes(unsigned char first) {
-  return first < 0x80 ? 1 : first < 0xc2 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : first < 0xf5 ? 4 : 0;
-}
-
-/// Bytes of the UTF-8 character that the text begins with; 0: it is none. Neither longer forms of shorter
-/// characters, nor halves of UTF-16 pairs, nor what lies beyond Unicode.
-std::size_t utf8_character(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const std::size_t size = announced_bytes(byte(0));
-  if (size > text.size()) return 0;
-  for (std::size_t i = 1; i < size; ++i) {
-    if ((byte(i) & 0xc0) != 0x80) return 0;
-  }
-  const bool longer = (byte(0) == 0xe0 && byte(1) < 0xa0) || (byte(0) == 0xf0 && byte(1) < 0x90);
-  const bool foreign = (byte(0) == 0xed && byte(1) >= 0xa0) || (byte(0) == 0xf4 && byte(1) >= 0x90);
-  return longer || foreign ? 0 : size;
-}
-
-bool is_control(char letter) {
-  return static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f;
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "playhouse/base/utf8.h"
+
 namespace playhouse::wire {
 
 namespace {
@@ -22,27 +24,6 @@ void append_float(std::string& out, Float value) {
   } else {
     out += "null";
   }
-}
-
-/// Bytes of the well-formed UTF-8 character that `rest` starts with; 0 if it starts with none.
-std::size_t utf8_length(std::string_view rest) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(rest[i]); };
-  const unsigned char lead = byte(0);
-  const std::size_t length = lead < 0x80                   ? 1
-                             : lead >= 0xC2 && lead < 0xE0 ? 2
-                             : lead >= 0xE0 && lead < 0xF0 ? 3
-                             : lead >= 0xF0 && lead < 0xF5 ? 4
-                                                           : 0;
-  if (length == 0 || length > rest.size()) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0) != 0x80) return 0;
-  }
-  // Over-long forms, surrogates and numbers past U+10FFFF show in the second byte.
-  if (lead == 0xE0 && byte(1) < 0xA0) return 0;
-  if (lead == 0xED && byte(1) >= 0xA0) return 0;
-  if (lead == 0xF0 && byte(1) < 0x90) return 0;
-  if (lead == 0xF4 && byte(1) >= 0x90) return 0;
-  return length;
 }
 
 void append_escape(std::string& out, unsigned char c) {
@@ -100,7 +81,7 @@ void json_text(std::string& out, std::string_view raw) {
   out += '"';
   while (!rest.empty()) {
     const auto c = static_cast<unsigned char>(rest[0]);
-    const std::size_t length = utf8_length(rest);
+    const std::size_t length = utf8_character(rest);
     if (c == '"' || c == '\\') {
       out += '\\';
       out += rest[0];
