@@ -461,7 +461,7 @@ def _need(need: str) -> str:
 def _interface(served: Served) -> str:
     listed = served.listed_when or served.when
     return (f'    {{"{served.name}", {served.code}, Index::{enumerator(served.index)}, {_need(served.when)}, '
-            f"{_need(listed)}}},")
+            f"{_need(listed)}, {'true' if served.shared else 'false'}}},")
 
 
 def _interfaces(kind: Kind) -> list[str]:

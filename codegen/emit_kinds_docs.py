@@ -12,7 +12,7 @@ INDICES = {
     "robot": "that of the robot; of further ones, and where no robot carries it, from behind all robots on",
     "count": "all are counted, over all robots",
 }
-NEEDS = {"scanner": "a sensor with several samples", "several sensors": "several sensors"}
+NEEDS = {"scanner": "a sensor with several samples", "several sensors": "several sensors", "robot": "a model at the top level that drives"}
 VALUES = {
     "flag": "0 or 1", "integer": "a whole number; a fraction is cut off", "count": "a whole number that is not negative",
     "number": "a number, in the unit that is told whatever the file's", "length": "a number, in the file's unit of length",
@@ -70,7 +70,7 @@ def _page(kinds: Kinds, kind: Kind) -> str:
     if read:
         lines += ["## Words", "", *_words(read)]
     if kind.entity == "model" and kind.name != BASE:
-        lines += [f"Besides, it has the [words of every model]({BASE}.md).", ""]
+        lines += [f"Besides, it has the [words and devices of every model]({BASE}.md).", ""]
     for part in kinds.parts_of(kind):
         lines += [f"`{part.name}( ... )` inside it is described on [a page of its own]({part.name}.md).", ""]
     lines += _devices(kind) + _idle(kind) + _state(kind)

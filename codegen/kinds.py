@@ -24,10 +24,10 @@ BASE = "model"  # the type whose words every model has
 # devices, and those of models that no robot carries, come behind all robots; all are counted, over all robots.
 INDICES = ("one", "robot", "count")
 # What a model must have for an interface.
-NEEDS = ("scanner", "several sensors")
+NEEDS = ("scanner", "several sensors", "robot")
 
 KEY_TYPES = {key: str for key in ("name", "entity", "doc", "kind", "inside", "table", "index", "when", "listed_when", "form")}
-KEY_TYPES |= {"number": int, "watts": (int, float), "body": dict, "old": dict, "old_types": dict, "size": list, "color": list, "solid": bool}
+KEY_TYPES |= {"number": int, "watts": (int, float), "body": dict, "old": dict, "old_types": dict, "size": list, "color": list, "solid": bool, "shared": bool}
 KEY_TYPES |= {key: list for key in ("given_by", "silent", "word", "interface", "record", "column", "viewer")}
 
 
@@ -41,13 +41,14 @@ class Body:
 
 @dataclass
 class Served:
-    """An interface of Player through which models of the kind are seen."""
+    """An interface of Player through which models of the kind are seen; those of BASE are of every kind."""
 
     name: str
     code: int
     index: str
     when: str               # what the model must have; "" nothing
     listed_when: str        # the same, for the automatic map alone
+    shared: bool            # several devices of a configuration file may be of one model
 
 
 @dataclass
@@ -233,7 +234,7 @@ def _body(where: str, row: dict | None) -> Body | None:
 
 
 def _served(where: str, row: dict, schema: Schema) -> Served:
-    keys(where, row, {"name", "index"}, {"when", "listed_when"})
+    keys(where, row, {"name", "index"}, {"when", "listed_when", "shared"})
     typed(where, row, KEY_TYPES)
     one_of(where, "name", row["name"], [i.name for i in schema.interfaces])
     one_of(where, "index", row["index"], INDICES)
@@ -242,7 +243,7 @@ def _served(where: str, row: dict, schema: Schema) -> Served:
             one_of(where, key, row[key], NEEDS)
     code = schema.interface(row["name"]).code
     assert code is not None
-    return Served(row["name"], code, row["index"], row.get("when", ""), row.get("listed_when", ""))
+    return Served(row["name"], code, row["index"], row.get("when", ""), row.get("listed_when", ""), row.get("shared", False))
 
 
 def _check_neighbours(kinds: Kinds, kind: Kind) -> None:

@@ -21,7 +21,7 @@ using scene::Word;
 constexpr std::array<std::string_view, 5> kForms = {"model", "part", "trait", "window", "world"};
 constexpr std::array<std::string_view, 4> kUses = {"read", "silent", "later", "old"};
 constexpr std::array<std::string_view, 3> kIndices = {"one", "robot", "count"};
-constexpr std::array<std::string_view, 3> kNeeds = {"", "scanner", "several sensors"};
+constexpr std::array<std::string_view, 4> kNeeds = {"", "scanner", "several sensors", "robot"};
 
 template <typename Enum, std::size_t kCount>
 std::string_view name_of(const std::array<std::string_view, kCount>& names, Enum value) {

@@ -64,6 +64,9 @@ inline constexpr std::size_t kHistoryBytes = 128u << 20;          // of all stat
 // Stage engine.
 inline constexpr unsigned kMotionSteps = 1024;                    // collision tests along one robot's way in one tick
 
+// Models.
+inline constexpr std::size_t kSayBytes = 1024;                    // of what a model says; the rest is cut off
+
 // Files.
 inline constexpr std::size_t kFileBytes = 16u << 20;
 inline constexpr int kIncludeDepth = 32;

@@ -63,6 +63,21 @@ TEST(StageDriver, gives_each_address_the_next_model_that_fits) {
   EXPECT_TRUE(site.recorder.answers[1].ack);
 }
 
+TEST(StageDriver, speech_is_of_the_model_that_is_named_and_may_be_of_it_twice) {
+  MemorySite site(kWorld);
+  ASSERT_EQ(site.build(std::string(kStage) + R"(
+driver( name "stage" provides ["speech:0" "speech:1"] model "r0.ranger:0" )
+driver( name "stage" provides ["speech:2"] model "r0" ))"),
+            "");
+  Simulation& simulation = *site.site().simulation();
+  EXPECT_EQ(list_models(simulation.world(), simulation.directory(), 0).text,
+            "0\tr0\tposition\t\t6665:speech:2\n"
+            "1\tr0.ranger:0\tranger\tr0\t6665:speech:0 6665:speech:1\n"
+            "2\tr0.ranger:1\tranger\tr0\t\n"
+            "3\tr1\tposition\t\t\n"
+            "4\tr1.ranger:0\tranger\tr1\t\n");
+}
+
 TEST(StageDriver, tells_the_directory_which_model_each_device_shows) {
   MemorySite site(kWorld);
   ASSERT_EQ(site.build(std::string("driver( name \"rangertolaser\" provides [\"7000:laser:3\"] "

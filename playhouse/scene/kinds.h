@@ -43,15 +43,16 @@ enum class Index : std::uint8_t {
 };
 
 /// What a model must have for an interface.
-enum class Need : std::uint8_t { kNothing, kScanner, kSeveralSensors };
+enum class Need : std::uint8_t { kNothing, kScanner, kSeveralSensors, kRobot };
 
-/// An interface of Player through which models of a kind are seen.
+/// An interface of Player through which models of a kind are seen; those of "model" are of every kind.
 struct KindInterface {
   std::string_view name;
   std::uint16_t code = 0;
   Index index = Index::kCount;
   Need when = Need::kNothing;    // that there can be such a device
   Need listed = Need::kNothing;  // that the automatic map has one
+  bool shared = false;           // several devices of a configuration file may be of one model
 };
 
 /// Where an entity stands.

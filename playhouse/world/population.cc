@@ -12,6 +12,7 @@
 #include "playhouse/world/columns.h"
 #include "playhouse/world/generated/worded.h"
 #include "playhouse/world/rows.h"
+#include "playhouse/world/speech.h"
 
 namespace playhouse::world {
 namespace {
@@ -112,7 +113,7 @@ void Population::begin(std::span<const scene::TreeDesc> trees) {
   for (const scene::ModelDesc& desc : descs) {
     poses.push_back(desc.X_PM);
     colors.push_back(desc.color);
-    says.push_back(desc.say);
+    says.push_back(spoken(desc.say));
   }
   world_.models.X_PM.set_prototypes(std::move(poses));
   world_.models.color.set_prototypes(std::move(colors));

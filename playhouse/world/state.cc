@@ -13,6 +13,7 @@
 #include "playhouse/base/packing.h"
 #include "playhouse/world/columns.h"
 #include "playhouse/world/population.h"
+#include "playhouse/world/speech.h"
 #include "playhouse/world/values.h"
 
 namespace playhouse::world {
@@ -213,6 +214,7 @@ class Loader {
     for (std::uint32_t row = 0; row < world_.models.size(); ++row)
       if (world_.models.root[row] == row) place(row);
     users.give_back(world_.models);
+    ++world_.said_;
     world_.changes.add({Change::Kind::kReload, {}, {}, 0, Mobility::kFixed});
     return read_deciders();
   }
@@ -270,7 +272,8 @@ class Loader {
         },
         world_);
     if (result) result = check_ticks();
-    return result ? check_tilts() : result;
+    if (result) result = check_tilts();
+    return result ? check_says() : result;
   }
 
   /// What was measured later than now would not be measured again for ages.
@@ -289,6 +292,12 @@ class Loader {
       if (world_.models.tilt_PM[row] != geom::Tilt{})
         return Error{{}, "has models that are tilted, and this engine keeps all upright"};
     return {};
+  }
+
+  Result<void> check_says() const {
+    bool good = true;
+    world_.models.say.each_kept([&](const std::string& text) { good = good && can_be_said(text); });
+    return good ? Result<void>{} : damaged("a model says what is no line of text");
   }
 
   void place(std::uint32_t row) {

@@ -11,6 +11,7 @@
 #include "playhouse/world/columns.h"
 #include "playhouse/world/population.h"
 #include "playhouse/world/rows.h"
+#include "playhouse/world/speech.h"
 #include "playhouse/world/values.h"
 
 namespace playhouse::world {
@@ -433,7 +434,14 @@ void set_color(World& world, ModelRow model, const scene::Color& color) {
 }
 
 void set_say(World& world, ModelRow model, std::string_view text) {
-  if (world.models.say[model.index] != text) world.models.say.own(model.index) = text;
+  if (world.models.say[model.index] == text) return;
+  std::string& says = world.models.say.own(model.index);
+  if (can_be_said(text)) {
+    says = text;  // as most are, into memory that is there
+  } else {
+    says = spoken(text);
+  }
+  ++world.said_;
 }
 
 void add_flags(World& world, ModelRow model, std::int64_t flags) {

@@ -39,6 +39,8 @@ class World : public Tables {
 
   /// Another number whenever models come, go or become parts of each other.
   std::uint64_t population() const { return population_; }
+  /// Another number whenever some model may say something else; who comes and goes is told by population().
+  std::uint64_t said() const { return said_; }
 
   ModelId id(ModelRow row) const { return models.id[row.index]; }
   /// None if there is no such model, or no more.
@@ -72,6 +74,7 @@ class World : public Tables {
   /// The engine keeps every model upright: there are no tilts. Written by the engine, as it is made.
   bool upright = true;
   std::uint64_t tick_ = 0;  // written by: freeze (the engine) alone
+  std::uint64_t said_ = 0;  // written by: set_say, load_state
 
  private:
   friend class Population;
@@ -192,7 +195,7 @@ bool set_spatial_pose(World& world, ModelRow model, const geom::SpatialPose& X_P
 void return_to_start(World& world);
 void set_fiducial_return(World& world, ModelRow model, std::int32_t id);
 void set_color(World& world, ModelRow model, const scene::Color& color);
-/// What the model says from now on; "" for nothing.
+/// What the model says from now on, as spoken() makes it (speech.h); "" for nothing.
 void set_say(World& world, ModelRow model, std::string_view text);
 /// Gives the model flags, or takes some, as far as it has them; it carries 0 to 2^31 - 1.
 void add_flags(World& world, ModelRow model, std::int64_t flags);

@@ -11,6 +11,7 @@
 namespace playhouse::drivers {
 
 /// `model` fits the interface (model_interfaces.h).
+std::unique_ptr<SimulatedDevice> make_speech_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_position2d_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_ranger_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_laser_device(Simulation& simulation, world::ModelRow model);
@@ -28,6 +29,7 @@ struct DeviceMaker {
   std::unique_ptr<SimulatedDevice> (*make)(Simulation& simulation, world::ModelRow model);
 };
 inline constexpr DeviceMaker kDeviceMakers[] = {
+    {12, make_speech_device},
     {4, make_position2d_device},
     {62, make_ranger_device},
     {6, make_laser_device},

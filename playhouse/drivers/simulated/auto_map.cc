@@ -12,10 +12,6 @@ using scene::KindInterface;
 
 constexpr std::size_t kIndices = 65536;  // of one interface on one port
 
-bool is_robot(const world::World& world, world::ModelRow top) {
-  return world.models.kind[top.index] == scene::ModelKind::kPosition;
-}
-
 /// Calls visit(code) for every interface whose indices are the robots' numbers.
 template <typename Visit>
 void each_numbered(const Visit& visit) {

@@ -16,6 +16,10 @@ std::span<const KindInterface> interfaces_of(const world::World& world, world::M
   return row.interfaces;
 }
 
+std::span<const KindInterface> interfaces_of_every_kind() {
+  return scene::kinds()[static_cast<std::size_t>(scene::ModelKind::kPlain)].interfaces;
+}
+
 bool has(const world::World& world, world::ModelRow model, Need need) {
   const std::vector<scene::RangerSensorDesc>& sensors = world.desc(model).sensors;
   switch (need) {
@@ -25,8 +29,15 @@ bool has(const world::World& world, world::ModelRow model, Need need) {
       return std::ranges::any_of(sensors, [](const auto& sensor) { return sensor.samples > 1; });
     case Need::kSeveralSensors:
       return sensors.size() > 1;
+    case Need::kRobot:
+      return is_robot(world, model);
   }
   return false;
+}
+
+bool is_robot(const world::World& world, world::ModelRow model) {
+  return world.models.root[model.index] == model.index &&
+         world.models.kind[model.index] == scene::ModelKind::kPosition;
 }
 
 bool fits(const world::World& world, world::ModelRow model, std::uint16_t interf) {
@@ -35,6 +46,13 @@ bool fits(const world::World& world, world::ModelRow model, std::uint16_t interf
     fits = fits || (each.code == interf && has(world, model, each.when));
   });
   return fits;
+}
+
+bool is_shared(std::uint16_t interf) {
+  return std::ranges::any_of(scene::kinds(), [=](const scene::Kind& kind) {
+    return std::ranges::any_of(kind.interfaces,
+                               [=](const KindInterface& each) { return each.code == interf && each.shared; });
+  });
 }
 
 bool is_simulated(std::uint16_t interf) {

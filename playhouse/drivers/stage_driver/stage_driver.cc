@@ -17,7 +17,7 @@ namespace playhouse::drivers {
 namespace {
 
 /// Interfaces that Stage's driver has for any model, and this one not yet.
-constexpr std::array<std::string_view, 3> kOfAnyModel = {"speech", "graphics2d", "graphics3d"};
+constexpr std::array<std::string_view, 2> kOfAnyModel = {"graphics2d", "graphics3d"};
 
 /// Those that it has besides are of kinds that are not simulated yet; such a device is left out with a warning.
 bool is_for_later(std::string_view interf) {
@@ -76,7 +76,7 @@ Result<world::ModelRow> choose_model(const scene::CfgSection& section, const sce
     return Error{section.at("provides"), fmt::format("model {} has nothing left for {}",
                                                      in_quotes(world.name(top)), in_quotes(provided.text()))};
   }
-  site.taken_models().emplace(interf, model.index);
+  if (!is_shared(interf)) site.taken_models().emplace(interf, model.index);
   return model;
 }
 

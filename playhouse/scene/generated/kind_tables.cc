@@ -24,7 +24,7 @@ constexpr Word kWordsOfModel[50] = {
     {.name = "update_interval", .use = Use::kRead, .type = "number", .unit = "ms", .otherwise = "100", .limits = "not negative", .doc = "Time between two measurements of a sensor, at least a tick."},
     {.name = "alwayson", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "It moves or measures although nobody has opened it."},
     {.name = "gui_move", .use = Use::kRead, .type = "flag", .told = "1, inside another model 0", .doc = "A person may drag it in the page."},
-    {.name = "say", .use = Use::kRead, .type = "text", .otherwise = "\"\"", .doc = "What it says; controllers read it, nothing shows it yet."},
+    {.name = "say", .use = Use::kRead, .type = "text", .otherwise = "\"\"", .doc = "What it says at the start: one line, of which 1024 bytes count. Controllers and clients have it say something else."},
     {.name = "trail_length", .use = Use::kRead, .type = "integer", .otherwise = "20", .limits = "not negative", .doc = "How many places of the past the page draws."},
     {.name = "ctrl", .use = Use::kRead, .type = "texts", .doc = "The controllers that drive it, each a name and its arguments."},
     {.name = "watts", .use = Use::kRead, .type = "number", .unit = "W", .otherwise = "0", .limits = "not negative", .doc = "Power that it draws from its battery, or its parent's; kinds that say what they draw have that instead."},
@@ -57,6 +57,10 @@ constexpr Word kWordsOfModel[50] = {
     {.name = "interval_real", .use = Use::kOld},
 };
 
+constexpr KindInterface kInterfacesOfModel[1] = {
+    {"speech", 12, Index::kRobot, Need::kNothing, Need::kRobot, true},
+};
+
 constexpr Word kWordsOfPosition[11] = {
     {.name = "drive", .use = Use::kRead, .type = "choice", .form = "\"diff\" | \"omni\" | \"car\"", .otherwise = "\"diff\"", .doc = "How it can move. \"diff\": ahead and turning, as two wheels do; \"omni\": in any direction and turning; \"car\": ahead, and turning by the angle of a steered axle."},
     {.name = "localization", .use = Use::kRead, .type = "choice", .form = "\"gps\" | \"odom\"", .otherwise = "\"gps\"", .doc = "What it believes about its pose. \"gps\": the truth; \"odom\": what its wheels counted, with an error."},
@@ -72,7 +76,7 @@ constexpr Word kWordsOfPosition[11] = {
 };
 
 constexpr KindInterface kInterfacesOfPosition[1] = {
-    {"position2d", 4, Index::kRobot, Need::kNothing, Need::kNothing},
+    {"position2d", 4, Index::kRobot, Need::kNothing, Need::kNothing, false},
 };
 
 constexpr Word kWordsOfRanger[11] = {
@@ -90,9 +94,9 @@ constexpr Word kWordsOfRanger[11] = {
 };
 
 constexpr KindInterface kInterfacesOfRanger[3] = {
-    {"ranger", 62, Index::kCount, Need::kNothing, Need::kNothing},
-    {"laser", 6, Index::kRobot, Need::kScanner, Need::kScanner},
-    {"sonar", 5, Index::kRobot, Need::kNothing, Need::kSeveralSensors},
+    {"ranger", 62, Index::kCount, Need::kNothing, Need::kNothing, false},
+    {"laser", 6, Index::kRobot, Need::kScanner, Need::kScanner, false},
+    {"sonar", 5, Index::kRobot, Need::kNothing, Need::kSeveralSensors, false},
 };
 
 constexpr Word kWordsOfFiducial[5] = {
@@ -104,7 +108,7 @@ constexpr Word kWordsOfFiducial[5] = {
 };
 
 constexpr KindInterface kInterfacesOfFiducial[1] = {
-    {"fiducial", 10, Index::kCount, Need::kNothing, Need::kNothing},
+    {"fiducial", 10, Index::kCount, Need::kNothing, Need::kNothing, false},
 };
 
 constexpr Word kWordsOfBlobfinder[11] = {
@@ -122,7 +126,7 @@ constexpr Word kWordsOfBlobfinder[11] = {
 };
 
 constexpr KindInterface kInterfacesOfBlobfinder[1] = {
-    {"blobfinder", 7, Index::kCount, Need::kNothing, Need::kNothing},
+    {"blobfinder", 7, Index::kCount, Need::kNothing, Need::kNothing, false},
 };
 
 constexpr Word kWordsOfBumper[3] = {
@@ -132,7 +136,7 @@ constexpr Word kWordsOfBumper[3] = {
 };
 
 constexpr KindInterface kInterfacesOfBumper[1] = {
-    {"bumper", 14, Index::kCount, Need::kNothing, Need::kNothing},
+    {"bumper", 14, Index::kCount, Need::kNothing, Need::kNothing, false},
 };
 
 constexpr Word kWordsOfBlinkenlight[3] = {
@@ -142,11 +146,11 @@ constexpr Word kWordsOfBlinkenlight[3] = {
 };
 
 constexpr KindInterface kInterfacesOfBlinkenlight[1] = {
-    {"blinkenlight", 33, Index::kCount, Need::kNothing, Need::kNothing},
+    {"blinkenlight", 33, Index::kCount, Need::kNothing, Need::kNothing, false},
 };
 
 constexpr KindInterface kInterfacesOfLightindicator[1] = {
-    {"blinkenlight", 33, Index::kCount, Need::kNothing, Need::kNothing},
+    {"blinkenlight", 33, Index::kCount, Need::kNothing, Need::kNothing, false},
 };
 
 constexpr Word kWordsOfGripper[3] = {
@@ -156,7 +160,7 @@ constexpr Word kWordsOfGripper[3] = {
 };
 
 constexpr KindInterface kInterfacesOfGripper[1] = {
-    {"gripper", 3, Index::kCount, Need::kNothing, Need::kNothing},
+    {"gripper", 3, Index::kCount, Need::kNothing, Need::kNothing, false},
 };
 
 constexpr Word kWordsOfActuator[6] = {
@@ -169,7 +173,7 @@ constexpr Word kWordsOfActuator[6] = {
 };
 
 constexpr KindInterface kInterfacesOfActuator[1] = {
-    {"actarray", 53, Index::kCount, Need::kNothing, Need::kNothing},
+    {"actarray", 53, Index::kCount, Need::kNothing, Need::kNothing, false},
 };
 
 constexpr Word kWordsOfCamera[4] = {
@@ -180,7 +184,7 @@ constexpr Word kWordsOfCamera[4] = {
 };
 
 constexpr KindInterface kInterfacesOfCamera[1] = {
-    {"camera", 40, Index::kCount, Need::kNothing, Need::kNothing},
+    {"camera", 40, Index::kCount, Need::kNothing, Need::kNothing, false},
 };
 
 constexpr Word kWordsOfBlock[6] = {
@@ -210,7 +214,7 @@ constexpr Word kWordsOfSensor[14] = {
 };
 
 constexpr KindInterface kInterfacesOfPack[1] = {
-    {"power", 2, Index::kRobot, Need::kNothing, Need::kNothing},
+    {"power", 2, Index::kRobot, Need::kNothing, Need::kNothing, false},
 };
 
 constexpr Word kWordsOfWindow[51] = {
@@ -292,11 +296,11 @@ constexpr Word kWordsOfWorld[21] = {
 };
 
 constexpr KindInterface kInterfacesOfWorld[1] = {
-    {"simulation", 31, Index::kOne, Need::kNothing, Need::kNothing},
+    {"simulation", 31, Index::kOne, Need::kNothing, Need::kNothing, false},
 };
 
 constexpr Kind kKinds[16] = {
-    {.name = "model", .doc = "A plain body; its words are those of every model, whatever its kind.", .entity = EntityForm::kModel, .table = "models", .kind = ModelKind::kPlain, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfModel},
+    {.name = "model", .doc = "A plain body; its words are those of every model, whatever its kind.", .entity = EntityForm::kModel, .table = "models", .kind = ModelKind::kPlain, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfModel, .interfaces = kInterfacesOfModel},
     {.name = "position", .doc = "A robot that drives in the plane.", .entity = EntityForm::kModel, .table = "positions", .kind = ModelKind::kPosition, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfPosition, .interfaces = kInterfacesOfPosition},
     {.name = "ranger", .doc = "Range finders of any kind: a laser has one sensor with many samples, a ring of sonars many with one.", .entity = EntityForm::kModel, .table = "rangers", .kind = ModelKind::kRanger, .simulated = true, .solid = false, .size = {0.15, 0.15, 0.2}, .color = {0, 0, 0.5f, 1}, .words = kWordsOfRanger, .interfaces = kInterfacesOfRanger},
     {.name = "fiducial", .doc = "A finder of marks: sees models with a fiducial_return and tells which they are and where.", .entity = EntityForm::kModel, .table = "fiducials", .kind = ModelKind::kFiducial, .simulated = true, .solid = false, .size = {0, 0, 0}, .color = {1, 0, 0, 1}, .words = kWordsOfFiducial, .interfaces = kInterfacesOfFiducial},
