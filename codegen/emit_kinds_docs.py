@@ -23,7 +23,7 @@ VALUES = {
 TIMES = {"start": "with the scene", "changed": "when it differs", "selected": "while the robot is selected",
          "shown": "while the robot is selected or its sensors are shown"}
 CODES = {"json": "JSON", "difference": "difference, zigzag varint", "turn": "16 bits of a turn", "bit": "a bit of its state",
-         "rgba": "32 bits", "fraction": "16 bits", "varint": "varint", "zigzag": "zigzag varint"}
+         "rgba": "32 bits", "fraction": "16 bits", "varint": "varint", "zigzag": "zigzag varint", "text": "UTF-8"}
 
 
 def emit(kinds: Kinds) -> dict[str, str]:

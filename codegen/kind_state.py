@@ -31,8 +31,8 @@ WRITERS = ("decide", "act", "move", "sense", "energy", "commands", "devices", "p
 # robot is selected, or in view of a page that shows sensors.
 TIMES = ("start", "changed", "selected", "shown")
 # How a field travels: as JSON; as a zigzag varint of the difference; as 16 bits of a turn; as one of the bits of the
-# model's state; and as what the names say.
-CODES = ("json", "difference", "turn", "bit", "rgba", "fraction", "varint", "zigzag")
+# model's state; as a text of UTF-8; and as what the names say.
+CODES = ("json", "difference", "turn", "bit", "rgba", "fraction", "varint", "zigzag", "text")
 # What 1 stands for in the whole numbers that travel.
 QUANTA = ("mm", "mm/s", "mrad/s", "mrad", "mm or mrad", "mm/s or mrad/s", "mW", "J", "ms", "1/1000", "px", "1/65536 turn", "1/65535 of range_max")
 QUANTIZED = {"difference", "turn", "fraction"}

@@ -12,7 +12,7 @@ class PacketReader {
       : in_(packet), layout_(*replica.layout), replica_(replica) {}
 
   Result<std::uint32_t> read() {
-    if (in_.u8() != 2) return Error{"", "not a viewer packet"};
+    if (in_.u8() != 3) return Error{"", "not a viewer packet"};
     const std::uint8_t flags = in_.u8();
     const std::uint64_t frame = in_.varint();
     replica_.tick = in_.varint();
@@ -20,6 +20,7 @@ class PacketReader {
     replica_.pace.speed = in_.f32();
     replica_.pace.real_time_factor = in_.f32();
     section([this](std::uint8_t mask, std::uint32_t row) { model(mask, replica_.models[row]); });
+    section([this](std::uint8_t tag, std::uint32_t row) { say(tag, row); });
     section([this](std::uint8_t tag, std::uint32_t row) { scan(tag, row); });
     section([this](std::uint8_t tag, std::uint32_t row) { view(tag, row); });
     if (!in_.ok() || bad_)
@@ -53,7 +54,19 @@ class PacketReader {
     if (mask & 8) turn(state.a);
     if (mask & 16) state.state = in_.u8();
     if (mask & 32) state.color = in_.u32();
+    if (mask & 64) state.flags = static_cast<std::uint32_t>(in_.varint());
     if (mask & 128) state.tilt_x = in_.u16(), state.tilt_y = in_.u16();
+  }
+
+  void say(std::uint8_t tag, std::uint32_t model) {
+    std::string text = in_.text();
+    if (tag != 1) {
+      bad_ = true;
+    } else if (text.empty()) {
+      replica_.says.erase(model);
+    } else {
+      replica_.says[model] = std::move(text);
+    }
   }
 
   void scan(std::uint8_t tag, std::uint32_t model) {

@@ -9,7 +9,7 @@
 namespace playhouse::replicate {
 namespace {
 
-constexpr std::uint8_t kPacket = 2;
+constexpr std::uint8_t kPacket = 3;
 constexpr std::uint8_t kPaused = 1, kWaiting = 2, kBeamsFull = 4;
 constexpr std::uint8_t kEnd = 0, kFresh = 1, kGone = 2;
 
@@ -64,6 +64,23 @@ class PacketWriter {
     pack_.u8(kEnd);
   }
 
+  /// Models that say something else than this viewer holds: those in view first, both from `next` on.
+  void says(std::uint32_t& next) {
+    id_ = 0;
+    if (replica_.said != snapshot_.said) {
+      std::vector<Utterance> news = unheard();
+      const auto from = std::ranges::lower_bound(news, next, {}, &Utterance::model);
+      std::rotate(news.begin(), from, news.end());
+      std::stable_partition(news.begin(), news.end(),
+                            [this](const Utterance& each) { return in_view(each.model); });
+      const auto stopped =
+          std::ranges::find_if_not(news, [this](const Utterance& each) { return say(each); });
+      next = stopped == news.end() ? 0 : stopped->model;
+      if (stopped == news.end()) replica_.said = snapshot_.said;
+    }
+    pack_.u8(kEnd);
+  }
+
   void scans(std::uint32_t& next) {
     id_ = 0;
     for (const Scan& scan : snapshot_.scans) {
@@ -98,6 +115,11 @@ class PacketWriter {
   }
 
  private:
+  struct Utterance {
+    std::uint32_t model = 0;  // row
+    std::string_view text;    // empty: it says nothing any more
+  };
+
   /// True, and remembered as rows waiting, when the packet is as long as `budget` or longer.
   bool full(std::size_t budget) {
     const bool full = out_.size() >= budget;
@@ -161,7 +183,7 @@ class PacketWriter {
     const ModelState& to = snapshot_.models[row];
     const int mask = (from.x != to.x ? 1 : 0) | (from.y != to.y ? 2 : 0) | (from.z != to.z ? 4 : 0) |
                      (from.a != to.a ? 8 : 0) | (from.state != to.state ? 16 : 0) |
-                     (from.color != to.color ? 32 : 0) |
+                     (from.color != to.color ? 32 : 0) | (from.flags != to.flags ? 64 : 0) |
                      (from.tilt_x != to.tilt_x || from.tilt_y != to.tilt_y ? 128 : 0);
     if (mask == 0) return;
     item(static_cast<unsigned>(mask), row);
@@ -171,12 +193,43 @@ class PacketWriter {
     if (mask & 8) pack_.zigzag(turn_difference(from.a, to.a));
     if (mask & 16) pack_.u8(to.state);
     if (mask & 32) pack_.u32(to.color);
+    if (mask & 64) pack_.varint(to.flags);
     if (mask & 128) pack_.u16(to.tilt_x), pack_.u16(to.tilt_y);
     from = to;
   }
 
   void difference(std::int32_t from, std::int32_t to) {
     pack_.zigzag(static_cast<std::int64_t>(to) - static_cast<std::int64_t>(from));
+  }
+
+  /// What the replica has otherwise than the snapshot; both are in the order of rows.
+  std::vector<Utterance> unheard() const {
+    std::vector<Utterance> news;
+    auto held = replica_.says.begin();
+    const auto end_held_before = [&](std::uint32_t row) {
+      for (; held != replica_.says.end() && held->first < row; ++held) news.push_back({held->first, {}});
+    };
+    for (const Said& said : snapshot_.says) {
+      end_held_before(said.model);
+      const bool holds = held != replica_.says.end() && held->first == said.model;
+      if (!holds || held->second != said.text) news.push_back({said.model, said.text});
+      if (holds) ++held;
+    }
+    end_held_before(world::ModelRow::kNone);
+    return news;
+  }
+
+  /// False: there is no room; some is left for the sensors.
+  bool say(const Utterance& utterance) {
+    if (full(budget_ / 8 * 7)) return false;
+    item(kFresh, utterance.model);
+    pack_.text(utterance.text);
+    if (utterance.text.empty()) {
+      replica_.says.erase(utterance.model);
+    } else {
+      replica_.says[utterance.model] = utterance.text;
+    }
+    return true;
   }
 
   template <typename Iterator>
@@ -305,6 +358,8 @@ void Replica::follow(std::shared_ptr<const Layout> to) {
     const auto now = to->sensor(from.id[from.sensors[sensor].model], from.sensors[sensor].nth);
     next.scans[*now] = std::move(scans[sensor]);
   }
+  for (auto& [row, text] : says)
+    if (row_now[row] != kGoneRow) next.says[row_now[row]] = std::move(text);
   for (auto& [key, values] : views)
     if (row_now[key.second] != kGoneRow) next.views[{key.first, row_now[key.second]}] = std::move(values);
   *this = std::move(next);
@@ -317,6 +372,7 @@ Sent DeltaWriter::write(const Snapshot& snapshot, const Wish& wish, std::uint32_
   PacketWriter packet(snapshot, wish, budget, replica, out);
   packet.head(frame);
   packet.models(next_model_);
+  packet.says(next_text_);
   packet.scans(next_sensor_);
   packet.views();
   return packet.finish();

@@ -7,9 +7,10 @@
 ///
 ///   packet (little-endian; varint: 7 bits a byte, low first, top bit says "more"; zz: zigzag varint)
 ///   +------+-------+--------------+-------------+-----------+-----------+
-///   | u8 2 | flags | varint frame | varint tick | f32 speed | f32 rtf   |
+///   | u8 3 | flags | varint frame | varint tick | f32 speed | f32 rtf   |
 ///   +------+-------+--------------+-------------+-----------+-----------+
 ///   | models : (u8 mask, zz id step, changed fields)*      u8 0         |
+///   | says   : (u8 1, zz id step, varint n, n bytes of UTF-8)*  u8 0   |
 ///   | scans  : (u8 1, zz id step, varint nth, u16 beams...)             |
 ///   |          or (u8 2, zz id step, varint nth)           u8 0         |
 ///   | views  : (u8 2v + 1, zz id step, values)                          |
@@ -21,7 +22,9 @@
 ///   v: place in views(); values: of each of its codes in turn, and, where it is a list, varint n and n times
 ///   that the second form of scans and views: no data any more, nothing follows model fields, by mask bit: 1
 ///   x, 2 y, 4 z (zz difference, mm), 8 heading (zz difference mod 2^16),
-///                              16 u8 state, 32 u32 colour, 128 u16 tilt x, u16 tilt y
+///                              16 u8 state, 32 u32 colour, 64 varint flags that it carries,
+///                              128 u16 tilt x, u16 tilt y
+///   a text of no bytes: it says nothing any more
 ///   codes: varint, zz, u16 turn, u32 colour
 ///
 /// Frames of one viewer count from 1. A scan has as many beams as the scene says its sensor has.
@@ -31,6 +34,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -58,6 +62,8 @@ struct Replica {
   world::Pace pace;
   std::vector<ModelState> models;                 // by row
   std::vector<std::vector<std::uint16_t>> scans;  // by sensor row; empty: none held
+  std::map<std::uint32_t, std::string> says;      // by model row; those that say something
+  std::optional<std::uint64_t> said;              // Snapshot::said of which it has all texts, if it has
   /// By view and model row.
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::int32_t>> views;
 };
@@ -76,7 +82,8 @@ class DeltaWriter {
 
  private:
   std::uint32_t next_model_ = 0;   // where the walk over all models goes on
-  std::uint32_t next_sensor_ = 0;  // the same for scans
+  std::uint32_t next_text_ = 0;    // the same for what they say
+  std::uint32_t next_sensor_ = 0;  // and for scans
 };
 
 /// Applies a packet to the replica it was made for, as a page does. For tests, and for viewers in C++.

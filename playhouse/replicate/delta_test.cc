@@ -10,6 +10,7 @@
 #include "playhouse/replicate/small_world.h"
 #include "playhouse/replicate/viewer.h"
 #include "playhouse/world/population.h"
+#include "playhouse/world/state.h"
 
 namespace playhouse::replicate {
 namespace {
@@ -26,6 +27,7 @@ struct Pair {
     RC_ASSERT(applied.ok());
     RC_ASSERT(*applied == frame);
     RC_ASSERT(receiver.models == sender.models);
+    RC_ASSERT(receiver.says == sender.says);
     RC_ASSERT(receiver.scans == sender.scans);
     RC_ASSERT(receiver.views == sender.views);
     return sent;
@@ -70,6 +72,17 @@ void change_population(SmallWorld& small) {
   }
 }
 
+/// Some say something, or nothing any more, and get flags.
+void speak(world::World& world) {
+  if (world.models.size() == 0) return;
+  for (int changes = *rc::gen::inRange(0, 4); changes > 0; --changes) {
+    const world::ModelRow row{
+        *rc::gen::inRange<std::uint32_t>(0, static_cast<std::uint32_t>(world.models.size()))};
+    world::set_say(world, row, std::string(*rc::gen::element<std::size_t>(0, 1, 60, 500), 'a'));
+    world::add_flags(world, row, *rc::gen::inRange(-3, 300));
+  }
+}
+
 Interest interest_of(const Wish& wish) {
   Interest interest;
   if (wish.sensors) interest.view = wish.view;
@@ -85,6 +98,9 @@ void expect_whole(const Snapshot& snapshot, const Wish& wish, const Replica& rep
            (wish.selected && layout.id[layout.root[model]] == *wish.selected);
   };
   RC_ASSERT(replica.models == snapshot.models);
+  std::map<std::uint32_t, std::string> says;
+  for (const Said& said : snapshot.says) says[said.model] = said.text;
+  RC_ASSERT(replica.says == says);
   std::vector<std::vector<std::uint16_t>> scans(layout.sensors.size());
   for (const Scan& scan : snapshot.scans) {
     if (!wanted(layout.sensors[scan.sensor].model)) continue;
@@ -115,6 +131,7 @@ RC_GTEST_PROP(DeltaLaw,
   for (int round = *rc::gen::inRange(1, 6); round > 0; --round) {
     const Wish wish = any_wish(robots);
     for (int changes = *rc::gen::inRange(0, 3); changes > 0; --changes) change_population(small);
+    speak(small.world);
     if (layout->population != small.world.population()) {
       layout = small.layout({}, layout.get());
       pair.sender.follow(layout);
@@ -168,14 +185,14 @@ TEST(Delta, what_is_in_view_goes_before_the_rest) {
   for (int k = 90; k < 100; ++k) EXPECT_EQ(pair.receiver.models[SmallWorld::robot(k)].x, 2000) << k;
 }
 
-TEST(Delta, an_unchanged_world_costs_a_head_and_three_ends) {
+TEST(Delta, an_unchanged_world_costs_a_head_and_four_ends) {
   SmallWorld small(50);
   const auto layout = small.layout();
   Snapshot snapshot;
   capture(small.world, {}, layout, {}, snapshot);
   Pair pair(layout);
   EXPECT_EQ(pair.send(snapshot, {}, 1000), Sent::kNothing);
-  EXPECT_EQ(pair.packet.size(), 1u + 1 + 1 + 1 + 4 + 4 + 3);
+  EXPECT_EQ(pair.packet.size(), 1u + 1 + 1 + 1 + 4 + 4 + 4);
 }
 
 TEST(Delta, a_sensor_that_stops_measuring_is_taken_back) {
@@ -217,6 +234,80 @@ TEST(Delta, tells_how_grippers_stand_whoever_looks_and_whether_anybody_uses_them
   EXPECT_EQ(told(), (std::vector<std::int32_t>{0, 0}));
   small.world.grippers.paddles[1] = 0.25;
   EXPECT_EQ(told(), (std::vector<std::int32_t>{0, 250}));
+}
+
+TEST(Delta, all_texts_go_those_in_view_first_and_each_once) {
+  SmallWorld small(60);
+  const auto layout = small.layout();
+  for (int k = 0; k < 60; ++k) {
+    world::set_pose(small.world, {SmallWorld::robot(k)}, {k < 55 ? 500.0 : 2.0, 0, 0, 0});
+    world::set_say(small.world, {SmallWorld::robot(k)}, std::string(100, static_cast<char>('A' + k)));
+  }
+  Snapshot snapshot;
+  capture(small.world, {}, layout, {}, snapshot);
+  Pair pair(layout);
+  Wish wish;
+  wish.view = {0, -5, 5, 5};
+  while (pair.send(snapshot, wish, 1000) == Sent::kPart && pair.receiver.says.empty()) {
+  }
+  EXPECT_TRUE(pair.receiver.says.contains(SmallWorld::robot(55)));
+  EXPECT_FALSE(pair.receiver.says.contains(SmallWorld::robot(0)));
+  std::size_t bytes = pair.packet.size();
+  while (pair.send(snapshot, wish, 1000) == Sent::kPart) bytes += pair.packet.size();
+  EXPECT_EQ(pair.receiver.says.size(), 60u);
+  EXPECT_LT(bytes, 60u * 150);
+  EXPECT_EQ(pair.send(snapshot, wish, 1000), Sent::kNothing);
+}
+
+TEST(Delta, a_viewer_that_comes_late_hears_what_is_said_and_no_more) {
+  SmallWorld small(2);
+  world::set_say(small.world, {SmallWorld::robot(0)}, "before");
+  world::set_say(small.world, {SmallWorld::robot(1)}, "over");
+  world::set_say(small.world, {SmallWorld::robot(1)}, "");
+  world::add_flags(small.world, {SmallWorld::robot(1)}, 7);
+  const auto layout = small.layout();
+  Snapshot snapshot;
+  capture(small.world, {}, layout, {}, snapshot);
+  Pair late(layout);
+  late.send(snapshot, {}, 1000);
+  EXPECT_EQ(late.receiver.says, (std::map<std::uint32_t, std::string>{{SmallWorld::robot(0), "before"}}));
+  EXPECT_EQ(late.receiver.models[SmallWorld::robot(1)].flags, 7u);
+}
+
+TEST(Delta, a_state_that_is_loaded_says_what_it_said) {
+  SmallWorld small(2);
+  const auto layout = small.layout();
+  std::vector<std::byte> state;
+  ASSERT_TRUE(world::save_state(small.world, state).ok());
+  world::set_say(small.world, {SmallWorld::robot(0)}, "later");
+  world::add_flags(small.world, {SmallWorld::robot(0)}, 1);
+  Snapshot snapshot;
+  Pair pair(layout);
+  const auto says = [&] {
+    capture(small.world, {}, layout, {}, snapshot);
+    pair.send(snapshot, {}, 1000);
+    return pair.receiver.says;
+  };
+  EXPECT_EQ(says().size(), 1u);
+  ASSERT_TRUE(world::load_state(small.world, state).ok());
+  EXPECT_TRUE(says().empty());
+  EXPECT_EQ(pair.receiver.models[SmallWorld::robot(0)].flags, 0u);
+}
+
+TEST(Snapshot, copies_texts_only_when_somebody_has_said_something) {
+  SmallWorld small(2);
+  const auto layout = small.layout();
+  world::set_say(small.world, {SmallWorld::robot(0)}, "a");
+  Snapshot snapshot;
+  capture(small.world, {}, layout, {}, snapshot);
+  ASSERT_EQ(snapshot.says.size(), 1u);
+  snapshot.says[0].text = "untouched";
+  capture(small.world, {}, layout, {}, snapshot);
+  EXPECT_EQ(snapshot.says[0].text, "untouched");
+  world::set_say(small.world, {SmallWorld::robot(1)}, "b");
+  capture(small.world, {}, layout, {}, snapshot);
+  ASSERT_EQ(snapshot.says.size(), 2u);
+  EXPECT_EQ(snapshot.says[0].text, "a");
 }
 
 TEST(Snapshot, captures_sensors_only_of_robots_in_view_or_selected) {

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "playhouse/replicate/delta.h"
+#include "playhouse/replicate/json_text.h"
 #include "playhouse/replicate/scene_text.h"
 #include "playhouse/replicate/small_world.h"
 #include "playhouse/replicate/views.h"
@@ -29,11 +30,16 @@ std::string hex(std::span<const std::byte> bytes) {
 /// What a page must hold afterwards, as the test there compares it: by id, and per view the bare numbers.
 std::string held(const Replica& replica) {
   const Layout& layout = *replica.layout;
-  std::string models, scans, views_text;
+  std::string models, says, scans, views_text;
   for (std::size_t row = 0; row < replica.models.size(); ++row) {
     const ModelState& m = replica.models[row];
-    models += fmt::format("{}\"{}\":[{},{},{},{},{},{},{},{}]", models.empty() ? "" : ",",
-                          layout.id[row].value, m.x, m.y, m.z, m.a, m.state, m.color, m.tilt_x, m.tilt_y);
+    models +=
+        fmt::format("{}\"{}\":[{},{},{},{},{},{},{},{},{}]", models.empty() ? "" : ",", layout.id[row].value,
+                    m.x, m.y, m.z, m.a, m.state, m.color, m.flags, m.tilt_x, m.tilt_y);
+  }
+  for (const auto& [row, text] : replica.says) {
+    says +=
+        fmt::format("{}\"{}\":{}", says.empty() ? "" : ",", layout.id[row].value, replicate::quoted(text));
   }
   for (std::size_t row = 0; row < replica.scans.size(); ++row) {
     if (replica.scans[row].empty()) continue;
@@ -46,8 +52,9 @@ std::string held(const Replica& replica) {
                               fmt::join(values, ","));
   }
   return fmt::format(
-      "{{\"tick\":{},\"paused\":{},\"speed\":{},\"models\":{{{}}},\n\"scans\":{{{}}},\n\"views\":{{{}}}}}",
-      replica.tick, replica.pace.paused, replica.pace.speed, models, scans, views_text);
+      "{{\"tick\":{},\"paused\":{},\"speed\":{},\"models\":{{{}}},\n\"says\":{{{}}},\n\"scans\":{{{}}},"
+      "\n\"views\":{{{}}}}}",
+      replica.tick, replica.pace.paused, replica.pace.speed, models, says, scans, views_text);
 }
 
 /// Wheels on the first port for every robot, and for the first a laser on another port.
@@ -58,7 +65,8 @@ std::vector<std::string> small_devices(world::ModelId model) {
 }
 
 /// A short story: everything in view, one robot selected, nothing selected, far away, paused; then a robot
-/// goes, another one and a puck come, and a robot takes the puck along.
+/// goes, another one and a puck come, and a robot takes the puck along. Meanwhile some say something and
+/// carry flags.
 std::string make_golden() {
   SmallWorld small(3);
   small.world.upright = false;
@@ -86,6 +94,12 @@ std::string make_golden() {
     if (frame == 6)
       world::set_spatial_pose(small.world, {SmallWorld::robot(2)},
                               {{-2000.5, 300000, 1, -3.1}, {0.25, -0.125}});
+    if (frame == 2) world::set_say(small.world, {SmallWorld::robot(0)}, "I go sch\u00f6n slow");
+    if (frame == 2) world::set_say(small.world, {SmallWorld::robot(1)}, "\"8\"");
+    if (frame == 3) world::add_flags(small.world, {SmallWorld::robot(1)}, 300);
+    if (frame == 4) world::set_say(small.world, {SmallWorld::robot(1)}, "");
+    if (frame == 5) world::set_say(small.world, {SmallWorld::robot(2)}, "far");
+    if (frame == 8) world::set_say(small.world, small.world.row(puck), "heavy");
     const world::Pace pace{frame == 4, frame == 5 ? 0.0 : 1.5, 0.5};
     Interest interest;
     if (wish.sensors) interest.view = wish.view;
@@ -120,7 +134,7 @@ boost::json::value parsed_scene(const SmallWorld& small, const DeviceNames& devi
 TEST(SceneText, is_json_with_equal_shapes_and_prototypes_written_once) {
   SmallWorld small(5);
   const boost::json::value scene = parsed_scene(small);
-  EXPECT_EQ(scene.at("protocol").as_int64(), 2);
+  EXPECT_EQ(scene.at("protocol").as_int64(), 3);
   EXPECT_EQ(scene.at("models").as_array().size(), 22u);
   EXPECT_EQ(scene.at("shapes").as_array().size(), 3u);
   EXPECT_EQ(scene.at("prototypes").as_array().size(), 6u);

@@ -58,6 +58,7 @@ ModelState model_state(const world::World& world, std::uint32_t row) {
   state.tilt_y = quantize_angle(models.tilt_PM[row].y);
   state.color = scene::rgba8(models.color[row]);
   state.state = state_bits(world, row);
+  state.flags = static_cast<std::uint32_t>(models.flags[row]);  // at least 0
   return state;
 }
 

@@ -24,6 +24,7 @@ struct ModelState {
   std::uint16_t a = 0;                   // heading             [1/65536 turn]
   std::uint8_t state = 0;                // state_bits()
   std::uint32_t color = 0;               // 0xRRGGBBAA
+  std::uint32_t flags = 0;               // tokens that it carries
   std::uint16_t tilt_x = 0, tilt_y = 0;  // as geom::Tilt  [1/65536 turn]
   friend bool operator==(const ModelState&, const ModelState&) = default;
 };

@@ -21,8 +21,8 @@ void add_model(const Layout& layout, std::uint32_t row, std::string& text) {
   if (layout.parent[row] != world::ModelRow::kNone)
     fmt::format_to(out, R"(,"parent":{})", layout.id[layout.parent[row]].value);
   const ModelState& start = layout.start[row];
-  fmt::format_to(out, R"(,"start":[{},{},{},{},{},{}],)", start.x, start.y, start.z, start.a, start.state,
-                 start.color);
+  fmt::format_to(out, R"(,"start":[{},{},{},{},{},{},{}],)", start.x, start.y, start.z, start.a, start.state,
+                 start.color, start.flags);
   if (start.tilt_x != 0 || start.tilt_y != 0)
     fmt::format_to(out, R"("tilt":[{},{}],)", start.tilt_x, start.tilt_y);
   fmt::format_to(out, "{}}}", *layout.words[row]);
@@ -34,7 +34,7 @@ std::string scene_text(const scene::SceneDesc& scene, const Prototypes& prototyp
   std::string models;
   for (std::uint32_t row = 0; row < layout.id.size(); ++row) add_model(layout, row, models);
   return fmt::format(
-      "{{\"protocol\":2,\"name\":{},\"interval\":{:.9g},\"window\":{},\n\"shapes\":[{}],\n"
+      "{{\"protocol\":3,\"name\":{},\"interval\":{:.9g},\"window\":{},\n\"shapes\":[{}],\n"
       "\"prototypes\":[\n{}],\n\"addable\":{},\n\"models\":[\n{}]}}\n",
       quoted(scene.name), scene.interval, window(scene.window), prototypes.shapes(), prototypes.texts(),
       list(prototypes.addable(), [](const Addable& robot) { return quoted(robot.name); }), models);

@@ -23,6 +23,19 @@ class Capture {
     for (std::uint32_t row = 0; row < out_.models.size(); ++row) out_.models[row] = model_state(world_, row);
   }
 
+  void says() {
+    std::size_t count = 0;
+    for (std::uint32_t row = 0; row < world_.models.size(); ++row) {
+      const std::string& text = world_.models.say[row];
+      if (text.empty()) continue;
+      if (count == out_.says.size()) out_.says.emplace_back();
+      out_.says[count].model = row;
+      out_.says[count++].text = text;
+    }
+    out_.says.resize(count);
+    out_.said = world_.said();
+  }
+
   void scans() {
     out_.scans.clear();
     out_.beams.clear();
@@ -110,11 +123,13 @@ class Capture {
 
 void capture(const world::World& world, const world::Pace& pace, std::shared_ptr<const Layout> layout,
              const Interest& interest, Snapshot& out) {
+  const bool says_the_same = out.layout == layout && out.said == world.said();
   out.layout = std::move(layout);
   out.tick = world.tick();
   out.pace = pace;
   Capture capture(world, interest, out);
   capture.models();
+  if (!says_the_same) capture.says();
   capture.scans();
   capture.views();
 }

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "playhouse/replicate/layout.h"
@@ -33,6 +34,12 @@ struct Viewed {
   std::uint32_t first = 0, count = 0;
 };
 
+/// What a model says.
+struct Said {
+  std::uint32_t model = 0;  // row
+  std::string text;
+};
+
 struct Snapshot {
   std::shared_ptr<const Layout> layout;  // whose rows the others are
   std::uint64_t tick = 0;
@@ -42,12 +49,15 @@ struct Snapshot {
   std::vector<std::uint16_t> beams;
   std::vector<Viewed> viewed;  // by view and model row
   std::vector<std::int32_t> values;
+  std::vector<Said> says;   // by model row: those that say something
+  std::uint64_t said = 0;   // World::said() when they did
   bool beams_full = false;  // limits::kSnapshotBeams was reached; the rest of the sensors is left out
 };
 
 /// Copies the world's state. `layout` is of its present population. A sensor is captured when it measures (it
 /// has subscribers and a first scan) and its robot is selected or in view; selected robots come first when
-/// there is no room for all. Thread: tick, between steps. Cost O(models + beams captured).
+/// there is no room for all. Thread: tick, between steps. Cost O(models + beams captured), and texts only
+/// when somebody has said something since the last capture into `out`.
 void capture(const world::World& world, const world::Pace& pace, std::shared_ptr<const Layout> layout,
              const Interest& interest, Snapshot& out);
 

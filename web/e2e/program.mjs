@@ -19,7 +19,7 @@ const program = process.env.PLAYHOUSE_PROGRAM ?? join(root, 'build/playhouse');
  * @param {string} world its path, from the source root
  * @param {string[]} options
  * @param {string} port of the page; '0': any free one
- * @returns {Promise<{page: string, stop: () => Promise<number | null>}>}
+ * @returns {Promise<{page: string, port: number, stop: () => Promise<number | null>}>}
  */
 export async function startProgram(world, options = [], port = '0') {
   if (!existsSync(program)) throw new Error(`no program at ${program} (make build, or set PLAYHOUSE_PROGRAM)`);
@@ -28,21 +28,21 @@ export async function startProgram(world, options = [], port = '0') {
     stdio: ['ignore', 'ignore', 'pipe'],
   });
   const exit = new Promise((done) => child.once('exit', (code) => done(code)));
-  const page = await new Promise((found, fail) => {
+  const [page, clients] = await new Promise((found, fail) => {
     let said = '';
     child.once('error', fail);
     child.once('exit', (code) => fail(new Error(`the program ended with ${code}:\n${said}`)));
     child.stderr.on('data', (bytes) => {
       said += bytes;
-      const line = said.match(/web page: (http:\S+)/);
-      if (line) found(line[1]);
+      const places = [/web page: (http:\S+)/, /Player clients: \S+:(\d+)/].map((place) => said.match(place)?.[1]);
+      if (places.every(Boolean)) found(places);
     });
   });
   const stop = async () => {
     child.kill('SIGTERM');
     return exit;
   };
-  return { page, stop };
+  return { page, port: Number(clients), stop };
 }
 
 /** What `playhouse check` makes of a file. */

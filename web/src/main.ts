@@ -124,6 +124,8 @@ class Page {
       driven: this.driver.driven,
       hovered: view.hovered === null ? null : (scene?.models[view.hovered].name ?? null),
       labels: [...view.labelled].map((row) => scene?.models[row].name),
+      bubbles: [...view.spoken].map(([row, text]) => [scene?.models[row].name, text]),
+      tokens: [...view.tokens].map(([row, count]) => [scene?.models[row].name, count]),
       robots: scene?.models.filter((model) => model.kind === 'position').map((model) => model.name) ?? [],
       pose: (name: string) => {
         const row = rowOf(name);
@@ -320,6 +322,7 @@ class Page {
       m: () => this.toolbar.toggle('fiducials'),
       r: () => this.toolbar.toggle('trails'),
       n: () => this.toolbar.toggle('names'),
+      b: () => this.toolbar.toggle('speech'),
       g: () => this.toolbar.toggle('grid'),
       '/': () => this.robots.focus(),
       '?': () => this.help.showModal(),

@@ -6,11 +6,11 @@ import { drawnLoops, outlinesOf, smoothed } from './view/shapes';
 
 function model(id: number, name: string, parent: number, x_mm: number): Model {
   const parentId = parent < 0 ? null : parent;
-  return { id, name, type: 'model', kind: 'plain', parent, parentId, start: [x_mm, 0, 0, 0, 0, 0], size: [1, 1, 1] };
+  return { id, name, type: 'model', kind: 'plain', parent, parentId, start: [x_mm, 0, 0, 0, 0, 0, 0], size: [1, 1, 1] };
 }
 
 const scene: Scene = {
-  protocol: 2, name: 'two', interval: 0.1, shapes: [], prototypes: [], addable: [],
+  protocol: 3, name: 'two', interval: 0.1, shapes: [], prototypes: [], addable: [],
   window: { center: [0, 0], scale: 0, pitch: 0, yaw: 0, sensors: false, follow: '' },
   models: [model(0, 'robot', -1, 0), model(1, 'hat', 0, 100)],
 };

@@ -57,8 +57,8 @@ struct PlainDesc {
   bool alwayson = false;
   /// A person may drag it in the page. Else 1, inside another model 0.
   bool gui_move = false;
-  /// What it says at the start: one line, of which 1024 bytes count. Controllers and clients have it say
-  /// something else.
+  /// What it says at the start, in a bubble of the page: one line, of which 1024 bytes count. Controllers and
+  /// clients have it say something else.
   std::string say;
   /// How many places of the past the page draws.
   int trail_length = 20;

@@ -24,7 +24,7 @@ constexpr Word kWordsOfModel[50] = {
     {.name = "update_interval", .use = Use::kRead, .type = "number", .unit = "ms", .otherwise = "100", .limits = "not negative", .doc = "Time between two measurements of a sensor, at least a tick."},
     {.name = "alwayson", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "It moves or measures although nobody has opened it."},
     {.name = "gui_move", .use = Use::kRead, .type = "flag", .told = "1, inside another model 0", .doc = "A person may drag it in the page."},
-    {.name = "say", .use = Use::kRead, .type = "text", .otherwise = "\"\"", .doc = "What it says at the start: one line, of which 1024 bytes count. Controllers and clients have it say something else."},
+    {.name = "say", .use = Use::kRead, .type = "text", .otherwise = "\"\"", .doc = "What it says at the start, in a bubble of the page: one line, of which 1024 bytes count. Controllers and clients have it say something else."},
     {.name = "trail_length", .use = Use::kRead, .type = "integer", .otherwise = "20", .limits = "not negative", .doc = "How many places of the past the page draws."},
     {.name = "ctrl", .use = Use::kRead, .type = "texts", .doc = "The controllers that drive it, each a name and its arguments."},
     {.name = "watts", .use = Use::kRead, .type = "number", .unit = "W", .otherwise = "0", .limits = "not negative", .doc = "Power that it draws from its battery, or its parent's; kinds that say what they draw have that instead."},

@@ -1,4 +1,6 @@
-/** Reads a packet's numbers; throws RangeError at the end of the bytes. The formats: playhouse/replicate/delta.h. */
+const kDecoder = new TextDecoder('utf-8', { fatal: true });
+
+/** Reads a packet's numbers and texts; throws RangeError at the end of the bytes, TypeError at what is no UTF-8. The formats: playhouse/replicate/delta.h. */
 export class ByteReader {
   private at = 0;
   private readonly view: DataView;
@@ -44,6 +46,15 @@ export class ByteReader {
       scale *= 128;
       if (scale > 2 ** 56) throw new RangeError('a number without end');
     }
+  }
+
+  /** UTF-8, its length in bytes in front. */
+  text(): string {
+    const length = this.varint();
+    if (length > this.view.byteLength - this.at) throw new RangeError('a text without end');
+    const bytes = new Uint8Array(this.view.buffer, this.at, length);
+    this.at += length;
+    return kDecoder.decode(bytes);
   }
 
   zigzag(): number {

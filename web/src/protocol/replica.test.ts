@@ -10,6 +10,7 @@ interface Held {
   paused: boolean;
   speed: number;
   models: Record<string, number[]>; // by id
+  says: Record<string, string>; // by id
   scans: Record<string, number[]>; // by id/nth
   views: Record<string, number[]>; // by id: the bare numbers
 }
@@ -47,7 +48,8 @@ function held(replica: Replica): Held {
     tick: replica.tick,
     paused: replica.paused,
     speed: replica.speed,
-    models: Object.fromEntries(models.map(({ id }, r) => [id, [replica.x[r], replica.y[r], replica.z[r], replica.a[r], replica.state[r], replica.color[r], replica.tiltX[r], replica.tiltY[r]]])),
+    models: Object.fromEntries(models.map(({ id }, r) => [id, [replica.x[r], replica.y[r], replica.z[r], replica.a[r], replica.state[r], replica.color[r], replica.flags[r], replica.tiltX[r], replica.tiltY[r]]])),
+    says: Object.fromEntries([...replica.says].map(([row, text]) => [models[row].id, text])),
     scans: Object.fromEntries(scans),
     views: Object.fromEntries(views),
   };
@@ -74,8 +76,26 @@ describe('Replica', () => {
   it('refuses models that the scene has not, and bytes after the end', () => {
     const head = golden.frames[0].packet.slice(0, 24);
     expect(() => new Replica(kScene).apply(bytesOf(`${head}01feff0302`))).toThrow('names what the scene has not');
-    expect(() => new Replica(kScene).apply(bytesOf(`${head}0001000100`))).toThrow('names what the scene has not');
-    expect(() => new Replica(kScene).apply(bytesOf(`${head}00000000`))).toThrow('bytes follow');
+    expect(() => new Replica(kScene).apply(bytesOf(`${head}000001000100`))).toThrow('names what the scene has not');
+    expect(() => new Replica(kScene).apply(bytesOf(`${head}0000000000`))).toThrow('bytes follow');
+  });
+});
+
+describe('what models say', () => {
+  const packet = (says: string) => bytesOf(`${golden.frames[0].packet.slice(0, 24)}00${says}000000`);
+
+  it('holds until another text or none comes', () => {
+    const replica = new Replica(kScene);
+    replica.apply(packet('010202c3b6')); // row 1
+    expect([...replica.says]).toEqual([[1, 'ö']]);
+    replica.apply(packet(''));
+    expect([...replica.says]).toEqual([[1, 'ö']]);
+    replica.apply(packet('010200'));
+    expect(replica.says.size).toBe(0);
+  });
+
+  it('is refused where it is no text, is longer than the packet, or has another tag', () => {
+    for (const says of ['010202c328', '0102ff7f41', '02020141']) expect(() => new Replica(kScene).apply(packet(says))).toThrow();
   });
 });
 
@@ -93,7 +113,7 @@ describe('scene', () => {
   });
 
   it('keeps ids while rows move, and finds parents that come later', () => {
-    const grown = withChanges(kScene, { gone: [0, 5], models: [{ id: 5, prototype: 0, parent: 9, name: 'load', start: [0, 0, 0, 0, 0, 0] }] });
+    const grown = withChanges(kScene, { gone: [0, 5], models: [{ id: 5, prototype: 0, parent: 9, name: 'load', start: [0, 0, 0, 0, 0, 0, 0] }] });
     expect(grown.models.map(({ id }) => id)).toEqual([1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13]);
     expect(grown.models[4].parent).toBe(8);
     expect(grown.models[1].parent).toBe(0);

@@ -11,7 +11,7 @@ export interface SensorPlace {
   sensor: Sensor;
 }
 
-const kColumns = ['x', 'y', 'z', 'a', 'state', 'color', 'tiltX', 'tiltY'] as const;
+const kColumns = ['x', 'y', 'z', 'a', 'state', 'color', 'flags', 'tiltX', 'tiltY'] as const;
 const kEnd = 0;
 const kFresh = 1;
 
@@ -30,16 +30,19 @@ export class Replica {
   speed = 1;
   realTimeFactor = 0;
 
-  // Per model, in the parent's frame: mm, mm, mm, 1/65536 turn; bits; 0xRRGGBBAA; 1/65536 turn, twice.
+  // Per model, in the parent's frame: mm, mm, mm, 1/65536 turn; bits; 0xRRGGBBAA; tokens that it carries; 1/65536 turn, twice.
   readonly x: Int32Array;
   readonly y: Int32Array;
   readonly z: Int32Array;
   readonly a: Uint16Array;
   readonly state: Uint8Array;
   readonly color: Uint32Array;
+  readonly flags: Uint32Array;
   readonly tiltX: Uint16Array;
   readonly tiltY: Uint16Array;
 
+  /** By model row, what it says; those that say nothing are not there. */
+  readonly says = new Map<number, string>();
   /** By sensor row: ranges as fractions of the sensor's range_max, times 65535. */
   readonly scans = new Map<number, Uint16Array>();
   /** Where each sensor row is. */
@@ -60,11 +63,12 @@ export class Replica {
     this.a = new Uint16Array(count);
     this.state = new Uint8Array(count);
     this.color = new Uint32Array(count);
+    this.flags = new Uint32Array(count);
     this.tiltX = new Uint16Array(count);
     this.tiltY = new Uint16Array(count);
     this.rows = rowsOf(scene.models);
     scene.models.forEach((model, row) => {
-      [this.x[row], this.y[row], this.z[row], this.a[row], this.state[row], this.color[row]] = model.start;
+      [this.x[row], this.y[row], this.z[row], this.a[row], this.state[row], this.color[row], this.flags[row]] = model.start;
       [this.tiltX[row], this.tiltY[row]] = model.tilt ?? [0, 0];
       if (!model.sensors) return;
       this.firstSensor.set(row, this.sensors.length);
@@ -81,6 +85,7 @@ export class Replica {
       const row = next.rows.get(id);
       if (row === undefined || came.has(id)) return;
       for (const column of kColumns) next[column][row] = this[column][before];
+      if (this.says.has(before)) next.says.set(row, this.says.get(before)!);
       this.viewed.forEach((held, view) => held.has(before) && next.viewed[view].set(row, held.get(before)));
       const first = this.firstSensor.get(before);
       if (first === undefined) return;
@@ -100,7 +105,7 @@ export class Replica {
   /** Applies one packet. Throws when the bytes are none; the replica is then of no use any more. */
   apply(packet: ArrayBuffer): void {
     const bytes = new ByteReader(packet);
-    if (bytes.u8() !== 2) throw new Error('not a packet of this program');
+    if (bytes.u8() !== 3) throw new Error('not a packet of this program');
     const flags = bytes.u8();
     this.paused = (flags & 1) !== 0;
     this.rowsWait = (flags & 2) !== 0;
@@ -110,6 +115,7 @@ export class Replica {
     this.speed = bytes.f32();
     this.realTimeFactor = bytes.f32();
     this.section(bytes, (mask, row) => this.readModel(bytes, mask, row));
+    this.section(bytes, (tag, row) => this.readText(bytes, tag, row));
     this.section(bytes, (tag, row) => this.readScan(bytes, tag, row));
     this.section(bytes, (tag, row) => this.readView(bytes, tag, row));
     if (!bytes.atEnd) throw new Error('bytes follow a packet');
@@ -130,7 +136,15 @@ export class Replica {
     if (mask & 8) this.a[row] += bytes.zigzag();
     if (mask & 16) this.state[row] = bytes.u8();
     if (mask & 32) this.color[row] = bytes.u32();
+    if (mask & 64) this.flags[row] = bytes.varint();
     if (mask & 128) [this.tiltX[row], this.tiltY[row]] = [bytes.u16(), bytes.u16()];
+  }
+
+  private readText(bytes: ByteReader, tag: number, row: number): void {
+    if (tag !== kFresh) nobody();
+    const text = bytes.text();
+    if (text === '') this.says.delete(row);
+    else this.says.set(row, text);
   }
 
   private readScan(bytes: ByteReader, tag: number, model: number): void {

@@ -30,7 +30,7 @@ interface Words {
   name: string;
   alias?: string;
   devices?: string[]; // as Player clients address them
-  start: [x_mm: number, y_mm: number, z_mm: number, turn: number, state: number, color: number];
+  start: [x_mm: number, y_mm: number, z_mm: number, turn: number, state: number, color: number, flags: number];
   tilt?: [x_turn: number, y_turn: number]; // at the start; none: upright
   fiducial?: number;
 }
@@ -46,7 +46,7 @@ export interface Model extends Prototype, Words {
 }
 
 export interface Scene {
-  protocol: 2;
+  protocol: 3;
   name: string;
   interval: number; // s, one tick
   window: {
@@ -92,7 +92,7 @@ export function parseText(text: string): Message {
   if ('history' in message) return { history: historyOf(message.history as HistoryText) };
   if ('world' in message) return { world: message.world as WorldFile };
   if ('gone' in message) return { changes: message as Changes };
-  if ('protocol' in message && message.protocol === 2) return { scene: sceneOf(message as SceneText) };
+  if ('protocol' in message && message.protocol === 3) return { scene: sceneOf(message as SceneText) };
   throw new Error('this page is older or newer than the program: reload it');
 }
 

@@ -102,9 +102,24 @@ export class DevicePanel {
     const name = el('h2', { 'data-testid': 'selected', title: `${model.name}, a ${model.type}` }, model.name);
     const devices = devicesOf(scene, roots, row);
     const what = [model.type, ...(model.fiducial ? [`marker ${model.fiducial}`] : []), ...(devices.length === 0 ? ['no devices'] : [])].join(', ');
-    const tags = el('p', { class: 'tags' }, el('span', { 'data-testid': 'type' }, what), stalled, used);
+    const tags = el('p', { class: 'tags' }, el('span', { 'data-testid': 'type' }, what), stalled, used, ...this.speech(model));
     const edits = el('p', { class: 'edits' }, follow, ...(model.movable ? [copy, remove] : []));
     return el('header', {}, swatch, name, close, tags, edits);
+  }
+
+  /** The flags that a model carries and what it says, while it does. */
+  private speech(model: Model): HTMLElement[] {
+    const flags = el('span', { class: 'tag', 'data-testid': 'flags' });
+    const says = el('q', { 'data-testid': 'says' });
+    this.refreshers.push(() => {
+      const count = this.replica.flags[this.at(model.id)];
+      const text = this.replica.says.get(this.at(model.id)) ?? '';
+      flags.hidden = count === 0;
+      setText(flags, count === 1 ? '1 flag' : `${count} flags`);
+      says.hidden = text === '';
+      setText(says, text);
+    });
+    return [flags, says];
   }
 
   private place(id: number): Node[] {

@@ -10,7 +10,7 @@ const kKeys: [string[], string][] = [
   [['T'], 'from above or tilted'],
   [['F'], 'everything on the screen'],
   [['L'], 'follow the selected robot'],
-  [['V', 'M', 'R', 'N', 'G'], 'sensors, markers, trails, names, grid'],
+  [['V', 'M', 'R', 'N', 'B', 'G'], 'sensors, markers, trails, names, speech and flags, grid'],
   [['/'], 'find a robot'],
   [['C'], 'another robot like the selected one, beside it'],
   [['Delete'], 'remove the selected robot'],

@@ -23,6 +23,7 @@ const kLayers: [keyof Layers, string, string][] = [
   ['fiducials', 'Fiducials', 'M'],
   ['trails', 'Trails', 'R'],
   ['names', 'Names', 'N'],
+  ['speech', 'Speech and flags', 'B'],
   ['grid', 'Grid', 'G'],
 ];
 

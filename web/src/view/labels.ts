@@ -4,7 +4,7 @@ import type { CameraRig } from './camera_rig';
 import { Places } from './places';
 import type { Theme } from './theme';
 
-const kLine = 14; // px
+export const kLine = 14; // px
 const kBodyLeast = 9; // px: smaller robots than this would vanish behind their names
 const kLabelsMost = 250;
 
@@ -16,6 +16,11 @@ interface Label {
   robot: boolean;
   name: string;
   long: string; // with its marker
+}
+
+/** How far a name stands above the middle of a body of this size, in pixels. */
+export function nameHeight(size: number, scale: number): number {
+  return Math.min(Math.max(size * scale * 0.62, 10), 46);
 }
 
 /** Names of robots and of what carries a marker, written over the picture where there is room. */
@@ -78,7 +83,7 @@ export class Labels {
     if (!at || at.x < -50 || at.y < -20 || at.x > rig.width + 50 || at.y > rig.height + 40) return;
     const text = strong ? label.long : label.name;
     pen.font = `${strong ? 600 : 500} ${strong ? 13 : 12}px system-ui, sans-serif`;
-    const above = at.y - Math.min(Math.max(label.size * rig.scale * 0.62, 10), 46);
+    const above = at.y - nameHeight(label.size, rig.scale);
     const width = pen.measureText(text).width;
     if (!this.places.take(at.x, above, width, kLine) && !strong) return;
     this.written.add(label.row);

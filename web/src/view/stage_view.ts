@@ -7,6 +7,7 @@ import { kKindPages, type Drawing } from '../kinds/kind_page';
 import type { Replica } from '../protocol/replica';
 import { rootsOf, type Scene } from '../protocol/scene';
 import { Bodies } from './bodies';
+import { Bubbles } from './bubbles';
 import { CameraRig, kTilted, type Box, type Margins } from './camera_rig';
 import { Ground } from './ground';
 import { Labels } from './labels';
@@ -20,6 +21,7 @@ export interface Layers {
   fiducials: boolean;
   trails: boolean;
   names: boolean;
+  speech: boolean; // what models say, and flags that they carry
   grid: boolean;
 }
 
@@ -30,6 +32,7 @@ class Drawn {
   readonly drawings: Drawing[]; // of kinds
   readonly trails: Trails;
   readonly labels: Labels;
+  readonly bubbles: Bubbles;
   readonly ground: Ground;
 
   constructor(
@@ -45,6 +48,7 @@ class Drawn {
     this.drawings = kKindPages.flatMap(({ drawings }) => drawings?.({ scene, replica, motion, theme }) ?? []);
     this.trails = new Trails(scene, replica, before?.trails);
     this.labels = new Labels(scene, motion, rig, canvas, theme, before?.labels);
+    this.bubbles = new Bubbles(scene, replica, motion, rig, canvas, theme);
     this.ground = new Ground(extentOf(scene, motion), theme);
     this.group.add(this.ground.group, this.trails.object, this.bodies.group, ...this.drawings.map(({ object }) => object));
   }
@@ -57,7 +61,7 @@ class Drawn {
 /** The picture: draws the world when something in it changed, and answers what is under the pointer. */
 export class StageView {
   readonly rig = new CameraRig();
-  readonly layers: Layers = { sensors: true, fiducials: true, trails: true, names: true, grid: true };
+  readonly layers: Layers = { sensors: true, fiducials: true, trails: true, names: true, speech: true, grid: true };
   selected: number | null = null;
   hovered: number | null = null;
   followed: number | null = null;
@@ -136,6 +140,7 @@ export class StageView {
       drawn.trails.object.visible = layers.trails;
       drawn.ground.group.visible = layers.grid;
       drawn.labels.names = layers.names;
+      drawn.bubbles.shown = layers.speech;
       drawn.labels.markers = layers.fiducials;
     }
     this.dirty = true;
@@ -147,6 +152,16 @@ export class StageView {
 
   redraw(): void {
     this.dirty = true;
+  }
+
+  /** Texts in the bubbles that are on the screen, by row. */
+  get spoken(): Iterable<[number, string]> {
+    return this.drawn?.bubbles.spoken ?? [];
+  }
+
+  /** Flags on the screen, by row of who carries them. */
+  get tokens(): Iterable<[number, number]> {
+    return this.drawn?.bubbles.tokens ?? [];
   }
 
   /** Rows whose names are on the screen. */
@@ -247,6 +262,7 @@ export class StageView {
       drawn.bodies.adapt(this.rig.scale);
       this.placeRing(drawn);
       drawn.labels.draw([this.selected, this.hovered, this.followed]);
+      drawn.bubbles.draw([this.selected, this.hovered, this.followed]);
     }
     this.renderer.render(this.picture, this.rig.camera);
   }

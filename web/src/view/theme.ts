@@ -6,6 +6,9 @@ export interface Theme {
   edge: number;
   text: string;
   halo: string;
+  bubble: string;
+  bubbleEdge: string;
+  flag: string;
   select: number;
   dark: boolean;
 }
@@ -17,6 +20,9 @@ const kLight: Theme = {
   edge: 0x23282f,
   text: '#1d2430',
   halo: 'rgba(255,255,255,0.85)',
+  bubble: '#ffffff',
+  bubbleEdge: '#8b95a3',
+  flag: '#f2c200',
   select: 0x2f6fed,
   dark: false,
 };
@@ -28,6 +34,9 @@ const kDark: Theme = {
   edge: 0x0a0c0f,
   text: '#e6eaf0',
   halo: 'rgba(13,16,20,0.8)',
+  bubble: '#2a313b',
+  bubbleEdge: '#6b7685',
+  flag: '#f2c200',
   select: 0x6ea0ff,
   dark: true,
 };
