@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "playhouse/app/bench_load.h"
+#include "playhouse/app/bench_open.h"
 #include "playhouse/app/bench_server.h"
 #include "playhouse/app/commands.h"
 #include "playhouse/app/fail.h"
@@ -31,6 +32,7 @@ int unknown(const std::string& name) {
   std::vector<std::string_view> names;
   for (const scenarios::Scenario& scenario : scenarios::kScenarios) names.push_back(scenario.name);
   names.push_back("load");
+  names.push_back("open");
   names.push_back("server");
   log::error("there is no scenario {}{}; there are {}", in_quotes(name), did_you_mean(name, names),
              fmt::join(names, ", "));
@@ -74,6 +76,7 @@ int bench_simulation(const BenchOptions& options, const scenarios::Scenario& sce
 
 int bench(const BenchOptions& options) {
   if (options.scenario == "load") return bench_load(options);
+  if (options.scenario == "open") return bench_open(options);
   if (options.scenario == "server") return bench_server(options);
   const scenarios::Scenario* scenario = scenarios::find(options.scenario);
   return scenario == nullptr ? unknown(options.scenario) : bench_simulation(options, *scenario);

@@ -264,9 +264,9 @@ void add_commands(CLI::App& app, Raw& raw) {
   kinds->add_option("NAME", raw.kinds.name, "one of them, with its words");
   kinds->add_flag("--json", raw.kinds.json, "a JSON object per kind, one a line");
 
-  CLI::App* bench = app.add_subcommand("bench", "measure: sonar, laser, cave, load or server");
+  CLI::App* bench = app.add_subcommand("bench", "measure: sonar, laser, cave, load, open or server");
   bench->footer(kBenchExamples);
-  bench->add_option("SCENARIO", raw.bench.scenario, "sonar, laser, cave, load or server")->required();
+  bench->add_option("SCENARIO", raw.bench.scenario, "sonar, laser, cave, load, open or server")->required();
   bench->add_option("--robots", raw.bench.robots, "how many (the scenario's own number)")
       ->check(check_robots);
   bench

@@ -22,6 +22,7 @@ class PhasedEngine : public world::Engine {
 
   void step() final;
   world::World& world() final { return world_; }
+  world::Workers& workers() final { return workers_; }
 
  protected:
   /// Takes in who came, went, became part of another or was put elsewhere since the last call.

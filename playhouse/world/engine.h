@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "playhouse/world/workers.h"
 #include "playhouse/world/world.h"
 
 namespace playhouse::world {
@@ -16,6 +17,9 @@ class Engine {
 
   /// The state; change it only between steps, with the functions of world.h.
   virtual World& world() = 0;
+
+  /// The threads that share the rows of a phase; between steps, for who has much to do with the state.
+  virtual Workers& workers() = 0;
 
   /// Rays cast since the start, for benches.
   virtual std::uint64_t rays() const = 0;

@@ -99,12 +99,14 @@ void Simulation::tick() {
   follow_changes();
   if (now_.recording) history_.record(world);
   show_past();
-  if (!sources_.empty()) {
-    batch_.clear();
-    for (const std::shared_ptr<Source>& source : sources_) source->emit(world, batch_);
-    if (!batch_.empty() && publisher_) publisher_->publish(std::exchange(batch_, {}));
-  }
+  publish();
   tell_listeners();
+}
+
+void Simulation::publish() {
+  batch_.clear();
+  sources_.emit(engine_->world(), engine_->workers(), batch_);
+  if (!batch_.empty() && publisher_) publisher_->publish(std::exchange(batch_, {}));
 }
 
 void Simulation::follow_changes() {
@@ -291,14 +293,6 @@ void Simulation::command(Inbox::Slot slot, Change command) {
 world::Pace Simulation::pace() const {
   const std::lock_guard lock(mutex_);
   return {wanted_.paused, wanted_.speed, wanted_.paused ? 0 : factor_.load(std::memory_order_relaxed)};
-}
-
-void Simulation::add_source(std::shared_ptr<Source> source) {
-  sources_.push_back(std::move(source));
-}
-
-void Simulation::remove_source(const Source& source) {
-  std::erase_if(sources_, [&](const std::shared_ptr<Source>& each) { return each.get() == &source; });
 }
 
 }  // namespace playhouse::drivers

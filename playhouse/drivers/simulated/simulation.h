@@ -13,6 +13,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "playhouse/device/driver.h"
@@ -20,18 +21,11 @@
 #include "playhouse/drivers/simulated/history.h"
 #include "playhouse/drivers/simulated/inbox.h"
 #include "playhouse/drivers/simulated/pacer.h"
+#include "playhouse/drivers/simulated/sources.h"
 #include "playhouse/world/control.h"
 #include "playhouse/world/engine.h"
 
 namespace playhouse::drivers {
-
-/// Something with data to publish after a tick: a simulated device that is open. Called on the tick thread.
-class Source {
- public:
-  virtual ~Source() = default;
-  /// Appends what is new in this tick's world, encoded.
-  virtual void emit(const world::World& world, std::vector<device::Publication>& out) = 0;
-};
 
 class Simulation final : public world::Control {
  public:
@@ -97,8 +91,8 @@ class Simulation final : public world::Control {
   const Saver& saver() const { return saver_; }
 
   // Tick thread only (inside a Change), or while run() is not running.
-  void add_source(std::shared_ptr<Source> source);
-  void remove_source(const Source& source);
+  void add_source(std::shared_ptr<Source> source) { sources_.add(std::move(source)); }
+  void remove_source(const Source& source) { sources_.remove(source); }
   std::size_t source_count() const { return sources_.size(); }
   /// Which devices show which model.
   Directory& directory() { return directory_; }
@@ -128,6 +122,7 @@ class Simulation final : public world::Control {
   void show_past();
   bool wait_for_tick();
   void tick();
+  void publish();
   void follow_changes();
   void tell_listeners();
 
@@ -158,7 +153,7 @@ class Simulation final : public world::Control {
   std::uint32_t ids_given_ = 0;  // before the run was taken back: none of them is given to another model
   std::vector<Change> taken_;
   std::uint64_t followed_;  // changes that the followers know
-  std::vector<std::shared_ptr<Source>> sources_;
+  Sources sources_;
   std::vector<device::Publication> batch_;
 };
 

@@ -27,7 +27,8 @@ inline scene::SceneDesc scene_of(const std::string& text) {
 /// Every open sensor measures in every tick.
 class StillEngine final : public world::Engine {
  public:
-  explicit StillEngine(const scene::SceneDesc& scene) : world_(scene, 1) {}
+  explicit StillEngine(const scene::SceneDesc& scene, unsigned workers = 1)
+      : world_(scene, 1), workers_(workers) {}
   void step() override {
     ++world_.tick_;
     world::each_kind_table([&]<typename Table>(Table world::Tables::*table) {
@@ -36,10 +37,12 @@ class StillEngine final : public world::Engine {
     });
   }
   world::World& world() override { return world_; }
+  world::Workers& workers() override { return workers_; }
   std::uint64_t rays() const override { return 0; }
 
  private:
   world::World world_;
+  world::Workers workers_;
 };
 
 /// Remembers what drivers answer and publish.
@@ -75,9 +78,9 @@ inline void go_back(Simulation& simulation, std::uint64_t instant, std::uint64_t
 
 /// A world, its simulation, and single steps of it.
 struct StillSimulation {
-  explicit StillSimulation(const std::string& text)
+  explicit StillSimulation(const std::string& text, unsigned workers = 1)
       : scene(scene_of(text)),
-        simulation(std::make_unique<StillEngine>(scene),
+        simulation(std::make_unique<StillEngine>(scene, workers),
                    {.speed = 0, .duration = 0, .clock = no_time_passes}) {
     simulation.publish_to(recorder);
   }
