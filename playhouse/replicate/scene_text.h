@@ -8,9 +8,9 @@
 
 namespace playhouse::replicate {
 
-/// The scene as the JSON text that every viewer gets first: shapes, prototypes, and the models of a layout with
-/// their start state (the very numbers of `layout.start`, the first baseline). docs/viewer-protocol.md shows
-/// the fields.
+/// The scene as the JSON text that every viewer gets first: shapes, prototypes, and the models of a layout
+/// with their start state (the very numbers of `layout.start`, the first baseline). docs/viewer-protocol.md
+/// shows the fields.
 std::string scene_text(const scene::SceneDesc& scene, const Prototypes& prototypes, const Layout& layout);
 
 /// What a viewer that holds one population must be told to hold another one: who has gone, and models that
@@ -23,8 +23,8 @@ std::string history_text(const world::Past& past);
 /// A world file for a viewer to keep under a name.
 std::string world_file_text(std::string_view name, std::string_view text);
 
-/// Calls gone(row of `from`), stays(row of `from`, row of `to`) and came(row of `to`) in the order of ids; a model
-/// with another parent goes and comes.
+/// Calls gone(row of `from`), stays(row of `from`, row of `to`) and came(row of `to`) in the order of ids; a
+/// model with another parent goes and comes.
 template <typename Gone, typename Stays, typename Came>
 void compare(const Layout& from, const Layout& to, Gone gone, Stays stays, Came came) {
   const auto parent_id = [](const Layout& layout, std::uint32_t row) {
