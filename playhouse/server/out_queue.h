@@ -39,6 +39,10 @@ class OutQueue {
   /// client waits for no answer that it could be taken for: not while one is awaited, and in PULL mode amid a
   /// round.
   void add_notice(std::uint16_t interf, std::uint16_t index, Frame frame);
+  /// The client has not been told that a device at this address has retired.
+  bool has_notice(std::uint16_t interf, std::uint16_t index) const {
+    return notice_numbers_.contains({interf, index});
+  }
   /// Some request of the client is not answered yet.
   void set_awaited(bool awaited) { awaited_ = awaited; }
   /// Another device takes the place of one that may have retired: data of the old one is taken out, and the

@@ -222,6 +222,28 @@ TEST_F(Retire, gives_the_address_to_another_device_and_nothing_of_the_old_one) {
   server.retire_device(heir_id);
 }
 
+TEST_F(Retire, lets_no_client_command_or_ask_the_next_at_an_address_before_it_was_told) {
+  TestClient client(network, kPort), other(network, kPort);
+  client.ask(mode_request(kPull));
+  opened(client, kWheels);
+  retire_wheels();
+  FakeDriver heir{"heir"};
+  heir.answers[kGetGeom] = wire::encode(wire::position2d::Geom{});
+  const device::DeviceId heir_id = *server.add_device({kPort, kWheels, 0}, heir);
+  client.ask(drive(0));
+  EXPECT_EQ(outline(client.ask(ask_geometry(kWheels, 0))), "NACK 1");
+  EXPECT_EQ(heir.commands.size(), 0u);
+  EXPECT_EQ(server.status().commands_dropped, 1u);
+  other.ask(drive(0));
+  EXPECT_EQ(heir.commands.size(), 1u) << "of a client that never had the first";
+
+  EXPECT_EQ(outline(client.ask(ask_round())), "ACK 4, ACK 3");
+  client.ask(drive(0));
+  EXPECT_EQ(outline(client.ask(ask_geometry(kWheels, 0))), "ACK 1");
+  EXPECT_EQ(heir.commands.size(), 2u);
+  server.retire_device(heir_id);
+}
+
 TEST_F(Retire, says_nothing_to_a_client_that_is_gone) {
   TestClient client(network, kPort);
   opened(client, kWheels);

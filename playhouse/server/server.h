@@ -72,10 +72,10 @@ class Server final : public device::Publisher, public device::Outlet {
   /// there had never been one at its address. Requests that its driver has not answered get NACK; clients
   /// that have it open are told (docs/server.md); drivers that hold it get Driver::retired(); if it is open
   /// its driver is told to stop. What comes for it later is dropped, and the driver may go when the call
-  /// returns. The address may be given to another device; clients that are not told yet then command the new
-  /// one. A device that has retired is left alone. Not from inside a call of a driver. From another thread:
-  /// network.post([&server, id] { server.retire_device(id); }), which keeps its place behind what that thread
-  /// published.
+  /// returns. The address may be given to another device; what clients that are not told yet say to it
+  /// is refused. A device that has retired is left alone. Not from inside a call of a driver. From another
+  /// thread: network.post([&server, id] { server.retire_device(id); }), which keeps its place behind what
+  /// that thread published.
   void retire_device(device::DeviceId device);
 
   /// Opens a device on behalf of the program, or of a driver that wants to hear when it retires, so that it

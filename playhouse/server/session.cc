@@ -184,6 +184,9 @@ void Session::command(const wire::Header& header, Body body) {
   const device::DeviceId device = board_.devices.find(address_of(header));
   if (!device.valid())
     return drop_command(header, Fault::kUnknownDevice, board_.devices.why_missing(address_of(header)));
+  if (means_one_that_retired(header))
+    return drop_command(header, Fault::kUnknownDevice,
+                        "the device has retired, and the client has not read so");
   if (opened_for_reading_only(device))
     return drop_command(header, Fault::kReadOnly, "opened for reading only");
   const wire::MessageDef* def = wire::find_message(header.interf, header.type, header.subtype);
@@ -207,6 +210,8 @@ void Session::request(const wire::Header& header, Body body) {
   const device::DeviceId device = board_.devices.find(address_of(header));
   if (!device.valid())
     return refuse(header, Fault::kUnknownDevice, board_.devices.why_missing(address_of(header)));
+  if (means_one_that_retired(header))
+    return refuse(header, Fault::kUnknownDevice, "the device has retired, and the client has not read so");
   const wire::MessageDef* def = wire::find_message(header.interf, header.type, header.subtype);
   if (!def) return refuse(header, Fault::kUnknownMessage, "no such request");
   if (const std::string wrong = def->check(body); !wrong.empty())
@@ -254,6 +259,11 @@ void Session::log_once(Fault fault, const std::string& what, const std::string& 
 
 device::Address Session::address_of(const wire::Header& header) const {
   return {robot_, header.interf, header.index};
+}
+
+/// Another device has its address.
+bool Session::means_one_that_retired(const wire::Header& header) const {
+  return queue_.has_notice(header.interf, header.index);
 }
 
 bool Session::opened_for_reading_only(device::DeviceId device) const {

@@ -136,6 +136,7 @@ class Session final : public Reader {
   void count_dropped(std::uint64_t messages);
   void log_once(Fault fault, const std::string& what, const std::string& why);
   device::Address address_of(const wire::Header& header) const;
+  bool means_one_that_retired(const wire::Header& header) const;
   bool opened_for_reading_only(device::DeviceId device) const;
 
   // player_requests.cc: requests to the server itself
