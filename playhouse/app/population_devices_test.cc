@@ -47,11 +47,12 @@ constexpr std::size_t kDevicesOfRobot = 7;
 /// A world with its server. The test is both threads.
 class Town final : public drivers::Surroundings {
  public:
-  Town() : scene_(drivers::testing::scene_of(kWorld)), site_(*this, kPort), server_(network) {
+  explicit Town(std::size_t indices = drivers::AutoMap::kIndices)
+      : scene_(drivers::testing::scene_of(kWorld)), site_(*this, kPort), server_(network) {
     EXPECT_EQ(*server_.listen(kPort), kPort);
     EXPECT_TRUE(site_.open_world("some.world"));
     site_.data_flow().pass_to(server_);
-    robots_ = std::make_unique<drivers::AutoDevices>(site_, kPort);
+    robots_ = std::make_unique<drivers::AutoDevices>(site_, kPort, indices);
     EXPECT_TRUE(robots_->add_all());
   }
   ~Town() override { simulation().discard(); }
@@ -216,6 +217,60 @@ TEST(PopulationDevices, of_a_thousand_robots_that_come_and_go_are_lost_to_nobody
       EXPECT_EQ((client.data[{kWheels, robot}]), (client.data[{kLaser, robot}])) << robot;
     }
   });
+}
+
+TEST(PopulationDevices, with_the_number_of_another_say_nothing_to_who_had_that_open_and_hear_nothing_of_it) {
+  constexpr std::size_t kIndices = 128;
+  Town town(kIndices);
+  Listener pushed(town, false), pulled(town, true);
+  ModelId newest;
+  const auto come = [&] {
+    town.post([&](world::World& world) { newest = *spawn(world, 0, {}); });
+    town.tick();
+    town.network.run();
+  };
+  const auto go = [&] {
+    town.post([&](world::World& world) { EXPECT_TRUE(despawn(world, newest)); });
+    town.tick();
+    town.network.run();
+  };
+  come();
+  for (Listener* client : {&pushed, &pulled}) client->open(kWheels, 1);
+  town.network.run();
+  town.tick();
+  town.tick();
+  for (Listener* client : {&pushed, &pulled}) client->hear();
+  go();
+  for (std::size_t robot = 2; robot < kIndices; ++robot) {
+    come();
+    go();
+  }
+  for (int tick = 0; tick < 600; ++tick) town.tick();
+  come();
+  ASSERT_EQ(town.simulation().directory().model_of({kPort, kWheels, 1}), newest);
+
+  const std::size_t told = (pushed.data[{kWheels, 1}]), pulled_told = (pulled.data[{kWheels, 1}]);
+  pulled.drive(1);
+  pulled.switch_motors_on(1);
+  town.network.run();
+  for (int tick = 0; tick < 10; ++tick) town.tick();
+  const world::World& world = town.simulation().world();
+  EXPECT_EQ(world.positions.command[world.position(newest).index], geom::Twist{}) << "it means the first";
+  EXPECT_EQ(town.status().commands_dropped, 1u);
+  for (Listener* client : {&pushed, &pulled}) {
+    client->hear();
+    town.network.run();
+    client->hear();
+    EXPECT_EQ(client->gone, 1u);
+  }
+  EXPECT_EQ((pushed.data[{kWheels, 1}]), told);
+  EXPECT_LE((pulled.data[{kWheels, 1}]), pulled_told + 1) << "one may have waited when the first went";
+  EXPECT_EQ(pulled.answered, pulled.asked);
+
+  pulled.drive(1);
+  town.network.run();
+  town.tick();
+  EXPECT_NE(world.positions.command[world.position(newest).index], geom::Twist{}) << "now it means this one";
 }
 
 TEST(PopulationDevices, follow_over_tcp_with_every_thread_of_the_program) {

@@ -1,5 +1,6 @@
 #include "playhouse/drivers/simulated/auto_devices.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -9,8 +10,12 @@
 
 namespace playhouse::drivers {
 
-AutoDevices::AutoDevices(Site& site, std::uint16_t port)
-    : site_(site), simulation_(*site.simulation()), port_(port), driver_(simulation_, "stage") {
+AutoDevices::AutoDevices(Site& site, std::uint16_t port, std::size_t indices)
+    : site_(site),
+      simulation_(*site.simulation()),
+      port_(port),
+      driver_(simulation_, "stage"),
+      map_(indices) {
   simulation_.add_follower(
       [this](const world::World& world, const world::Change& change) { follow(world, change); });
 }
@@ -27,8 +32,11 @@ Result<void> AutoDevices::add_all() {
 }
 
 void AutoDevices::follow(const world::World& world, const world::Change& change) {
-  if (change.kind == world::Change::Kind::kReload) return come_back(world);
-  if (change.kind != world::Change::Kind::kSpawn) return;
+  using Kind = world::Change::Kind;
+  if (change.kind == Kind::kReload) return go_and_come_back(world);
+  if (change.kind == Kind::kDespawn)
+    for (std::uint32_t part = 0; part < change.count; ++part) go(world, {change.model.value + part});
+  if (change.kind != Kind::kSpawn) return;
   const world::ModelRow top = world.row(change.model);
   if (top) come(world, {{top}});  // else it went again before anybody could look
 }
@@ -38,15 +46,31 @@ void AutoDevices::come(const world::World& world, std::span<const world::ModelRo
   remember(world, devices);
   make(world, devices);
   warn_of_left_out();
+  forget_who_cannot_come_back();
 }
 
-void AutoDevices::come_back(const world::World& world) {
+void AutoDevices::go(const world::World& world, world::ModelId model) {
+  const auto given = given_.find(model);
+  if (given == given_.end() || given->second.gone) return;
+  given->second.gone = world.tick();
+  for (const MappedDevice& device : given->second.devices) map_.retire(device, world.time());
+}
+
+/// A model that is there has its addresses to itself, in any state that was kept: whoever got one of them
+/// later came when it had gone, and is not there with it.
+void AutoDevices::go_and_come_back(const world::World& world) {
+  map_.go_back(world.time());
+  for (auto& [model, given] : given_) {
+    if (given.gone) given.gone = std::min(*given.gone, world.tick());
+    if (!world.row(model)) go(world, model);
+  }
   std::vector<MappedDevice> devices;
-  for (std::uint32_t row = 0; row < world.models.size(); ++row) {
-    const auto given = given_.find(world.models.id[row]);
-    if (given == given_.end() || !simulation_.directory().devices_of(given->first).empty()) continue;
-    for (MappedDevice device : given->second) {
-      device.model = {row};
+  for (auto& [model, given] : given_) {
+    const world::ModelRow row = world.row(model);
+    if (!row || !std::exchange(given.gone, std::nullopt)) continue;
+    for (MappedDevice device : given.devices) {
+      map_.come_back(device);
+      device.model = row;
       devices.push_back(device);
     }
   }
@@ -73,12 +97,25 @@ void AutoDevices::make(const world::World& world, std::span<const MappedDevice> 
 
 void AutoDevices::remember(const world::World& world, std::span<const MappedDevice> devices) {
   for (const MappedDevice& mapped : devices)
-    if (mapped.model) given_[world.id(mapped.model)].push_back(mapped);
+    if (mapped.model) given_[world.id(mapped.model)].devices.push_back(mapped);
+}
+
+/// Now and then, so that a model costs the same however many there were. A run can be taken back to instants
+/// that are kept, and who was gone at the first of them is in none of those that follow.
+void AutoDevices::forget_who_cannot_come_back() {
+  constexpr std::size_t kLeast = 1024;
+  if (given_.size() < std::max(kLeast, forget_at_)) return;
+  const std::vector<std::uint64_t>& instants = simulation_.past()->ticks;
+  std::erase_if(given_, [&](const auto& each) {
+    const std::optional<std::uint64_t>& gone = each.second.gone;
+    return gone && (instants.empty() || *gone < instants.front());
+  });
+  forget_at_ = 2 * given_.size();
 }
 
 void AutoDevices::warn_of_left_out() {
   if (map_.left_out() == 0 || std::exchange(warned_, true)) return;
-  log::warn("models that come get no more devices: an interface has 65536 indices, and none is given twice");
+  log::warn("models that come have fewer devices: an interface has 65536 indices, none is free");
 }
 
 }  // namespace playhouse::drivers

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,8 +21,9 @@ namespace playhouse::drivers {
 
 class AutoDevices {
  public:
-  /// On `port`, of the site's world, which is open. Outlives the run.
-  AutoDevices(Site& site, std::uint16_t port);
+  /// On `port`, of the site's world, which is open. Outlives the run. `indices`: of an interface; less in
+  /// tests.
+  AutoDevices(Site& site, std::uint16_t port, std::size_t indices = AutoMap::kIndices);
   AutoDevices(const AutoDevices&) = delete;
   AutoDevices& operator=(const AutoDevices&) = delete;
 
@@ -35,9 +37,11 @@ class AutoDevices {
  private:
   void follow(const world::World& world, const world::Change& change);
   void come(const world::World& world, std::span<const world::ModelRow> tops);
-  void come_back(const world::World& world);
+  void go(const world::World& world, world::ModelId model);
+  void go_and_come_back(const world::World& world);
   void make(const world::World& world, std::span<const MappedDevice> devices);
   void remember(const world::World& world, std::span<const MappedDevice> devices);
+  void forget_who_cannot_come_back();
   void warn_of_left_out();
 
   Site& site_;
@@ -46,8 +50,13 @@ class AutoDevices {
   SimulatedDriver driver_;
   // Tick thread, once it runs.
   AutoMap map_;
-  /// Of every model that ever was: as many as AutoMap has indices.
-  std::map<world::ModelId, std::vector<MappedDevice>> given_;
+  struct Given {
+    std::vector<MappedDevice> devices;
+    std::optional<std::uint64_t> gone;  // the tick after which the model was there no more
+  };
+  /// Of every model that is there or can come back.
+  std::map<world::ModelId, Given> given_;
+  std::size_t forget_at_ = 0;  // so many of given_
   bool warned_ = false;
 };
 

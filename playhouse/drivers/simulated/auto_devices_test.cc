@@ -14,6 +14,7 @@
 namespace playhouse::drivers {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using testing::MemorySite;
@@ -222,6 +223,141 @@ TEST_F(AutoDevicesTest, that_close_late_take_no_use_from_a_robot_that_came_back)
   site.run(0);  // retires, closes
   site.run(0);
   EXPECT_EQ(world.models.subscribers[world.row(robot).index], 1u);
+}
+
+/// Robots whose numbers are used up: an interface has few indices.
+class ManyRobots : public ::testing::Test {
+ protected:
+  explicit ManyRobots(std::size_t indices = 256) : indices_(indices), site(kFewThings) {
+    EXPECT_TRUE(site.site().open_world("some.world"));
+    robots = std::make_unique<AutoDevices>(site.site(), 6665, indices);
+    EXPECT_TRUE(robots->add_all());
+  }
+  static constexpr const char* kFewThings =
+      "interval_sim 1000\ndefine laser ranger( sensor( samples 3 fov 180 ) )\n"
+      "position( name \"a\" laser( name \"l\" ) )\nposition( name \"b\" )\nlaser( name \"gate\" )\n";
+  static constexpr std::uint32_t kA = 0, kB = 2, kGate = 3;
+
+  Simulation& simulation() { return *site.site().simulation(); }
+  std::vector<ModelId> come(std::size_t count, std::uint32_t prototype = kA) {
+    std::vector<ModelId> ids;
+    EXPECT_TRUE(simulation().post([&](world::World& world) {
+      for (std::size_t k = 0; k < count; ++k)
+        ids.push_back(*world::spawn(world, prototype, {}, std::to_string(++named_)));
+    }));
+    site.run(0);
+    return ids;
+  }
+  void go(const std::vector<ModelId>& ids) {
+    EXPECT_TRUE(simulation().post([=](world::World& world) {
+      for (const ModelId id : ids) EXPECT_TRUE(world::despawn(world, id));
+    }));
+    site.run(0);
+    site.retired.clear();
+  }
+  /// Until there is no number that nobody had; a tick for each that comes and goes, or none.
+  void use_up(int ticks) {
+    while (named_ + 3 < indices_) {
+      go(come(1));
+      site.run(ticks);
+    }
+  }
+  void rest() { site.run(static_cast<int>(RetiredIndices::kRest)); }
+  std::vector<std::string> names(ModelId id) { return device_names(simulation().directory(), id, 6665); }
+  std::string wheels(ModelId id) { return names(id).empty() ? "" : names(id).front(); }
+
+  const std::size_t indices_;
+  std::size_t named_ = 0;
+  MemorySite site;
+  std::unique_ptr<AutoDevices> robots;
+};
+
+TEST_F(ManyRobots, have_the_numbers_that_have_been_free_the_longest) {
+  const std::vector<ModelId> stay = come(3);
+  go({stay[1]});
+  site.run(1);
+  go({stay[0]});
+  use_up(1);
+  const std::vector<ModelId> next = come(3);
+  EXPECT_EQ(wheels(next[0]), "position2d:4") << "of the first that went";
+  EXPECT_THAT(names({next[0].value + 1}), Contains("laser:4"));
+  EXPECT_EQ(wheels(next[1]), "position2d:3");
+  EXPECT_EQ(wheels(next[2]), "position2d:6");
+  EXPECT_EQ(wheels(stay[2]), "position2d:5");
+  EXPECT_EQ(robots->left_out(), 0u);
+}
+
+TEST_F(ManyRobots, have_no_devices_while_every_number_is_taken_or_rests) {
+  use_up(0);
+  const ModelId early = come(1).front();
+  EXPECT_EQ(wheels(early), "");
+  EXPECT_EQ(robots->left_out(), 2u) << "wheels and laser; its ranger has one that nobody had";
+  rest();
+  EXPECT_EQ(wheels(come(1).front()), "position2d:3");
+  EXPECT_EQ(wheels(early), "") << "who had none gets none later";
+}
+
+// A number is one for wheels, laser, sonar and power.
+TEST_F(ManyRobots, have_a_number_once_nobody_has_it_in_any_interface) {
+  ASSERT_THAT(names({kGate}), Contains("laser:2"));
+  use_up(0);
+  rest();
+  const std::vector<ModelId> all = come(indices_ - 3, kB);
+  EXPECT_EQ(robots->left_out(), 0u);
+  for (const ModelId robot : all) EXPECT_NE(wheels(robot), "position2d:2") << "the gate's laser has it";
+  go({ModelId{kGate}});
+  rest();
+  EXPECT_EQ(wheels(come(1, kB).front()), "position2d:2");
+}
+
+TEST_F(ManyRobots, that_come_back_have_numbers_that_others_had_in_their_place) {
+  simulation().record(true);
+  const ModelId first = come(1).front();
+  ASSERT_EQ(wheels(first), "position2d:3");
+  site.run(1);
+  const std::uint64_t instant = simulation().past()->ticks.back();
+  go({first});
+  use_up(1);
+  rest();
+  const ModelId heir = come(1).front();
+  ASSERT_EQ(wheels(heir), "position2d:3");
+  ASSERT_LE(simulation().past()->ticks.front(), instant) << "the history is too short for this test";
+  testing::go_back(simulation(), instant);
+  site.hear();
+  EXPECT_EQ(wheels(first), "position2d:3");
+  EXPECT_EQ(wheels(heir), "");
+  const device::DeviceId id = site.id({6665, p2d::kCode, 3});
+  ASSERT_TRUE(site.hold(id));
+  site.run(1);
+  EXPECT_EQ(site.recorder.published.back().device, id);
+  rest();
+  while (wheels(come(1).front()) != "")
+    EXPECT_NE(wheels(simulation().world().models.id.back()), "position2d:3");
+}
+
+class VeryManyRobots : public ManyRobots {
+ protected:
+  VeryManyRobots() : ManyRobots(AutoMap::kIndices) {}
+};
+
+TEST_F(VeryManyRobots, have_devices_however_many_came_and_went_before) {
+  constexpr std::size_t kAtOnce = 10;
+  std::size_t came = 0, without = 0;
+  std::map<std::string, std::size_t> had;
+  for (; came < 150'000; came += kAtOnce) {
+    const std::vector<ModelId> ids = come(kAtOnce, kB);
+    for (const ModelId id : ids) {
+      without += names(id).empty();
+      ++had[wheels(id)];
+    }
+    go(ids);
+    site.run(1);
+  }
+  EXPECT_EQ(without, 0u);
+  EXPECT_EQ(robots->left_out(), 0u);
+  EXPECT_EQ(had.size(), AutoMap::kIndices - 3) << "all but those that are taken all the time";
+  for (const auto& [name, times] : had) EXPECT_LE(times, 3u) << name;
+  EXPECT_EQ(site.site().device_count(), 7u);
 }
 
 }  // namespace

@@ -10,8 +10,6 @@ namespace {
 using scene::Index;
 using scene::KindInterface;
 
-constexpr std::size_t kIndices = 65536;  // of one interface on one port
-
 /// Calls visit(code) for every interface whose indices are the robots' numbers.
 template <typename Visit>
 void each_numbered(const Visit& visit) {
@@ -19,6 +17,17 @@ void each_numbered(const Visit& visit) {
     for (const KindInterface& each : kind.interfaces)
       if (kind.simulated && each.index == Index::kRobot) visit(each.code);
   }
+}
+
+constexpr std::uint16_t kNumbers = 0;  // no interface has this code
+
+/// Where retired indices of an interface wait: under its code, or under kNumbers.
+std::uint16_t place_of(std::uint16_t interf) {
+  std::uint16_t place = interf;
+  each_numbered([&](std::uint16_t numbered) {
+    if (numbered == interf) place = kNumbers;
+  });
+  return place;
 }
 
 }  // namespace
@@ -40,19 +49,27 @@ std::vector<MappedDevice> AutoMap::of_trees(const world::World& world,
   // All numbers of robots first: what comes in addition has the indices behind them.
   std::vector<std::pair<world::ModelRow, std::size_t>> robots;
   for (const world::ModelRow top : tops)
-    if (is_robot(world, top)) robots.emplace_back(top, next_robot());
+    if (is_robot(world, top)) robots.emplace_back(top, next_robot(world.time()));
   for (const auto& [top, number] : robots) map_tree(world, top, number);
   for (const world::ModelRow top : tops)
     if (!is_robot(world, top)) map_tree(world, top, std::nullopt);
-  for (const auto& [interf, model] : std::exchange(further_, {})) add(interf, next_[interf]++, model);
+  for (const auto& [interf, model] : std::exchange(further_, {}))
+    add(interf, next_index(interf, world.time()), model);
   return std::exchange(out_, {});
 }
 
-std::size_t AutoMap::next_robot() {
+/// indices_ if there is none.
+std::size_t AutoMap::next_robot(double time) {
   std::size_t number = 0;
   each_numbered([&](std::uint16_t interf) { number = std::max(number, next_[interf]); });
-  each_numbered([&](std::uint16_t interf) { next_[interf] = number + 1; });
-  return number;
+  each_numbered([&](std::uint16_t interf) { next_[interf] = std::min(number + 1, indices_); });
+  return number < indices_ ? number : retired_[kNumbers].take(time).value_or(indices_);
+}
+
+/// indices_ if there is none.
+std::size_t AutoMap::next_index(std::uint16_t interf, double time) {
+  std::size_t& next = next_[interf];
+  return next < indices_ ? next++ : retired_[place_of(interf)].take(time).value_or(indices_);
 }
 
 void AutoMap::map_tree(const world::World& world, world::ModelRow top, std::optional<std::size_t> robot) {
@@ -69,7 +86,7 @@ void AutoMap::visit(const world::World& world, world::ModelRow model) {
     if (each.index == Index::kRobot && robot_ && numbered_.insert(each.code).second) {
       add(each.code, *robot_, model);
     } else if (each.index == Index::kCount || is_its_own) {
-      add(each.code, next_[each.code]++, model);
+      add(each.code, next_index(each.code, world.time()), model);
     } else {
       further_.emplace_back(each.code, model);
     }
@@ -78,11 +95,24 @@ void AutoMap::visit(const world::World& world, world::ModelRow model) {
 }
 
 void AutoMap::add(std::uint16_t interf, std::size_t index, world::ModelRow model) {
-  if (index >= kIndices) {
+  if (index >= indices_) {
     ++left_out_;
     return;
   }
+  if (model) retired_[place_of(interf)].hold(index);
   out_.push_back({interf, static_cast<std::uint16_t>(index), model});
+}
+
+void AutoMap::retire(const MappedDevice& device, double time) {
+  retired_[place_of(device.interf)].release(device.index, time);
+}
+
+void AutoMap::come_back(const MappedDevice& device) {
+  retired_[place_of(device.interf)].hold(device.index);
+}
+
+void AutoMap::go_back(double time) {
+  for (auto& [place, indices] : retired_) indices.go_back(time);
 }
 
 }  // namespace playhouse::drivers
