@@ -1,12 +1,22 @@
 #!/bin/sh
-# Builds the tests and the program with the thread sanitizer and runs everything that has threads: tsan.sh [CTEST OPTIONS]
+# Builds tests with the thread sanitizer and runs them: tsan.sh [MODULE...], as in `tsan.sh drivers server`. Without a module those of
+# all, with the program, and everything that has threads.
 # A race anywhere is a failure, also in a program that a test kills: every process leaves its reports in a folder.
 set -eu
 cd "$(dirname "$0")/.."
 
 echo "== building the tests (thread sanitizer)"
 tools/configure.sh tsan
-cmake --build --preset tsan
+if [ $# -gt 0 ]; then
+  targets=$(printf 'playhouse_%s_test ' "$@")
+  chosen="-R ^($(printf '%s|' "$@" | sed 's/|$//'))\\."
+else
+  # Left out: what checks text, or runs programs of other builds (the page's tests use the release, fuzzers their own).
+  targets=all
+  chosen='-E ^(tree|codegen|web|fuzz)\.'
+fi
+# shellcheck disable=SC2086
+cmake --build --preset tsan --target $targets
 
 reports=$PWD/build/tsan/reports
 rm -rf "$reports"
@@ -14,9 +24,9 @@ mkdir "$reports"
 export TSAN_OPTIONS="halt_on_error=0 exitcode=66 log_path=$reports/race ${TSAN_OPTIONS:-}"
 
 echo "== running the tests"
-# Left out: what checks text, or runs programs of other builds (the page's tests use the release, fuzzers their own).
 failed=0
-ctest --test-dir build/tsan --output-on-failure -j "$(nproc)" -E '^(tree|codegen|web|fuzz)\.' "$@" || failed=$?
+# shellcheck disable=SC2086
+ctest --test-dir build/tsan --output-on-failure -j "$(nproc)" $chosen || failed=$?
 
 count=$(cat "$reports"/* 2>/dev/null | grep -c '^WARNING: ThreadSanitizer' || true)
 if [ "$count" -ne 0 ]; then
