@@ -212,6 +212,19 @@ TEST(Source, fills_up_to_its_capacity_and_a_sink_counts_what_it_is_given) {
   EXPECT_EQ(f.world.models.say[2], "received 3");
 }
 
+TEST(Source, makes_a_flag_at_each_update_of_its_model) {
+  scene::SceneDesc scene = testing::robots(1, testing::ring(1), "source 100");
+  scene.interval = 0.1;
+  scene.models[0].update_interval = 0.5;
+  Fixture f(std::move(scene));
+  ASSERT_EQ(f.error, "");
+  for (int tick = 0; tick < 20; ++tick) {
+    testing::measure(f.world, {1});
+    testing::decide(f.world);
+  }
+  EXPECT_EQ(f.world.models.flags[0], 4);
+}
+
 TEST(Source, gives_what_it_makes_when_all_have_decided) {
   Fixture f(testing::robots(2, testing::ring(1), "source 5"));
   ASSERT_EQ(f.error, "");

@@ -3,6 +3,7 @@
 #include <charconv>
 
 #include "playhouse/base/in_quotes.h"
+#include "playhouse/world/periods.h"
 
 namespace playhouse::controllers {
 
@@ -17,12 +18,14 @@ Result<void> Source::join(world::World& world, const Post& post) {
   }
   model_.push_back(world.row(post.model));
   capacity_.push_back(capacity);
+  update_ticks_.push_back(world::update_ticks(world, model_.back()));
   makes_.push_back(0);
   return {};
 }
 
 void Source::decide(world::World& world, std::size_t begin, std::size_t end) {
-  for (std::size_t i = begin; i < end; ++i) makes_[i] = world.models.flags[model_[i].index] < capacity_[i];
+  for (std::size_t i = begin; i < end; ++i)
+    makes_[i] = world.tick() % update_ticks_[i] == 0 && world.models.flags[model_[i].index] < capacity_[i];
 }
 
 void Source::deliver(world::World& world) {

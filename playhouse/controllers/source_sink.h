@@ -1,7 +1,7 @@
 #pragma once
 
-/// source makes flags up to its capacity, one a tick; sink counts the flags it is given. On models of any
-/// kind.
+/// source makes flags up to its capacity, one at each update of its model; sink counts the flags it is given.
+/// On models of any kind.
 
 #include "playhouse/controllers/batch.h"
 
@@ -19,12 +19,13 @@ class Source final : public BatchOf<Source> {
   static auto memory(auto&) { return std::tuple<>(); }
   /// Argument: the capacity, 1 if absent; more arguments are ignored, as Stage does.
   Result<void> join(world::World& world, const Post& post) override;
-  void leave_rest(std::size_t i) { erase_at(i, model_, capacity_, makes_); }
+  void leave_rest(std::size_t i) { erase_at(i, model_, capacity_, update_ticks_, makes_); }
   void resolve(const world::World& world, std::size_t i) override { model_[i] = world.row(id(i)); }
 
   std::vector<world::ModelRow> model_;
   std::vector<std::int32_t> capacity_;
-  std::vector<std::uint8_t> makes_;  // a flag, in this tick
+  std::vector<std::uint64_t> update_ticks_;  // of the model
+  std::vector<std::uint8_t> makes_;          // a flag, in this tick
 };
 
 class Sink final : public BatchOf<Sink> {
