@@ -12,6 +12,7 @@
 #include "playhouse/base/log.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/controllers/expand.h"
+#include "playhouse/controllers/fasr.h"
 #include "playhouse/controllers/loaded.h"
 #include "playhouse/controllers/source_sink.h"
 #include "playhouse/controllers/wander.h"
@@ -19,12 +20,12 @@
 namespace playhouse::controllers {
 namespace {
 
-constexpr std::array<std::string_view, 5> kBuiltIns{"wander", "expand_swarm", "expand_pioneer", "source",
-                                                    "sink"};
+constexpr std::array<std::string_view, 6> kBuiltIns{"wander",         "fasr",   "expand_swarm",
+                                                    "expand_pioneer", "source", "sink"};
 
 /// Come with Stage, and world files name them, but this program has no equivalent yet.
-constexpr std::array<std::string_view, 8> kStageDemos{
-    "fasr", "fasr2", "fasr_plan", "rasterize", "dynamic", "pioneer_flocking", "wander_accel", "lasernoise"};
+constexpr std::array<std::string_view, 7> kStageDemos{
+    "fasr2", "fasr_plan", "rasterize", "dynamic", "pioneer_flocking", "wander_accel", "lasernoise"};
 
 bool is_stage_demo(std::string_view name) {
   return std::find(kStageDemos.begin(), kStageDemos.end(), name) != kStageDemos.end();
@@ -32,6 +33,7 @@ bool is_stage_demo(std::string_view name) {
 
 std::unique_ptr<Batch> make_built_in(std::string_view name) {
   if (name == "wander") return std::make_unique<Wander>();
+  if (name == "fasr") return std::make_unique<Fasr>();
   if (name == "expand_swarm") return std::make_unique<Expand>("expand_swarm", kExpandSwarm);
   if (name == "expand_pioneer") return std::make_unique<Expand>("expand_pioneer", kExpandPioneer);
   if (name == "source") return std::make_unique<Source>();

@@ -76,14 +76,20 @@ std::span<const std::uint32_t> Batch::by_id() {
 
 void Batch::follow(World& world) {
   using Kind = world::Change::Kind;
-  bool population = false, reload = false;
+  bool population = false, reload = false, rebuilt = false;
   const std::uint64_t first = next_change_;
   next_change_ = world.changes.end();
   for (const world::Change& change : world.changes.since(first)) {
     reload |= change.kind == Kind::kReload;
     population |= change.kind != Kind::kPlace && change.kind != Kind::kSet;
+    rebuilt |= change.kind != Kind::kSet && change.mobility == world::Mobility::kFixed;
   }
-  if (!population) return;
+  if (population) follow_population(world, first, reload);
+  prepare(world, rebuilt);
+}
+
+void Batch::follow_population(World& world, std::uint64_t first, bool reload) {
+  using Kind = world::Change::Kind;
   for (std::size_t i = ids_.size(); i-- > 0;) {
     if (world.row(ids_[i])) {
       resolve(world, i);

@@ -57,12 +57,18 @@ class Batch : public world::Decider {
   virtual void leave(std::size_t i) = 0;
   /// Rows moved: finds those of robot i again. It and all its parts are there.
   virtual void resolve(const world::World& world, std::size_t i) = 0;
+  /// The world is as it is before decide(), with all robots in the batch; `rebuilt` if what stands still may
+  /// not be where it was the last time.
+  virtual void prepare(const world::World& world, bool rebuilt) {
+    static_cast<void>(world), static_cast<void>(rebuilt);
+  }
   /// What robot i remembers.
   virtual void hash_of(std::size_t i, Hash& hash) const = 0;
   virtual Result<void> save_of(std::size_t i, Packer& out) const = 0;
   virtual bool load_of(std::size_t i, Unpacker& in) = 0;
 
  private:
+  void follow_population(world::World& world, std::uint64_t first, bool reload);
   /// A robot that came while the world runs: a failure is logged, and it stays without this controller.
   void join_late(world::World& world, const Post& post);
 

@@ -189,7 +189,7 @@ TEST(Library, that_is_no_library_is_refused) {
 }
 
 TEST(Library, of_a_stage_demonstration_does_not_stop_the_world) {
-  Fixture f("fasr");
+  Fixture f("fasr2");
   EXPECT_EQ(f.error, "");
   EXPECT_EQ(f.warnings.size(), 1u);
 }

@@ -11,6 +11,7 @@
 #include "playhouse/controllers/attach.h"
 #include "playhouse/scenarios/scenario.h"
 #include "playhouse/scenarios/testing_simulation.h"
+#include "playhouse/world/state.h"
 
 namespace playhouse::scenarios {
 namespace {
@@ -67,6 +68,31 @@ TEST(Source, of_the_cave_fills_up) {
   Simulation run(load("worlds/cave.world"));
   run.step(50);
   EXPECT_EQ(run.world().models.flags[run.world().find("source").index], 20);
+}
+
+/// Flags at the sink of a world after so many ticks.
+std::int32_t delivered(Simulation& run, int ticks) {
+  run.step(ticks);
+  return run.world().models.flags[run.world().find("sink").index];
+}
+
+TEST(Fasr, brings_flags_all_the_time) {
+  Simulation run(load("worlds/fasr.world"));
+  const std::int32_t first = delivered(run, 800), second = delivered(run, 800), third = delivered(run, 800);
+  EXPECT_GE(first, 2);
+  EXPECT_GE(second - first, 4);
+  EXPECT_GE(third - second, 4);
+}
+
+TEST(Fasr, goes_on_from_a_saved_state_with_the_same_bits) {
+  Simulation run(load("worlds/fasr.world")), again(load("worlds/fasr.world"), 2);
+  run.step(900);
+  std::vector<std::byte> state;
+  ASSERT_TRUE(world::save_state(run.world(), state).ok());
+  ASSERT_TRUE(world::load_state(again.world(), state).ok());
+  run.step(300);
+  again.step(300);
+  EXPECT_EQ(run.world().hash(), again.world().hash());
 }
 
 TEST(Shy, runs_from_its_shared_library) {

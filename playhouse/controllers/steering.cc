@@ -1,7 +1,6 @@
-#include "playhouse/controllers/wander.h"
+#include "playhouse/controllers/steering.h"
 
 #include <algorithm>
-#include <span>
 
 namespace playhouse::controllers {
 namespace {
@@ -57,9 +56,17 @@ world::SensorRow scanner(const world::World& world, const std::vector<world::Ran
   return best;
 }
 
+Fan fan_of(const world::World& world, world::ModelRow robot, world::SensorRow sensor) {
+  const world::RangerRow ranger = world.sensors.ranger[sensor.index];
+  const std::vector<float> bearings = bearings_of(world, robot, ranger);
+  const std::uint32_t first = world.sensors.first_beam[sensor.index] - first_beam(world, ranger);
+  const bool several = world.sensors.beam_count[sensor.index] > 1;
+  return {bearings[first], several ? geom::normalize(bearings[first + 1] - bearings[first]) : 0};
+}
+
 }  // namespace
 
-Result<void> Wander::join(world::World& world, const Post& post) {
+Result<void> Steering::join(world::World& world, const Post& post) {
   const world::ModelRow model = world.row(post.model);
   if (!position_of(world, model)) return Error{{}, "needs a position model"};
   const world::SensorRow sensor = scanner(world, rangers_of(world, model));
@@ -75,42 +82,39 @@ Result<void> Wander::join(world::World& world, const Post& post) {
   ranger_.emplace_back();
   first_beam_.emplace_back();
   beams_.emplace_back();
-  find_rows(world, model, robot_.size() - 1);
+  fan_.emplace_back();
+  resolve(world, model, robot_.size() - 1);
   return {};
 }
 
-void Wander::resolve(const world::World& world, std::size_t i) {
-  find_rows(world, world.row(id(i)), i);
-}
-
-void Wander::find_rows(const world::World& world, world::ModelRow model, std::size_t i) {
+void Steering::resolve(const world::World& world, world::ModelRow model, std::size_t i) {
   const world::SensorRow sensor = scanner(world, rangers_of(world, model));
   robot_[i] = position_of(world, model);
   ranger_[i] = world.sensors.ranger[sensor.index];
   first_beam_[i] = world.sensors.first_beam[sensor.index];
   beams_[i] = world.sensors.beam_count[sensor.index];
+  fan_[i] = fan_of(world, model, sensor);
 }
 
-void Wander::decide(world::World& world, std::size_t begin, std::size_t end) {
-  for (std::size_t i = begin; i < end; ++i) {
-    const std::uint64_t measured = world.rangers.measured_tick[ranger_[i].index];
-    if (measured == seen_[i]) continue;
-    seen_[i] = measured;
+bool Steering::is_new_scan(const world::World& world, std::size_t i) {
+  const std::uint64_t measured = world.rangers.measured_tick[ranger_[i].index];
+  return std::exchange(seen_[i], measured) != measured;
+}
 
-    const View view = look(std::span(world.sensors.ranges).subspan(first_beam_[i], beams_[i]));
-    const bool stop = std::min(view.right, view.left) < kClose;
-    if (view.ahead >= kAhead && !stop && avoiding_[i] == 0) {
-      drive(world, robot_[i], kCruise, 0);
-      continue;
-    }
-    if (avoiding_[i] == 0) {
-      Rng random(world.seed(), world.tick(), stream_[i]);
-      avoiding_[i] = kKeepLeast + static_cast<std::uint32_t>(random.bits() % kKeepSpread);
-      turn_[i] = view.left < view.right ? -kTurn : kTurn;
-    }
-    --avoiding_[i];
-    drive(world, robot_[i], stop ? 0 : kCreep, turn_[i]);
+void Steering::steer(world::World& world, std::size_t i) {
+  const View view = look(beams(world, i));
+  const bool stop = std::min(view.right, view.left) < kClose;
+  if (view.ahead >= kAhead && !stop && avoiding_[i] == 0) {
+    drive(world, robot_[i], kCruise, 0);
+    return;
   }
+  if (avoiding_[i] == 0) {
+    Rng random(world.seed(), world.tick(), stream_[i]);
+    avoiding_[i] = kKeepLeast + static_cast<std::uint32_t>(random.bits() % kKeepSpread);
+    turn_[i] = view.left < view.right ? -kTurn : kTurn;
+  }
+  --avoiding_[i];
+  drive(world, robot_[i], stop ? 0 : kCreep, turn_[i]);
 }
 
 }  // namespace playhouse::controllers
