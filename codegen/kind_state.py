@@ -13,20 +13,21 @@ from codegen.model import FRAME, FRAME_LETTERS
 TYPES = {
     "flag": (0, ()), "int32": (1, ()), "uint32": (1, ()), "uint64": (1, ()), "float32": (1, ()), "float64": (1, ()),
     "text": (0, ()), "row": (0, ()), "color": (0, ()), "size": (3, ("x", "y", "z")),
-    "pose": (4, ("x", "y", "z", "a")), "twist": (4, ("x", "y", "z", "a")),
+    "pose": (4, ("x", "y", "z", "a")), "twist": (4, ("x", "y", "z", "a")), "tilt": (2, ("x", "y")),
     "ModelKind": (0, ()), "ControlMode": (0, ()), "ModelId": (0, ()), "Mobility": (0, ()),
 }
 # Type of a column -> types of the words that may say what it begins with.
 WORDED = {"flag": ("flag",), "float64": ("number", "length", "angle")}
 # A number of these has a unit, "1" where it is none.
-MEASURED = {"float32", "float64", "size", "pose", "twist"}
+MEASURED = {"float32", "float64", "size", "pose", "twist", "tilt"}
 
 # What a column is to a run (playhouse/world/columns.h).
 ROLES = ("population", "motion", "mark", "sensed", "use", "derived")
 UNCHANGED = {"population", "derived"}  # may be written with the population alone, and by nobody later
 # Phases of the tick, and the ways to change the world between ticks.
 WRITERS = ("decide", "act", "move", "sense", "energy", "commands", "devices", "place", "attach", "detach", "set_odometry",
-           "set_fiducial_return", "set_color", "set_say", "add_flags", "subscribe", "unsubscribe", "subscribe_controller")
+           "set_fiducial_return", "set_color", "set_say", "add_flags", "subscribe", "unsubscribe", "subscribe_controller",
+           "watch", "unwatch")
 # When a viewer gets a field: once with the scene; whenever it differs; that while its robot is selected; that while its
 # robot is selected, or in view of a page that shows sensors.
 TIMES = ("start", "changed", "selected", "shown")
