@@ -1,6 +1,7 @@
 #!/bin/sh
 # Builds the tests with warnings as errors and the sanitizers on, and runs everything through ctest. Before that the tests of
-# what is computed, compiled as the program is: the optimiser makes vectors only there.
+# what is computed, compiled as the program is: the optimiser makes vectors only there. After it the tests of engine, server and
+# drivers with the thread sanitizer.
 # Called by `make test` after the release program, the page and the fuzzers are built.
 set -eu
 cd "$(dirname "$0")/.."
@@ -16,3 +17,5 @@ cmake --build --preset ci
 
 echo "== running every test"
 ctest --test-dir build/ci --output-on-failure -j "$(nproc)" "$@"
+
+tools/tsan.sh behaviour stage server drivers

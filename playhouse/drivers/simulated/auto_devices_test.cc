@@ -291,13 +291,13 @@ TEST_F(ManyRobots, have_no_devices_while_every_number_is_taken_or_rests) {
   use_up(0);
   const ModelId early = come(1).front();
   EXPECT_EQ(wheels(early), "");
-  EXPECT_EQ(robots->left_out(), 2u) << "wheels and laser; its ranger has one that nobody had";
+  EXPECT_EQ(robots->left_out(), 3u) << "wheels, speech and laser; its ranger has one that nobody had";
   rest();
   EXPECT_EQ(wheels(come(1).front()), "position2d:3");
   EXPECT_EQ(wheels(early), "") << "who had none gets none later";
 }
 
-// A number is one for wheels, laser, sonar and power.
+// A number is one for wheels, speech, laser, sonar and power.
 TEST_F(ManyRobots, have_a_number_once_nobody_has_it_in_any_interface) {
   ASSERT_THAT(names({kGate}), Contains("laser:2"));
   use_up(0);
@@ -357,7 +357,7 @@ TEST_F(VeryManyRobots, have_devices_however_many_came_and_went_before) {
   EXPECT_EQ(robots->left_out(), 0u);
   EXPECT_EQ(had.size(), AutoMap::kIndices - 3) << "all but those that are taken all the time";
   for (const auto& [name, times] : had) EXPECT_LE(times, 3u) << name;
-  EXPECT_EQ(site.site().device_count(), 7u);
+  EXPECT_EQ(site.site().device_count(), 9u);
 }
 
 }  // namespace
