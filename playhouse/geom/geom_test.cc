@@ -153,6 +153,17 @@ TEST(SpatialPose, rolls_over_its_head_without_turning_round) {
   }
 }
 
+TEST(SpatialPose, of_turns_that_are_no_numbers_is_none) {
+  const double nan = std::nan(""), infinite = std::numeric_limits<double>::infinity();
+  for (const double odd : {nan, infinite, -infinite}) {
+    EXPECT_FALSE(is_tilt(spatial_pose({}, RollPitchYaw{odd, 0.1, 0}).tilt));
+    EXPECT_FALSE(is_tilt(spatial_pose({}, RollPitchYaw{0.1, odd, 0}).tilt));
+    EXPECT_FALSE(std::isfinite(spatial_pose({}, RollPitchYaw{0.1, 0, odd}).X.a));
+  }
+  for (const double large : {1e6, 1e300, -1.7e308})
+    EXPECT_TRUE(is_tilt(spatial_pose({}, RollPitchYaw{large, large, large}).tilt)) << large;
+}
+
 TEST(SpatialPose, upside_down_is_a_tilt_and_what_goes_further_is_none) {
   EXPECT_TRUE(is_tilt({0, -kPi}));
   EXPECT_FALSE(is_tilt({3, 3}));

@@ -60,6 +60,8 @@ SpatialPose compose(const SpatialPose& X_AB, const SpatialPose& X_BC) {
 
 SpatialPose spatial_pose(const Vec3& p, const RollPitchYaw& turns) {
   if (turns.roll == 0 && turns.pitch == 0) return {{p.x, p.y, p.z, turns.yaw}, {}};
+  if (!std::isfinite(turns.roll) || !std::isfinite(turns.pitch) || !std::isfinite(turns.yaw))
+    return {{p.x, p.y, p.z, turns.yaw}, {turns.roll, turns.pitch}};
   const Quaternion about_z = about({0, 0, 1}, normalize(turns.yaw)),
                    about_y = about({0, 1, 0}, normalize(turns.pitch)),
                    about_x = about({1, 0, 0}, normalize(turns.roll));
