@@ -78,7 +78,7 @@ std::int32_t delivered(Simulation& run, int ticks) {
 
 TEST(Fasr, brings_flags_all_the_time) {
   Simulation run(load("worlds/fasr.world"));
-  const std::int32_t first = delivered(run, 800), second = delivered(run, 800), third = delivered(run, 800);
+  const std::int32_t first = delivered(run, 1000), second = delivered(run, 800), third = delivered(run, 800);
   EXPECT_GE(first, 2);
   EXPECT_GE(second - first, 4);
   EXPECT_GE(third - second, 4);
