@@ -58,7 +58,10 @@ Simulation::Simulation(std::unique_ptr<world::Engine> engine, Options options)
 
 void Simulation::run() {
   const world::World& world = engine_->world();
-  pacer_.start(clock_(), wanted_.speed, wanted_.paused);
+  {
+    const std::lock_guard lock(mutex_);
+    pacer_.start(clock_(), wanted_.speed, wanted_.paused);
+  }
   for (;;) {
     if (woken_.exchange(false)) {
       take_wanted();
