@@ -7,15 +7,15 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from codegen import (emit_cpp, emit_cpp_fields, emit_docs, emit_kind_lists, emit_kinds_cpp, emit_kinds_docs, emit_python, emit_tables,
-                     emit_views)
+from codegen import (emit_cpp, emit_cpp_fields, emit_docs, emit_kind_lists, emit_kinds_cpp, emit_kinds_docs, emit_python, emit_stage_words,
+                     emit_tables, emit_views)
 from codegen.checks import SchemaError
 from codegen.kinds import load_kinds
 from codegen.model import load
 
 ROOT = Path(__file__).resolve().parent.parent
 EMITTERS = [emit_cpp, emit_cpp_fields, emit_docs, emit_python]  # of interfaces/
-KIND_EMITTERS = [emit_kind_lists, emit_kinds_cpp, emit_kinds_docs, emit_tables, emit_views]
+KIND_EMITTERS = [emit_kind_lists, emit_kinds_cpp, emit_kinds_docs, emit_stage_words, emit_tables, emit_views]
 # Folders that belong to the emitters alone: a file there that no emitter writes is left over.
 OWNED = [emit_cpp.FOLDER, emit_docs.FOLDER, emit_python.FOLDER, emit_kinds_cpp.FOLDER, emit_kinds_docs.FOLDER,
          emit_kind_lists.BEHAVIOUR, emit_kind_lists.STAGE, emit_kind_lists.DRIVERS, emit_tables.FOLDER, emit_views.FOLDER, emit_views.WEB_FOLDER]

@@ -10,6 +10,7 @@ from __future__ import annotations
 import textwrap
 
 from codegen.emit_kinds_text import default_text, doc_text, form_text, limits_text, unit_text
+from codegen.kind_old import OldType, OldWord
 from codegen.kind_words import RATES, Word
 from codegen.kinds import BASE, Kind, Kinds, Served
 
@@ -423,9 +424,9 @@ def _tables(kinds: Kinds) -> str:
     lines += [f"constexpr Kind kKinds[{len(kinds.all)}] = {{"]
     for kind in kinds.all:
         lines += _row(kind)
-    old = [(name, instead) for kind in kinds.all for name, instead in kind.old_types.items()]
-    lines += ["};", "", f"constexpr OldType kOldTypes[{len(old)}] = {{"]
-    lines += [f"    {{{_text(name)}, {_text(instead)}}}," for name, instead in old]
+    old = [each for kind in kinds.all for each in kind.old_types]
+    lines += ["};", "", *(line for each in old for line in _said_words(each))]
+    lines += [f"constexpr OldType kOldTypes[{len(old)}] = {{", *map(_old_type, old)]
     lines += ["};", "", "}  // namespace", "", "std::span<const Kind> kinds() { return kKinds; }", "",
               "std::span<const OldType> old_types() { return kOldTypes; }", "", "}  // namespace playhouse::scene", ""]
     return "\n".join(lines)
@@ -440,7 +441,8 @@ def _words(kind: Kind) -> list[str]:
     count = len(kind.words) + len(kind.silent) + len(kind.old)
     if count == 0:
         return []
-    lines = [f"constexpr Word {_table(kind, 'Words')}[{count}] = {{"]
+    lines = [line for old in kind.old for line in _meaning(kind, old)]
+    lines.append(f"constexpr Word {_table(kind, 'Words')}[{count}] = {{")
     for word in kind.words:
         use = "kSilent" if not kind.simulated else enumerator(word.use)
         fields = [("type", word.type), ("form", form_text(word)), ("unit", unit_text(word)), ("otherwise", default_text(word)),
@@ -448,10 +450,50 @@ def _words(kind: Kind) -> list[str]:
         told = "".join(f", .{name} = {_text(text)}" for name, text in fields if text)
         lines.append(f"    {{.name = {_text(word.name)}, .use = Use::{use}{told}}},")
     lines += [f"    {{.name = {_text(name)}, .use = Use::kSilent}}," for name in kind.silent]
-    for name, instead in kind.old.items():
-        told = f", .instead = {_text(instead)}" if instead else ""
-        lines.append(f"    {{.name = {_text(name)}, .use = Use::kOld{told}}},")
+    for old in kind.old:
+        told = f", .instead = {_text(old.instead)}" if old.instead else ""
+        means = f", .meaning = &{_meaning_name(kind, old)}" if old.how not in ("none", "by hand") else ""
+        lines.append(f"    {{.name = {_text(old.name)}, .use = Use::kOld{told}{means}}},")
     return [*lines, "};", ""]
+
+
+def _meaning_name(kind: Kind, old: OldWord) -> str:
+    return f"kOld_{kind.name}_{old.name}"
+
+
+def _meaning(kind: Kind, old: OldWord) -> list[str]:
+    if old.how in ("none", "by hand"):
+        return []
+    name, lines, fields = _meaning_name(kind, old), [], [f".how = Meaning::How::{enumerator(old.how)}"]
+    if old.part:
+        fields.append(f".part = {_text(old.part)}")
+    if old.to:
+        lines.append(f"constexpr std::string_view {name}_to[] = {{{', '.join(map(_text, old.to))}}};")
+        fields.append(f".to = {name}_to")
+    if old.values:
+        lines.append(f"constexpr SaidWord {name}_values[] = {{{_said(old.values)}}};")
+        fields.append(f".values = {name}_values")
+    if old.part_words:
+        lines.append(f"constexpr SaidWord {name}_part_words[] = {{{_said(old.part_words)}}};")
+        fields.append(f".part_words = {name}_part_words")
+    return [*lines, f"constexpr Meaning {name}{{{', '.join(fields)}}};"]
+
+
+def _said(words: dict[str, str]) -> str:
+    return ", ".join(f"{{{_text(word)}, {_text(value)}}}" for word, value in words.items())
+
+
+def _said_words(old: OldType) -> list[str]:
+    return [f"constexpr SaidWord kOldType_{old.name}_{what}[] = {{{_said(words)}}};"
+            for what, words in (("words", old.words), ("part_words", old.part_words)) if words]
+
+
+def _old_type(old: OldType) -> str:
+    fields = [f".name = {_text(old.name)}", f".instead = {_text(old.instead)}"]
+    if old.type is not None:
+        fields += [".is_read = true"] + [f".{key} = {_text(value)}" for key, value in (("type", old.type), ("part", old.part)) if value]
+    fields += [f".{what} = kOldType_{old.name}_{what}" for what, words in (("words", old.words), ("part_words", old.part_words)) if words]
+    return f"    {{{', '.join(fields)}}},"
 
 
 def _need(need: str) -> str:

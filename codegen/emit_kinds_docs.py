@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from codegen.emit_kinds_text import default_text, doc_text, form_text, limits_text, unit_text
+from codegen.kind_old import OldType
 from codegen.kind_words import Word
 from codegen.kinds import BASE, Kind, Kinds, Served
 
@@ -43,6 +44,10 @@ def _table(heads: list[str], rows: list[list[str]]) -> list[str]:
     return [*lines, *("| " + " | ".join(row[i].replace("|", "\\|") for i in kept) + " |" for row in rows), ""]
 
 
+def _now(old: OldType) -> str:
+    return "an error" if old.type is None else f"`{old.type}`" if old.type else "nothing"
+
+
 def _index(kinds: Kinds) -> str:
     lines = [_banner("kinds/"), "# What world files hold", "",
              "Each page lists the words of a kind, their values, units and defaults. How a file is written is in",
@@ -53,9 +58,10 @@ def _index(kinds: Kinds) -> str:
               *_rows([k for k in kinds.models() if not k.simulated])]
     lines += ["## Besides models", "", *_rows([k for k in kinds.all if k.entity != "model"])]
     lines += ["## Values", "", *_table(["value", "in a file"], [[name, text] for name, text in VALUES.items()])]
-    old = sorted((name, instead) for kind in kinds.all for name, instead in kind.old_types.items())
-    lines += ["## Types of older versions", "", "They are errors; the line says what to write.", "",
-              *_table(["type", "in its place"], [[f"`{name}`", instead] for name, instead in old])]
+    old = sorted((each for kind in kinds.all for each in kind.old_types), key=lambda each: each.name)
+    lines += ["## Types of older versions", "",
+              "Most are read as what they mean now ([worldfile.md](../worldfile.md)); the others are errors, and the line says what to write.", "",
+              *_table(["type", "is read as", "in its place"], [[f"`{each.name}`", _now(each), each.instead] for each in old])]
     return "\n".join(lines).rstrip() + "\n"
 
 
@@ -147,9 +153,9 @@ def _idle(kind: Kind) -> list[str]:
         lines += ["## Without effect", "", "Stage 4 knows these, for its window or its scheduling; here they change nothing:",
                   ", ".join(f"`{name}`" for name in kind.silent) + ".", ""]
     if kind.old:
-        rows = [[f"`{name}`", instead] for name, instead in kind.old.items()]
-        lines += ["## Words of older versions", "", "These have no effect, with one warning each.", "",
-                  *_table(["word", "in its place"], rows)]
+        rows = [[f"`{old.name}`", "no" if old.how == "none" else "yes", old.instead] for old in kind.old]
+        lines += ["## Words of older versions", "", "Those that are read mean what is in their place; there is one warning for each ([worldfile.md](../worldfile.md)).", "",
+                  *_table(["word", "read", "in its place"], rows)]
     return lines
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 from codegen.checks import SchemaError, documented, keys, one_of, typed, unique
 
+STAGES = ("same", "better", "other", "none")  # what Stage 4 does with the word, as seen from here
 USES = ("read", "later")  # words without an entry of their own are `silent` and `old`
 
 # What a value is made of: (the parts of its form, the scale of each). L and A are converted from the file's units of
@@ -24,7 +25,7 @@ COUNTED = {"integer", "number", "length", "angle", "pose", "size", "point"}  # w
 
 # Units of plain numbers in world files, and what the member behind the word is kept in.
 UNITS = {"1": "1", "m": "m", "s": "s", "ms": "s", "deg": "rad", "kg": "kg", "px": "px", "px/m": "px/m", "W": "W", "J": "J",
-         "kJ": "kJ", "m or rad": "m or rad", "m/s or rad/s": "m/s or rad/s"}
+         "kJ": "kJ", "dB": "dB", "dBm": "dBm", "MHz": "MHz", "bit/s": "bit/s", "m or rad": "m or rad", "m/s or rad/s": "m/s or rad/s"}
 # Of velocities and accelerations, and what stands behind "[x y z heading]" in an error. "1" is a fraction.
 RATES = {"m/s": "per second", "m/s^2": "per second squared", "1": ""}
 SCALED_UNITS = {"L": "m", "A": "deg"}
@@ -58,6 +59,8 @@ class Word:
     type: str
     doc: str
     use: str = "read"
+    stage: str = "same"     # same as in Stage 4, better, other, or none: Stage has no such word
+    stage_why: str = ""     # what differs; "" where it is the same
     unit: str = ""              # as the file has it, by default; one for each part, or one for all
     default: object = None      # as the file has it; None: there is none, or default_text tells it
     default_text: str = ""
@@ -116,10 +119,10 @@ class Word:
 
 
 OPTIONAL = {"use", "unit", "default", "default_text", "min", "above", "max", "limit", "clamp", "ascending_from", "by_hand",
-            "optional", "indexed", "counted_by", "member", "frame", "enum", "with", "parts", "values", "choices"}
+            "optional", "indexed", "counted_by", "member", "frame", "enum", "with", "parts", "values", "choices", "stage", "stage_why"}
 
 KEY_TYPES = {key: str for key in ("name", "type", "doc", "use", "unit", "default_text", "limit", "clamp", "member", "frame",
-                                  "enum", "with", "word", "counted_by")}
+                                  "enum", "with", "word", "counted_by", "stage", "stage_why")}
 KEY_TYPES |= {"by_hand": bool, "optional": bool, "indexed": bool, "parts": list, "values": list, "choices": list}
 KEY_TYPES |= {"min": (int, float), "above": (int, float), "max": (int, float), "ascending_from": (int, float)}
 
@@ -132,6 +135,11 @@ def word(where: str, row: dict, simulated: bool) -> Word:
         raise SchemaError(f"{where}: name is not a word in lower case")
     one_of(where, "type", row["type"], SHAPES)
     one_of(where, "use", row.get("use", "read"), USES)
+    one_of(where, "stage", row.get("stage", "same"), STAGES)
+    if (row.get("stage", "same") == "same") != ("stage_why" not in row):
+        raise SchemaError(f"{where}: stage_why is for what is not the same as in Stage, and wanted there")
+    if "stage_why" in row:
+        documented(where, row["stage_why"])
     documented(where, row["doc"])
     out = Word(row["name"], row["type"], row["doc"], with_word=row.get("with", ""))
     for key in OPTIONAL - {"with", "parts", "values", "choices"}:

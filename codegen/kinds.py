@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from codegen.checks import SchemaError, documented, keys, one_of, typed, unique
+from codegen.kind_old import OldType, OldWord, check_old, old_type, old_word
 from codegen.kind_state import State, state
 from codegen.kind_words import WORD, Word, check_together, word
 from codegen.model import Schema
@@ -27,7 +28,7 @@ INDICES = ("one", "robot", "count")
 NEEDS = ("scanner", "several sensors", "robot")
 
 KEY_TYPES = {key: str for key in ("name", "entity", "doc", "kind", "inside", "table", "index", "when", "listed_when", "form")}
-KEY_TYPES |= {"number": int, "watts": (int, float), "body": dict, "old": dict, "old_types": dict, "size": list, "color": list, "solid": bool, "shared": bool}
+KEY_TYPES |= {"number": int, "watts": (int, float), "body": dict, "old": dict, "old_types": dict, "silent_why": dict, "size": list, "color": list, "solid": bool, "shared": bool}
 KEY_TYPES |= {key: list for key in ("given_by", "silent", "word", "interface", "record", "column", "viewer")}
 
 
@@ -66,8 +67,9 @@ class Kind:
     body: Body | None
     words: list[Word] = field(default_factory=list)
     silent: list[str] = field(default_factory=list)
-    old: dict[str, str] = field(default_factory=dict)
-    old_types: dict[str, str] = field(default_factory=dict)
+    silent_why: dict[str, str] = field(default_factory=dict)  # why words have no effect; that of "" is for those that are not there
+    old: list[OldWord] = field(default_factory=list)
+    old_types: list[OldType] = field(default_factory=list)
     interfaces: list[Served] = field(default_factory=list)
     state: State = field(default_factory=State)
 
@@ -163,7 +165,7 @@ def build_kinds(parsed: list[tuple[str, dict]], schema: Schema) -> Kinds:
     for entity in ("window", "world"):
         if sum(k.entity == entity for k in kinds) != 1:
             raise SchemaError(f"kinds/: exactly one {entity} is wanted")
-    unique("kinds/", "old type", [t for k in kinds for t in k.old_types])
+    unique("kinds/", "old type", [t.name for k in kinds for t in k.old_types])
     unique("kinds/", "table", [k.table for k in kinds if k.table])
     unique("kinds/", "enum", [w.enum for k in kinds for word in k.words for w in [word, *word.choices] if w.enum])
     for kind in kinds:
@@ -178,7 +180,7 @@ def build_kinds(parsed: list[tuple[str, dict]], schema: Schema) -> Kinds:
 
 def _check_head(source: str, table: dict) -> None:
     keys(source, table, {"name", "entity", "doc"}, {
-        "kind", "number", "inside", "table", "watts", "given_by", "body", "silent", "old", "old_types", "word", "interface",
+        "kind", "number", "inside", "table", "watts", "given_by", "body", "silent", "silent_why", "old", "old_types", "word", "interface",
         "record", "column", "viewer"})
     typed(source, table, KEY_TYPES)
     if not WORD.match(table["name"]):
@@ -211,13 +213,26 @@ def _kind(source: str, table: dict, schema: Schema) -> Kind:
         line = row.pop("line", 0)
         where = f"{source}{f':{line}' if line else ''}: word {row.get('name', '?')}"
         out.words.append(word(where, row, out.simulated))
-    out.silent, out.old, out.old_types = table.get("silent", []), table.get("old", {}), table.get("old_types", {})
-    unique(source, "word", [w.name for w in out.words] + out.silent + list(out.old))
+    out.silent, out.silent_why = table.get("silent", []), table.get("silent_why", {})
+    out.old = [old_word(f"{source}: old {name}", name, entry) for name, entry in table.get("old", {}).items()]
+    out.old_types = [old_type(f"{source}: old_types {name}", name, entry) for name, entry in table.get("old_types", {}).items()]
+    unique(source, "word", [w.name for w in out.words] + out.silent + [w.name for w in out.old])
+    _check_silent_why(source, out)
     check_together(lambda w: f"{source}: word {w.name}", out.words)
     out.interfaces = [_served(f"{source}: interface {row.get('name', '?')}", row, schema)
                       for row in table.get("interface", [])]
     unique(source, "interface", [s.name for s in out.interfaces])
     return out
+
+
+def _check_silent_why(source: str, kind: Kind) -> None:
+    for name, why in kind.silent_why.items():
+        if name:
+            one_of(f"{source}: silent_why", "word", name, kind.silent)
+        documented(f"{source}: silent_why {name}", why)
+    untold = [name for name in kind.silent if name not in kind.silent_why and "" not in kind.silent_why]
+    if untold:
+        raise SchemaError(f"{source}: silent_why: nothing is said of {untold[0]}")
 
 
 def _body(where: str, row: dict | None) -> Body | None:
@@ -253,13 +268,14 @@ def _check_neighbours(kinds: Kinds, kind: Kind) -> None:
         one_of(kind.source, "inside", kind.inside, models)
     if kind.entity == "model" and kind.name != BASE:
         base = kinds.find(BASE)
-        taken = {w.name for w in base.words} | set(base.silent) | set(base.old)
+        taken = {w.name for w in base.words} | set(base.silent) | {w.name for w in base.old}
         for name in [w.name for w in kind.words] + kind.silent:
             if name in taken:
                 raise SchemaError(f"{kind.source}: word {name}: every model has that word (kinds/{BASE}.toml)")
     optional = [w.name for w in kinds.find(BASE).words if w.has_member and w.optional]
     for name in kind.given_by:
         one_of(f"{kind.source}: given_by", "word", name, optional)
-    for name in kind.old_types:
-        if name in models:
-            raise SchemaError(f"{kind.source}: old_types: {name} is a type, see {models[name].source}")
+    for old in kind.old_types:
+        if old.name in models:
+            raise SchemaError(f"{kind.source}: old_types: {old.name} is a type, see {models[old.name].source}")
+    check_old(kinds, kind)

@@ -6,7 +6,7 @@ import tomllib
 import unittest
 from pathlib import Path
 
-from codegen import emit_kinds_cpp, emit_kinds_docs, emit_views
+from codegen import emit_kinds_cpp, emit_kinds_docs, emit_stage_words, emit_views
 from codegen.checks import SchemaError
 from codegen.kinds import build_kinds, load_kinds
 from codegen.model import load
@@ -227,6 +227,34 @@ class Refused(unittest.TestCase):
     def test_an_old_type_that_is_a_type(self):
         self.refuse("old_types: model is a type, see kinds/model.toml", old_types={"model": "x"})
 
+    def test_old_types_and_words_that_become_nothing_known(self):
+        def refuse(text, **entry):
+            self.refuse(text, old={"grasp": {"instead": "write reach", **entry}})
+
+        refuse("old grasp: exactly one of to, counts, nested and by_hand is wanted")
+        refuse("old grasp: exactly one of to, counts, nested and by_hand is wanted", to=["reach"], counts=True)
+        refuse("old grasp: counts is about parts, and there is no part", counts=True)
+        refuse("old grasp: unknown word 'raech' (did you mean 'reach'?)", to=["raech"])
+        refuse("old grasp: unknown part 'jiont' (did you mean 'joint'?)", part="jiont", counts=True)
+        refuse("old grasp: unknown word 'reach'", part="joint", to=["reach"])
+        self.refuse("old grasp: a text or a table is wanted", old={"grasp": 1})
+        self.refuse("old_types claw: unknown type 'amr' (did you mean 'arm'?)", old_types={"claw": {"instead": "x", "type": "amr"}})
+        self.refuse("old_types claw: type is missing", old_types={"claw": {"instead": "x"}})
+        self.refuse("old_types claw: unknown word 'size'", old_types={"claw": {"instead": "x", "type": "arm", "words": {"size": 1}}})
+
+    def test_what_differs_from_stage_says_why(self):
+        self.refuse_word("unknown stage 'beter' (did you mean 'better'?)", stage="beter", stage_why="It is.")
+        self.refuse_word("stage_why is for what is not the same as in Stage, and wanted there", stage="better")
+        self.refuse_word("stage_why is for what is not the same as in Stage, and wanted there", stage_why="It is.")
+        self.refuse("silent_why: nothing is said of debug", silent=["debug"])
+        self.refuse("silent_why: unknown word 'debgu' (did you mean 'debug'?)", silent=["debug"], silent_why={"debgu": "Idle."})
+
+    def test_a_page_tells_every_word_of_stage(self):
+        page = emit_stage_words.emit(load_kinds(ROOT / "kinds", SCHEMA))[emit_stage_words.PAGE]
+        self.assertIn("| `friction` | same |  |", page)
+        self.assertIn("| `gui_nose` | better | It is drawn;", page)
+        self.assertIn("`show_blocks`, `show_flags`,", page)
+
     def test_columns(self):
         self.refuse("column angle: a float64 needs a unit", column=[without(column(), "unit")])
         self.refuse("column angle: unknown type 'double'", column=[column(type="double")])
@@ -298,10 +326,10 @@ class Checked(unittest.TestCase):
     def setUpClass(cls):
         cls.kinds = load_kinds(ROOT / "kinds", SCHEMA)
 
-    def test_the_kinds_of_the_tree_are_those_of_stage(self):
+    def test_the_kinds_of_the_tree_are_those_of_stage_and_radios(self):
         self.assertEqual(sorted(k.name for k in self.kinds.models()),
                          ["actuator", "blinkenlight", "blobfinder", "bumper", "camera", "fiducial", "gripper",
-                          "lightindicator", "model", "position", "ranger"])
+                          "lightindicator", "model", "position", "ranger", "wifi"])
         self.assertEqual([k.name for k in self.kinds.all if k.entity != "model"], ["block", "sensor", "pack", "window", "world"])
 
     def test_columns_of_all_models_are_those_of_the_world(self):

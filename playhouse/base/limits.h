@@ -83,6 +83,8 @@ inline constexpr std::size_t kBitmapBytes = 64u << 20;            // of their fi
 inline constexpr std::size_t kCorners = 1u << 22;                 // of all bodies of a world, bitmaps' contours included
 inline constexpr std::size_t kTextBytes = 1u << 27;               // names and texts of all models
 inline constexpr std::size_t kSensors = 1u << 21;                 // of all rangers of a world
+inline constexpr std::size_t kOldParts = 1u << 18;                // of rangers and bodies, that worlds of Stage 2 tell of by numbered words
+inline constexpr std::size_t kOldPartsOfOne = 1024;               // the same of one model
 inline constexpr int kRangerSamples = 1 << 16;                    // beams of one sensor
 inline constexpr std::size_t kBeams = 1u << 26;                   // of all sensors of a world
 

@@ -28,6 +28,8 @@ enum class Purpose : std::uint64_t {
   kColor = 7,          // entity: model; with seed 0 at tick 0
   kSequence = 8,       // Rng(seed): numbers that belong to no run
   kTestScene = 9,      // entity: robot
+  kFading = 10,        // entity: id of a radio; part: id of the one that it hears
+  kAgentPlace = 11,    // entity: id of a model; detail: how often it has been placed
   kCount
 };
 

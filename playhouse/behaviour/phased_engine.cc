@@ -16,6 +16,7 @@ void PhasedEngine::step() {
   take_changes();               // who came, went, was taken up or put        -> the engine's tables
   move();                       // trees of models                            -> poses, odometry, stall
   sense(world_.tick() + 1);     // of those subscribed and due                -> ranges, fiducials
+  filter();                     // controllers of what measured               -> what it measured
   flow();                       // from batteries to who draws and touches    -> batteries
   freeze();                     // tick + 1
 }
@@ -38,6 +39,14 @@ void PhasedEngine::take_changes() {
   if (changes.empty()) return;
   next_change_ = world_.changes.end();
   ingest(changes);
+}
+
+void PhasedEngine::filter() {
+  for (const std::unique_ptr<world::Decider>& decider : world_.deciders) {
+    if (!decider->filters()) continue;
+    workers_.run(decider->size(), 64,
+                 [&](std::size_t begin, std::size_t end) { decider->filter(world_, begin, end); });
+  }
 }
 
 void PhasedEngine::flow() {

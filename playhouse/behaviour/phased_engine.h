@@ -45,6 +45,7 @@ class PhasedEngine : public world::Engine {
   void decide();
   void deliver();
   void take_changes();
+  void filter();
   void flow();
   void freeze();
 

@@ -11,39 +11,65 @@
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/nearest_word.h"
+#include "playhouse/controllers/dynamic.h"
 #include "playhouse/controllers/expand.h"
 #include "playhouse/controllers/fasr.h"
+#include "playhouse/controllers/lasernoise.h"
 #include "playhouse/controllers/loaded.h"
+#include "playhouse/controllers/rasterize.h"
 #include "playhouse/controllers/source_sink.h"
 #include "playhouse/controllers/wander.h"
 
 namespace playhouse::controllers {
 namespace {
 
-constexpr std::array<std::string_view, 6> kBuiltIns{"wander",         "fasr",   "expand_swarm",
-                                                    "expand_pioneer", "source", "sink"};
+/// A controller that comes with the program, and how a batch of it is made.
+struct BuiltIn {
+  std::string_view name;
+  std::unique_ptr<Batch> (*make)(std::string name);
+};
 
-/// Come with Stage, and world files name them, but this program has no equivalent yet.
-constexpr std::array<std::string_view, 7> kStageDemos{
-    "fasr2", "fasr_plan", "rasterize", "dynamic", "pioneer_flocking", "wander_accel", "lasernoise"};
-
-bool is_stage_demo(std::string_view name) {
-  return std::find(kStageDemos.begin(), kStageDemos.end(), name) != kStageDemos.end();
+template <typename Made>
+std::unique_ptr<Batch> make(std::string) {
+  return std::make_unique<Made>();
+}
+template <Fasr::Arguments kArguments>
+std::unique_ptr<Batch> make_fasr(std::string name) {
+  return std::make_unique<Fasr>(std::move(name), kArguments);
+}
+template <const ExpandConfig& kConfig>
+std::unique_ptr<Batch> make_expand(std::string name) {
+  return std::make_unique<Expand>(std::move(name), kConfig);
+}
+std::unique_ptr<Batch> make_wander(std::string name) {
+  return std::make_unique<Wander>(std::move(name));
 }
 
-std::unique_ptr<Batch> make_built_in(std::string_view name) {
-  if (name == "wander") return std::make_unique<Wander>();
-  if (name == "fasr") return std::make_unique<Fasr>();
-  if (name == "expand_swarm") return std::make_unique<Expand>("expand_swarm", kExpandSwarm);
-  if (name == "expand_pioneer") return std::make_unique<Expand>("expand_pioneer", kExpandPioneer);
-  if (name == "source") return std::make_unique<Source>();
-  if (name == "sink") return std::make_unique<Sink>();
-  return nullptr;
+constexpr auto kBuiltIns = std::to_array<BuiltIn>({
+    {"wander", make_wander},
+    {"wander_accel", make_wander},
+    {"fasr", make_fasr<Fasr::Arguments::kEnds>},
+    {"fasr_plan", make_fasr<Fasr::Arguments::kEnds>},
+    {"fasr2", make_fasr<Fasr::Arguments::kTasks>},
+    {"expand_swarm", make_expand<kExpandSwarm>},
+    {"expand_pioneer", make_expand<kExpandPioneer>},
+    {"pioneer_flocking", make_expand<kPioneerFlocking>},
+    {"source", make<Source>},
+    {"sink", make<Sink>},
+    {"lasernoise", make<LaserNoise>},
+    {"rasterize", make<Rasterize>},
+    {"dynamic", make<Dynamic>},
+});
+
+std::unique_ptr<Batch> make_built_in(const std::string& name) {
+  const auto found = std::ranges::find(kBuiltIns, name, &BuiltIn::name);
+  return found == kBuiltIns.end() ? nullptr : found->make(name);
 }
 
 Error unknown(const std::string& where, const std::string& name,
               const std::vector<std::filesystem::path>& folders) {
-  std::vector<std::string> words(kBuiltIns.begin(), kBuiltIns.end());
+  std::vector<std::string> words;
+  for (const BuiltIn& built_in : kBuiltIns) words.emplace_back(built_in.name);
   for (const std::filesystem::path& folder : folders) {
     std::error_code ignored;
     for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
@@ -88,11 +114,10 @@ class Batches {
 
   Result<void> add(const Post& post, const std::string& where);
   void warn(std::string line) { warnings_.push_back(std::move(line)); }
-  void warn_of_demo(const std::string& name, const std::string& where);
   std::vector<std::string> take_warnings() { return std::move(warnings_); }
 
  private:
-  /// The batch of that name; null, with a warning, for a demonstration of Stage and where nothing is loaded.
+  /// The batch of that name; null, with a warning, where nothing is loaded.
   Result<Batch*> batch(const std::string& name, const std::string& where);
   /// The same for the library at `file`.
   Result<std::unique_ptr<Batch>> load(const std::string& name, const std::filesystem::path& file,
@@ -113,8 +138,6 @@ Result<Batch*> Batches::batch(const std::string& name, const std::string& where)
     Result<std::unique_ptr<Batch>> loaded = load(name, file, where);
     if (!loaded) return loaded.error();
     made = std::move(*loaded);
-  } else if (!made && is_stage_demo(name)) {
-    warn_of_demo(name, where);
   } else if (!made) {
     return unknown(where, name, libraries_.folders);
   }
@@ -122,11 +145,6 @@ Result<Batch*> Batches::batch(const std::string& name, const std::string& where)
   by_name_.emplace(name, batch);
   if (made) world_.deciders.push_back(std::move(made));
   return batch;
-}
-
-void Batches::warn_of_demo(const std::string& name, const std::string& where) {
-  warn(where + ": Stage's demonstration " + in_quotes(name) +
-       " is not part of this program; its robots stay without a controller");
 }
 
 bool Batches::is_allowed(const std::string& name, const std::filesystem::path& file) const {
@@ -153,12 +171,8 @@ Result<std::unique_ptr<Batch>> Batches::load(const std::string& name, const std:
   }
   log::info("controller {}: loads {}", in_quotes(name), path);
   Result<Library> library = Library::open(file);
-  if (library) return std::unique_ptr<Batch>(std::make_unique<Loaded>(name, std::move(*library)));
-  // STAGEPATH leads to Stage's own builds of its demonstrations: no reason to refuse the world.
-  if (!is_stage_demo(name))
-    return Error{where, "controller " + in_quotes(name) + ": " + library.error().line()};
-  warn_of_demo(name, where);
-  return std::unique_ptr<Batch>();
+  if (!library) return Error{where, "controller " + in_quotes(name) + ": " + library.error().line()};
+  return std::unique_ptr<Batch>(std::make_unique<Loaded>(name, std::move(*library)));
 }
 
 Result<void> Batches::add(const Post& post, const std::string& where) {
@@ -183,6 +197,10 @@ std::vector<std::filesystem::path> library_folders(const scene::SceneDesc& scene
   add_folders("STAGEPATH", folders);
   folders.push_back(program_folder);
   return folders;
+}
+
+void describe_for(scene::SceneDesc& scene) {
+  Dynamic::describe_parts(scene);
 }
 
 Result<std::vector<std::string>> attach(world::World& world, const Libraries& libraries) {

@@ -27,12 +27,15 @@ struct Libraries {
 std::vector<std::filesystem::path> library_folders(const scene::SceneDesc& scene,
                                                    const std::filesystem::path& program_folder);
 
+/// Adds to a scene what its controllers make during a run: nothing comes that the scene does not describe.
+/// Call before a world is made of it; once is enough.
+void describe_for(scene::SceneDesc& scene);
+
 /// Gives every model of the world the controllers that its `ctrl` names: built-ins first, then `libraries`,
 /// each of which has a line in the log before it is loaded. Call once, before the first tick; fills
-/// world.deciders and subscribes what the controllers use. Gives the warnings, "file:line: text":
-/// demonstrations of Stage that this program has not got, a name given twice, a library that is only found.
-/// Fails on the first name that is unknown, library that can't or may not be used, or model that lacks what
-/// its controller needs.
+/// world.deciders and subscribes what the controllers use. Gives the warnings, "file:line: text": a name
+/// given twice, a library that is only found. Fails on the first name that is unknown, library that can't or
+/// may not be used, or model that lacks what its controller needs.
 Result<std::vector<std::string>> attach(world::World& world, const Libraries& libraries);
 
 }  // namespace playhouse::controllers

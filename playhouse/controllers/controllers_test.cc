@@ -4,10 +4,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "playhouse/controllers/attach.h"
+#include "playhouse/controllers/rasterize.h"
 #include "playhouse/controllers/testing/scenes.h"
+#include "playhouse/scene/colors.h"
 #include "playhouse/world/population.h"
 
 namespace playhouse::controllers {
@@ -238,6 +242,116 @@ TEST(Source, gives_what_it_makes_when_all_have_decided) {
   EXPECT_EQ(f.world.models.flags[2], 1);
 }
 
+/// Robots with a ring of eight sonars and a fiducial finder, 2 m apart.
+scene::SceneDesc flock(std::size_t count) {
+  scene::SceneDesc scene = testing::robots(count, testing::ring(8), "pioneer_flocking");
+  for (std::size_t i = 0; i < count; ++i) {
+    scene::ModelDesc finder;
+    finder.name = finder.alias = "finder" + std::to_string(i);
+    finder.kind = scene::ModelKind::kFiducial;
+    finder.fiducial.emplace();
+    finder.parent = static_cast<std::int32_t>(3 * i);
+    scene.models.insert(scene.models.begin() + static_cast<std::ptrdiff_t>(3 * i + 2), finder);
+    if (i + 1 < count) scene.models[3 * i + 4].parent = static_cast<std::int32_t>(3 * i + 3);
+  }
+  return scene;
+}
+
+TEST(PioneerFlocking, turns_as_the_nearest_of_those_that_it_sees_is_turned) {
+  Fixture f(flock(1));
+  ASSERT_EQ(f.error, "");
+  f.world.fiducials.hits[0] = {{.range = 3, .heading = -1}, {.range = 2, .heading = 0.5}};
+  testing::measure(f.world, {3.0f});
+  testing::decide(f.world);
+  EXPECT_EQ(f.command(0).x, 0.4);
+  EXPECT_NEAR(f.command(0).a, 0.3 * 0.5, 1e-6);
+}
+
+TEST(PioneerFlocking, stops_and_turns_where_the_way_is_not_free) {
+  Fixture f(flock(1));
+  f.world.fiducials.hits[0] = {{.range = 2, .heading = 0.5}};
+  testing::measure(f.world, {0.9f, 3, 3, 3, 3, 3, 3, 3});
+  testing::decide(f.world);
+  EXPECT_EQ(f.command(0).x, 0);
+  EXPECT_GT(f.command(0).a, 0) << "drawn: both sides are alike";
+  EXPECT_NE(f.command(0).a, 0.3 * 0.5);
+}
+
+TEST(PioneerFlocking, looks_at_nothing_behind_it) {
+  Fixture f(flock(1));
+  testing::measure(f.world, {3, 3, 3, 0.1f, 3, 3, 3, 3});
+  testing::decide(f.world);
+  EXPECT_NEAR(f.command(0).a, 0, 1e-6);
+}
+
+scene::SceneDesc noisy_scanner(std::size_t beams) {
+  scene::SceneDesc scene = testing::robots(1, testing::scanner(static_cast<std::uint32_t>(beams)), "wander");
+  scene.models[1].ctrl = {"lasernoise"};
+  return scene;
+}
+
+/// What engines do after they sensed.
+void filter(world::World& world) {
+  --world.tick_;  // scans are of the tick that is being made
+  for (const auto& decider : world.deciders) decider->filter(world, 0, decider->size());
+  ++world.tick_;
+}
+
+TEST(LaserNoise, puts_every_new_range_off_by_five_per_cent) {
+  Fixture f(noisy_scanner(1000));
+  ASSERT_EQ(f.error, "");
+  testing::measure(f.world, {4.0f});
+  filter(f.world);
+  double sum = 0, squares = 0;
+  for (const float range : f.world.sensors.ranges) {
+    sum += range / 4 - 1;
+    squares += (range / 4 - 1) * (range / 4 - 1);
+  }
+  EXPECT_NEAR(sum / 1000, 0, 0.005);
+  EXPECT_NEAR(std::sqrt(squares / 1000), 0.05, 0.005);
+  const std::vector<float> noisy(f.world.sensors.ranges.begin(), f.world.sensors.ranges.end());
+  ++f.world.tick_;
+  filter(f.world);
+  EXPECT_TRUE(std::ranges::equal(f.world.sensors.ranges, noisy)) << "nothing was measured since";
+}
+
+TEST(LaserNoise, needs_a_ranger) {
+  Fixture f(testing::robots(1, testing::scanner(9), "lasernoise"));
+  EXPECT_THAT(f.error, HasSubstr("needs to be on a ranger"));
+}
+
+TEST(Rasterize, draws_the_outline_of_a_body_in_its_box) {
+  scene::ModelDesc desc;
+  desc.size = {4, 2, 1};
+  desc.blocks.push_back({{{-2, -1}, {2, -1}, {2, 1}, {-2, 1}}, 0, 1});
+  desc.blocks.push_back({{{0.1, 0.1}, {0.9, 0.1}, {0.9, 0.4}}, 0, 1});
+  EXPECT_THAT(raster_of(desc, 8, 6),
+              ::testing::ElementsAre("OOOOOOOO", "O....O.O", "O...OO.O", "O......O", "O......O", "OOOOOOOO"));
+}
+
+TEST(Dynamic, gives_its_model_a_hundred_parts_within_a_metre) {
+  scene::SceneDesc scene = testing::robots(2, testing::scanner(9), "dynamic");
+  describe_for(scene);
+  describe_for(scene);
+  EXPECT_EQ(scene.models.size(), 5u) << "what the parts are like is said once";
+  Fixture f(std::move(scene));
+  ASSERT_EQ(f.error, "");
+  EXPECT_EQ(f.world.models.size(), 4u);
+  for (int tick = 0; tick < 2; ++tick) testing::decide(f.world);
+  EXPECT_EQ(f.world.models.size(), 204u);
+  for (const world::ModelRow robot : f.world.positions.model) {
+    int parts = 0;
+    for (const std::uint32_t child : f.world.children(robot)) {
+      if (f.world.models.kind[child] != scene::ModelKind::kPlain) continue;
+      ++parts;
+      const geom::Pose& X_PM = f.world.models.X_PM[child];
+      EXPECT_LE(std::max(std::fabs(X_PM.x), std::fabs(X_PM.y)), 1);
+      EXPECT_EQ(f.world.models.color[child], *scene::color_by_name("blue"));
+    }
+    EXPECT_EQ(parts, 100);
+  }
+}
+
 TEST(Attach, names_the_line_and_the_nearest_word_for_an_unknown_controller) {
   Fixture f(testing::robots(1, testing::ring(4), "wandr 1"));
   EXPECT_EQ(f.error, "test.world:1: no controller \"wandr\" (did you mean \"wander\"?)");
@@ -249,15 +363,6 @@ TEST(Attach, says_what_a_model_lacks) {
             "test.world:1: controller \"wander\" of \"r0\": needs a ranger with at least one sensor");
   Fixture bad_number(testing::robots(1, testing::ring(4), "source many"));
   EXPECT_THAT(bad_number.error, HasSubstr("capacity as a whole number, not \"many\""));
-}
-
-TEST(Attach, warns_once_about_a_demonstration_of_stage_and_leaves_its_robots_alone) {
-  Fixture f(testing::robots(3, testing::ring(4), "fasr2 red green"));
-  ASSERT_EQ(f.error, "");
-  ASSERT_EQ(f.warnings.size(), 1u);
-  EXPECT_THAT(f.warnings[0], HasSubstr("test.world:1: "));
-  EXPECT_THAT(f.world.deciders, IsEmpty());
-  EXPECT_EQ(f.world.models.subscribers[0], 0u);
 }
 
 TEST(Attach, gives_a_robot_several_controllers_but_each_only_once) {

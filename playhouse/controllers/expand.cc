@@ -1,5 +1,6 @@
 #include "playhouse/controllers/expand.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace playhouse::controllers {
@@ -13,6 +14,12 @@ world::RangerRow widest(const world::World& world, const std::vector<world::Rang
     if (sensors > 0 && (!best || sensors > world.rangers.sensor_count[best.index])) best = ranger;
   }
   return best;
+}
+
+/// Its first fiducial finder, or none.
+world::FiducialRow finder_of(const world::World& world, world::ModelRow model) {
+  const std::vector<world::FiducialRow> finders = finders_of(world, model);
+  return finders.empty() ? world::FiducialRow{} : finders.front();
 }
 
 struct Look {
@@ -56,8 +63,9 @@ std::uint32_t Expand::ring_of(const std::vector<float>& bearings) {
   Ring ring;
   for (const float bearing : bearings) {
     const auto [sin, cos] = geom::sincos(bearing);
-    ring.x.push_back(static_cast<float>(cos));
-    ring.y.push_back(static_cast<float>(sin));
+    const bool looked_at = std::fabs(bearing) <= config_.looks;
+    ring.x.push_back(looked_at ? static_cast<float>(cos) : 0);
+    ring.y.push_back(looked_at ? static_cast<float>(sin) : 0);
     ring.clear.push_back(clearance_at(config_.clearance, bearing));
   }
   rings_.push_back(std::move(ring));
@@ -71,13 +79,17 @@ Result<void> Expand::join(world::World& world, const Post& post) {
   if (!ranger) return Error{{}, "needs a ranger with at least one sensor"};
   world::subscribe_controller(world, model);
   world::subscribe_controller(world, world.rangers.model[ranger.index]);
+  if (const auto finder = finder_of(world, model); finder && config_.flock > 0)
+    world::subscribe_controller(world, world.fiducials.model[finder.index]);
 
   const std::vector<float> bearings = bearings_of(world, model, ranger);
   PLAYHOUSE_ASSERT(bearings.size() == beam_count(world, ranger));
   ring_.push_back(ring_of(bearings));
+  stream_.push_back({Purpose::kController, post.model.value, post.order});
   seen_.push_back(0);
   robot_.emplace_back();
   ranger_.emplace_back();
+  finder_.emplace_back();
   first_beam_.emplace_back();
   find_rows(world, model, robot_.size() - 1);
   return {};
@@ -90,7 +102,15 @@ void Expand::resolve(const world::World& world, std::size_t i) {
 void Expand::find_rows(const world::World& world, world::ModelRow model, std::size_t i) {
   robot_[i] = position_of(world, model);
   ranger_[i] = widest(world, rangers_of(world, model));
+  finder_[i] = config_.flock > 0 ? finder_of(world, model) : world::FiducialRow{};
   first_beam_[i] = first_beam(world, ranger_[i]);
+}
+
+double Expand::off_neighbour(const world::World& world, std::size_t i) const {
+  if (!finder_[i]) return 0;
+  const std::vector<world::FiducialHit>& hits = world.fiducials.hits[finder_[i].index];
+  const auto nearest = std::ranges::min_element(hits, {}, &world::FiducialHit::range);
+  return nearest == hits.end() ? 0 : nearest->heading;
 }
 
 void Expand::decide(world::World& world, std::size_t begin, std::size_t end) {
@@ -103,7 +123,13 @@ void Expand::decide(world::World& world, std::size_t begin, std::size_t end) {
     const Look seen = look(world.sensors.ranges.data() + first_beam_[i], ring.x, ring.y, ring.clear);
     const double bearing = geom::atan2(seen.free.y, seen.free.x);
     const bool go = !seen.blocked && std::fabs(bearing) < config_.free_angle;
-    drive(world, robot_[i], go ? config_.cruise : 0, config_.gain * bearing);
+    double turn = config_.gain * bearing;
+    if (go) {
+      turn += config_.flock * off_neighbour(world, i);
+    } else if (turn < config_.restless && config_.restless > 0) {
+      turn = Rng(world.seed(), world.tick(), stream_[i]).uniform();
+    }
+    drive(world, robot_[i], go ? config_.cruise : 0, turn);
   }
 }
 

@@ -1,11 +1,13 @@
 #pragma once
 
 /// expand_swarm and expand_pioneer: robots spread out, each towards the mean direction of free space around
-/// it. Works with any ring of range sensors. Constants are Stage's; see docs/controllers.md.
+/// it. pioneer_flocking: they also turn as their neighbours are turned. Works with any ring of range sensors.
+/// Constants are Stage's; see docs/controllers.md.
 
 #include <map>
 #include <span>
 
+#include "playhouse/base/rng.h"
 #include "playhouse/controllers/batch.h"
 
 namespace playhouse::controllers {
@@ -22,6 +24,9 @@ struct ExpandConfig {
   double gain = 1;                       // rad/s of turn per rad of bearing to free space
   double free_angle = 0.5;               // rad, drives only while free space is no further off than this
   std::span<const Clearance> clearance;  // by bearing; beams beyond the last do not matter
+  double looks = geom::kTwoPi;           // rad, to either side; beams beyond are not looked at
+  double flock = 0;     // rad/s of turn per rad that the nearest marker in view is turned off, on a free way
+  double restless = 0;  // rad/s; where the way is not free, a turn to the right or slower is drawn instead
 };
 
 // Stage has one number for each sensor of its ring. Here it holds halfway to the next sensor, for any ring.
@@ -35,8 +40,18 @@ inline constexpr Clearance kPioneerClearance[] = {  // sonars at 10, 30 and 50 d
     {geom::radians(40), 0.75f / 2},
     {geom::radians(70), 0.75f / 4}};
 
+inline constexpr Clearance kFlockClearance[] = {  // the same sonars
+    {geom::radians(20), 1.0f},
+    {geom::radians(70), 0.5f}};
+
 inline constexpr ExpandConfig kExpandSwarm{.cruise = 0.3, .clearance = kSwarmClearance};
 inline constexpr ExpandConfig kExpandPioneer{.cruise = 0.2, .clearance = kPioneerClearance};
+inline constexpr ExpandConfig kPioneerFlocking{.cruise = 0.4,
+                                               .gain = 0.3,
+                                               .clearance = kFlockClearance,
+                                               .looks = geom::radians(100),
+                                               .flock = 0.3,
+                                               .restless = 0.1};
 
 class Expand final : public BatchOf<Expand> {
  public:
@@ -47,9 +62,10 @@ class Expand final : public BatchOf<Expand> {
  private:
   friend BatchOf<Expand>;
   static auto memory(auto& self) { return std::tie(self.seen_); }
-  /// Uses the ranger with the most sensors (the ring), the first of equals.
+  /// Uses the ranger with the most sensors (the ring), the first of equals, and who flocks its first fiducial
+  /// finder, if it has one.
   Result<void> join(world::World& world, const Post& post) override;
-  void leave_rest(std::size_t i) { erase_at(i, robot_, ranger_, first_beam_, ring_); }
+  void leave_rest(std::size_t i) { erase_at(i, stream_, robot_, ranger_, finder_, first_beam_, ring_); }
   void resolve(const world::World& world, std::size_t i) override;
   void find_rows(const world::World& world, world::ModelRow model, std::size_t i);
 
@@ -59,16 +75,20 @@ class Expand final : public BatchOf<Expand> {
     std::vector<float> clear;  // m, each beam must be longer than this to drive on; below 0: any will do
   };
   std::uint32_t ring_of(const std::vector<float>& bearings);
+  /// How far the nearest marker that robot i sees is turned off its own heading; 0 if it sees none. [rad]
+  double off_neighbour(const world::World& world, std::size_t i) const;
 
   ExpandConfig config_;
   std::vector<Ring> rings_;
   std::map<std::vector<float>, std::uint32_t> ring_by_bearings_;
 
   std::vector<std::uint32_t> ring_;
+  std::vector<Stream> stream_;
 
-  // Rows of a robot and of its ring.
+  // Rows of a robot, of its ring and of its finder, if it uses one.
   std::vector<world::PositionRow> robot_;
   std::vector<world::RangerRow> ranger_;
+  std::vector<world::FiducialRow> finder_;
   std::vector<std::uint32_t> first_beam_;
 
   // Memory.

@@ -1,7 +1,6 @@
 #include "playhouse/controllers/fasr.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -20,34 +19,62 @@ constexpr double kLane = 0.3;       // rad to the right of the way: those who co
 constexpr double kEscape = 0.2;     // m/s
 constexpr double kBackwards = 0.7;  // share of escapes
 constexpr std::uint32_t kEscapeLeast = 8, kEscapeSpread = 16;  // scans
+constexpr double kChange = 0.0005;  // probability, at each scan without a flag, of choosing a task
+constexpr std::string_view kWaiting = "Waiting...";
 constexpr double kPlaces = 2;  // per metre: an end that moves has new ways so often
 
 geom::Vec2 rounded(geom::Vec2 p) {
   return {std::round(p.x * kPlaces) / kPlaces, std::round(p.y * kPlaces) / kPlaces};
 }
 
-/// One goes over, unless the first has none, or the other can carry no more.
-void move_flag(world::World& world, world::ModelRow from, world::ModelRow to) {
+/// One goes over. False: the first has none, or the other can carry no more.
+bool move_flag(world::World& world, world::ModelRow from, world::ModelRow to) {
   const std::vector<std::int32_t>& flags = world.models.flags;
-  if (flags[from.index] == 0 || flags[to.index] == std::numeric_limits<std::int32_t>::max()) return;
+  if (flags[from.index] == 0 || flags[to.index] == std::numeric_limits<std::int32_t>::max()) return false;
   world::add_flags(world, from, -1);
   world::add_flags(world, to, 1);
+  return true;
+}
+
+/// Says so, or no longer; what else it says stays.
+void say_waiting(world::World& world, world::ModelRow robot, bool waits) {
+  const std::string& says = world.models.say[robot.index];
+  if (waits != (says == kWaiting) && (waits || says == kWaiting))
+    world::set_say(world, robot, waits ? kWaiting : "");
+}
+
+std::uint32_t drawn_choice(std::size_t count, Rng random) {
+  return static_cast<std::uint32_t>(random.bits() % count);
 }
 
 }  // namespace
 
+std::vector<std::array<std::string, 2>> Fasr::ends_of(const Post& post) const {
+  std::vector<std::array<std::string, 2>> ends;
+  if (arguments_ == Arguments::kTasks)
+    for (const std::string& task : post.arguments) ends.push_back({task + "_source", task + "_sink"});
+  if (!ends.empty()) return ends;
+  ends.push_back({"source", "sink"});
+  for (std::size_t k = 0; k < post.arguments.size() && k < 2; ++k) ends[0][k] = post.arguments[k];
+  return ends;
+}
+
 Result<void> Fasr::join(world::World& world, const Post& post) {
-  std::array<std::string, 2> names{"source", "sink"};
-  std::array<world::ModelId, 2> ends;
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    if (k < post.arguments.size()) names[k] = post.arguments[k];
-    const world::ModelRow found = world.find(names[k]);
-    if (!found) return Error{{}, "needs a model " + in_quotes(names[k])};
-    ends[k] = world.id(found);
+  std::vector<std::array<world::ModelId, 2>> tasks;
+  for (const std::array<std::string, 2>& names : ends_of(post)) {
+    tasks.emplace_back();
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      const world::ModelRow found = world.find(names[k]);
+      if (!found) return Error{{}, "needs a model " + in_quotes(names[k])};
+      tasks.back()[k] = world.id(found);
+    }
   }
   if (const Result<void> joined = steering_.join(world, post); !joined) return joined;
   model_.push_back(world.row(post.model));
-  task_.push_back(task_of(world, ends[0], ends[1], model_.back()));
+  std::vector<std::uint32_t>& choices = choices_.emplace_back();
+  for (const auto& [source, sink] : tasks) choices.push_back(task_of(world, source, sink, model_.back()));
+  choice_.push_back(
+      drawn_choice(choices.size(), Rng(world.seed(), world.tick(), steering_.stream(model_.size() - 1))));
   exchange_.push_back(Exchange::kNothing);
   escaping_.push_back(0);
   speed_.push_back(0);
@@ -71,7 +98,7 @@ std::uint32_t Fasr::task_of(const world::World& world, world::ModelId source, wo
 
 void Fasr::leave_rest(std::size_t i) {
   steering_.leave_rest(i);
-  erase_at(i, model_, task_, exchange_);
+  erase_at(i, model_, choices_, exchange_);
 }
 
 void Fasr::resolve(const world::World& world, std::size_t i) {
@@ -100,8 +127,14 @@ void Fasr::prepare(const world::World& world, bool rebuilt, Task& task) {
   make(task.source, task.sink.ways->route(task.source.p_W));
 }
 
+void Fasr::choose(const world::World& world, std::size_t i) {
+  if (choices_[i].size() == 1 || world.models.flags[model_[i].index] > 0) return;
+  Rng random(world.seed(), world.tick(), steering_.stream(i));
+  if (random.uniform() < kChange) choice_[i] = drawn_choice(choices_[i].size(), random);
+}
+
 const Fasr::End* Fasr::goal(std::size_t i, bool loaded) const {
-  const Task& task = tasks_[task_[i]];
+  const Task& task = this->task(i);
   return !task.source.row || !task.sink.row ? nullptr : loaded ? &task.sink : &task.source;
 }
 
@@ -117,7 +150,7 @@ bool Fasr::go(world::World& world, std::size_t i, const End& end) {
   const geom::Vec2 next_M = geom::transform(geom::inverse(X_WM), *next_W);
   const double wanted = geom::normalize(geom::atan2(next_M.y, next_M.x) - kLane);
   const std::optional<FreeWay> way =
-      free_way(steering_.beams(world, i), steering_.fan(i), tasks_[task_[i]].clearance, wanted);
+      free_way(steering_.beams(world, i), steering_.fan(i), task(i).clearance, wanted);
   if (!way) return false;
   const double speed = way->ahead < kStop ? 0 : std::fabs(way->bearing) > kAhead ? kSlow : kCruise;
   drive(world, steering_.robot(i), speed, std::clamp(way->bearing, -kTurnMost, kTurnMost));
@@ -142,6 +175,7 @@ void Fasr::decide(world::World& world, std::size_t begin, std::size_t end) {
   for (std::size_t i = begin; i < end; ++i) {
     exchange_[i] = Exchange::kNothing;
     if (!steering_.is_new_scan(world, i)) continue;
+    choose(world, i);
     const bool loaded = world.models.flags[model_[i].index] > 0;
     const End* const to = goal(i, loaded);
     const bool there = to && is_there(world, i, *to);
@@ -153,8 +187,9 @@ void Fasr::decide(world::World& world, std::size_t begin, std::size_t end) {
 
 void Fasr::deliver(world::World& world) {
   for (const std::uint32_t i : by_id()) {
-    const Task& task = tasks_[task_[i]];
-    if (exchange_[i] == Exchange::kTakes) move_flag(world, task.source.row, model_[i]);
+    const Task& task = this->task(i);
+    const bool takes = exchange_[i] == Exchange::kTakes;
+    say_waiting(world, model_[i], takes && !move_flag(world, task.source.row, model_[i]));
     if (exchange_[i] == Exchange::kGives) move_flag(world, model_[i], task.sink.row);
   }
 }

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "playhouse/controllers/attach.h"
 #include "playhouse/controllers/testing/scenes.h"
 #include "playhouse/world/population.h"
@@ -124,6 +126,46 @@ TEST(Fasr, goes_where_its_arguments_say) {
   world::set_pose(f.world, f.robot(0), {20, 1, 0, 0});
   f.decide();
   EXPECT_EQ(f.flags(f.robot(0)), 1);
+}
+
+TEST(Fasr2, takes_up_its_tasks_and_says_that_it_waits) {
+  scene::SceneDesc scene = Field::made("fasr2 red green", 40);
+  scene.models[scene.models.size() - 2].name = "red_source";
+  scene.models.back().name = "red_sink";
+  for (const auto& [name, x] : {std::pair("green_source", 0.0), std::pair("green_sink", 20.0)}) {
+    scene::ModelDesc& end = scene.models.emplace_back();
+    end.name = end.alias = name;
+    end.X_PM = {x, 10, 0, 0};
+  }
+  world::World world(scene, 7);
+  ASSERT_TRUE(attach(world, {}));
+  const world::ModelRow red = world.find("red_source"), green = world.find("green_source");
+  world.models.flags[red.index] = world.models.flags[green.index] = 100;
+  const auto round = [&](double y) {
+    for (const world::ModelRow robot : world.positions.model) world::set_pose(world, robot, {0, y, 0, 0});
+    testing::measure(world, {8.0f});
+    testing::decide(world);
+  };
+  const auto others = [&](const std::string& text) {
+    return std::ranges::count_if(
+        world.positions.model, [&](world::ModelRow robot) { return world.models.say[robot.index] == text; });
+  };
+  round(0);
+  const std::int32_t of_red = 100 - world.models.flags[red.index];
+  EXPECT_GT(of_red, 5);
+  EXPECT_LT(of_red, 35);
+  EXPECT_EQ(world.models.flags[green.index], 100);
+  world.models.flags[green.index] = 0;
+  round(10);
+  EXPECT_EQ(others("Waiting..."), 40 - of_red);
+  world.models.flags[green.index] = 100;
+  round(10);
+  EXPECT_EQ(others("Waiting..."), 0);
+  EXPECT_EQ(100 - world.models.flags[green.index], 40 - of_red);
+}
+
+TEST(Fasr2, needs_the_ends_of_every_task) {
+  EXPECT_THAT(Field("fasr2 red").error, EndsWith("needs a model \"red_source\""));
 }
 
 TEST(Fasr, needs_both_ends_and_a_scanner) {

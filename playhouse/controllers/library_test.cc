@@ -188,12 +188,6 @@ TEST(Library, that_is_no_library_is_refused) {
   EXPECT_THAT(attached.error().line(), HasSubstr("can't be loaded"));
 }
 
-TEST(Library, of_a_stage_demonstration_does_not_stop_the_world) {
-  Fixture f("fasr2");
-  EXPECT_EQ(f.error, "");
-  EXPECT_EQ(f.warnings.size(), 1u);
-}
-
 TEST(Library, names_are_suggested_when_one_is_misspelt) {
   EXPECT_THAT(Fixture("prob").error, EndsWith("no controller \"prob\" (did you mean \"probe\"?)"));
 }

@@ -1,6 +1,7 @@
 #pragma once
 
-/// wander: drives ahead and turns away from what a scanner sees. Stage's constants; see docs/controllers.md.
+/// wander, and wander_accel, which is the same: drives ahead and turns away from what a scanner sees. Stage's
+/// constants; see docs/controllers.md.
 
 #include "playhouse/controllers/steering.h"
 
@@ -8,7 +9,7 @@ namespace playhouse::controllers {
 
 class Wander final : public BatchOf<Wander> {
  public:
-  Wander() : BatchOf("wander") {}
+  explicit Wander(std::string name) : BatchOf(std::move(name)) {}
 
   void decide(world::World& world, std::size_t begin, std::size_t end) override {
     for (std::size_t i = begin; i < end; ++i)

@@ -151,6 +151,9 @@ TEST(SceneText, is_json_with_equal_shapes_and_prototypes_written_once) {
   };
   EXPECT_TRUE(prototype_of(5).at("movable").as_bool());
   EXPECT_FALSE(prototype_of(0).as_object().contains("movable"));
+  EXPECT_TRUE(prototype_of(0).at("outline").as_bool());
+  EXPECT_TRUE(prototype_of(0).at("grid").as_bool());
+  EXPECT_FALSE(prototype_of(0).as_object().contains("nose"));
   EXPECT_EQ(prototype_of(6).at("sensors").at(0).at("samples").as_int64(), 5);
 }
 

@@ -67,6 +67,9 @@ std::string prototype(const scene::ModelDesc& model, Texts& shapes) {
     fmt::format_to(out, R"(,"shape":{})", shapes.row(shape(model)));
   if (model.moving_blocks > 0) fmt::format_to(out, R"(,"moving":{})", model.moving_blocks);
   if (model.gui_move) text += R"(,"movable":true)";
+  if (model.gui_nose) text += R"(,"nose":true)";
+  if (model.gui_outline) text += R"(,"outline":true)";
+  if (model.gui_grid) text += R"(,"grid":true)";
   tell_kind(model, text);
   return text += '}';
 }

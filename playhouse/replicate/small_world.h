@@ -52,11 +52,13 @@ class SmallWorld {
     scene::ModelDesc wall = model("wall", "model", scene::ModelKind::kPlain, -1);
     wall.bitmaps.push_back({{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 1}, {1, 3}, {3, 3}, {3, 1}}}, 0, 0.5});
     wall.gui_move = false;
+    wall.gui_outline = wall.gui_grid = true;
     scene.models.push_back(wall);
     for (int k = 0; k < robots; ++k) add_robot(scene, k);
     scene::ModelDesc puck = model("puck", "model", scene::ModelKind::kPlain, -1);
     puck.blocks.push_back({{{-0.05, -0.05}, {0.05, -0.05}, {0.05, 0.05}, {-0.05, 0.05}}, 0, 0.1});
     puck.gui_move = true;
+    puck.gui_nose = true;
     scene.models.push_back(puck);
     for (int k = 0; k < grippers; ++k) add_gripper(scene, k);
     return scene;

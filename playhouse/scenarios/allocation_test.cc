@@ -129,7 +129,7 @@ Result<scene::SceneDesc> everything() {
     define robot position( size [0.3 0.3 0.2] localization "odom" fiducial_return 5 gripper_return 1
       gripper( pose [0.2 0 -0.2 0] autosnatch 1 )
       block( points 5 point[0] [0 0] point[1] [3 0] point[2] [3 3] point[3] [1.5 1] point[4] [0 3] z [0 1] )
-      ranger( sensor( range [0.1 8] fov 270 samples 61 noise [0.01 0.02 0] ) )
+      ranger( ctrl "lasernoise" sensor( range [0.1 8] fov 270 samples 61 noise [0.01 0.02 0] ) )
       ranger( sensor( range [0 5] fov 20 samples 9 noise [0 0.01 0.05] ) sensor( pose [0 0 0 90] range [0 5] fov 10 ) )
       ranger( sensor( pose [0 0 0 -40] range [0 5] fov 10 samples 3 ) sensor( pose [0 0 0 40] range [0 5] ) )
       fiducial( range_max 5 range_max_id 3 fov 200 ) )
@@ -137,10 +137,10 @@ Result<scene::SceneDesc> everything() {
     model( name "depot" pose [3.5 3.5 0 0] size [0.2 0.2 0.2] fiducial_return 9 )
     robot( name "stuck" pose [4 0 0 0] velocity [0.3 0 0 0.1] )
   )";
-  const char* controllers[] = {"wander", "expand_swarm", "expand_pioneer", "shy 0.3"};
+  const char* controllers[] = {"wander", "expand_swarm", "expand_pioneer", "shy 0.3", "pioneer_flocking"};
   for (int k = 0; k < 36; ++k)
     text += fmt::format("robot( pose [{} {} 0 {}] ctrl \"{}\" )\n", -2.5 + k % 6, -2.5 + k / 6, 77 * k % 360,
-                        controllers[k % 4]);
+                        controllers[k % 5]);
   scene::MemoryFiles none({});
   Result<scene::SceneDesc> scene = scene::load_world_text(text, "everything.world", none);
   if (!scene) return scene;

@@ -17,6 +17,7 @@ class Simulation {
  public:
   explicit Simulation(Result<scene::SceneDesc> loaded, unsigned workers = 1) : scene_(std::move(loaded)) {
     EXPECT_TRUE(scene_) << scene_.error().line();
+    controllers::describe_for(*scene_);
     auto engine = stage::make_engine(*scene_, {.seed = 1, .workers = workers});
     EXPECT_TRUE(engine) << engine.error().line();
     engine_ = std::move(*engine);

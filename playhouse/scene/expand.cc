@@ -54,6 +54,9 @@ Result<Instance> Macros::instance(const Section& section) const {
   return instance;
 }
 
+FieldSet::FieldSet(const Instance& instance)
+    : FieldSet(instance.now ? std::span(&instance.now, 1) : std::span(instance.parts)) {}
+
 FieldSet::FieldSet(std::span<const Section* const> parts) {
   for (const Section* part : parts) {
     for (const Field& field : part->fields) fields_.push_back(&field);

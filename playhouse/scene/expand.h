@@ -20,6 +20,9 @@ struct Instance {
   std::string_view type;              // the name that is no macro
   std::vector<const Section*> parts;  // macro bodies, base first; the instance's own body last
   SourceLine where;                   // of the instance
+  /// The same in today's words: has the fields, and entities beside those of `parts`. Null: its words are
+  /// today's.
+  const Section* now = nullptr;
 };
 
 class Macros {
@@ -43,6 +46,7 @@ class Macros {
 /// The fields of an instance by key; of several with one key the last counts.
 class FieldSet {
  public:
+  explicit FieldSet(const Instance& instance);
   explicit FieldSet(std::span<const Section* const> parts);
   explicit FieldSet(std::span<const Field> fields);
 

@@ -19,6 +19,29 @@ enum class Use : std::uint8_t {
   kOld,     // ignored by Stage 4 too; older versions knew it
 };
 
+/// A word and its value as a file has them: "range", "0 8".
+struct SaidWord {
+  std::string_view word, value;
+};
+
+/// What an old word means now, by today's words.
+struct Meaning {
+  enum class How : std::uint8_t {
+    kWords,   // says `to`
+    kCount,   // how many parts there are
+    kNested,  // word[1].points is `points` of the second part
+  };
+  How how = How::kWords;
+  /// Whose words they are: those of the entity itself, if "". word[1] is then of the second part, and word
+  /// alone of all.
+  std::string_view part = {};
+  /// The word of each value, with the element that it is, "range.1", or "" of one that means nothing. One
+  /// word without an element has all values.
+  std::span<const std::string_view> to = {};
+  std::span<const SaidWord> values = {};      // that have others now
+  std::span<const SaidWord> part_words = {};  // of each part, where the file does not say them
+};
+
 /// A word that an entity can have. Texts are as people read them, empty where there is nothing to say.
 struct Word {
   std::string_view name;
@@ -31,7 +54,8 @@ struct Word {
   std::string_view limits = {};      // "above 0"
   std::string_view counted_by = {};  // the word that says how many there are, word[0], word[1], ...
   std::string_view doc = {};
-  std::string_view instead = {};  // of old words: what to write
+  std::string_view instead = {};     // of old words: what to write
+  const Meaning* meaning = nullptr;  // of old words that are read
 };
 
 /// How the indices of an interface count in the automatic map.
@@ -84,6 +108,11 @@ struct Kind {
 /// A type of Stage 1 to 3, and what to write in its place.
 struct OldType {
   std::string_view name, instead;
+  bool is_read = false;
+  std::string_view type = {};                 // what it is read as; "" nothing
+  std::string_view part = {};                 // of which that has one at least
+  std::span<const SaidWord> words = {};       // that it says, where the file does not
+  std::span<const SaidWord> part_words = {};  // the same of these parts
 };
 
 /// Model types that are simulated in the order of their numbers, other model types, parts, traits, the

@@ -11,6 +11,8 @@
 namespace playhouse::scene {
 namespace {
 
+constexpr char kFlat[2] = {};  // what warnings of such sizes and poses are about
+
 constexpr double kLargest =
     1e9;  // m, rad and plain numbers; far beyond any scene, well inside all arithmetic
 
@@ -118,15 +120,38 @@ std::vector<std::string> Properties::texts(std::string_view key) const {
   return texts;
 }
 
+bool Properties::has_flat_size() const {
+  const Field* size = fields_.find("size");
+  return size && size->values.size() == 2;
+}
+
+bool Properties::is_flat(std::string_view key, std::size_t count, std::string_view now) const {
+  const Field* field = fields_.find(key);
+  if (!field || field->values.size() != count) return false;
+  const std::string_view which = count == 3 ? "without z" : "without height";
+  state_.warnings.add_old(
+      &kFlat[count - 2], field->where,
+      in_quotes(key) + " " + std::string(which) + " is of older versions: write " + std::string(now));
+  return true;
+}
+
 std::optional<geom::Pose> Properties::pose(std::string_view key) const {
   double v[4] = {};
-  if (!tuple(key, "LLLA", v, "[x y z heading] (files for Stage 2 leave z out)")) return std::nullopt;
+  if (is_flat(key, 3, "[x y z heading]")) {
+    tuple(key, "LLA", v, "");
+    return geom::Pose{v[0], v[1], 0, geom::normalize(v[2])};
+  }
+  if (!tuple(key, "LLLA", v, "[x y z heading]")) return std::nullopt;
   return geom::Pose{v[0], v[1], v[2], geom::normalize(v[3])};
 }
 
 geom::Size Properties::size(std::string_view key, geom::Size otherwise) const {
   double v[3] = {otherwise.x, otherwise.y, otherwise.z};
-  tuple(key, "LLL", v, "[x y z] (files for Stage 2 leave z out)");
+  if (is_flat(key, 2, "[x y z]")) {
+    tuple(key, "LL", v, "");
+  } else {
+    tuple(key, "LLL", v, "[x y z]");
+  }
   if (v[0] < 0 || v[1] < 0 || v[2] < 0) state_.fail(where(key), in_quotes(key) + " must not be negative");
   return {v[0], v[1], v[2]};
 }

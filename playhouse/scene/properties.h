@@ -38,7 +38,7 @@ struct LoadState {
 class Properties {
  public:
   Properties(LoadState& state, const Instance& instance)
-      : state_(state), where_(instance.where), fields_(instance.parts) {}
+      : state_(state), where_(instance.where), fields_(instance) {}
   Properties(LoadState& state, std::span<const Field> fields) : state_(state), fields_(fields) {}
 
   bool has(std::string_view key) const { return fields_.find(key) != nullptr; }
@@ -55,6 +55,10 @@ class Properties {
   std::string text(std::string_view key, std::string_view otherwise) const;
   std::vector<std::string> texts(std::string_view key) const;
 
+  /// Whether the word has the `count` values that it had before there was a z, three of poses and velocities
+  /// and two of sizes; that is a warning, and `now` is how it is written.
+  bool is_flat(std::string_view key, std::size_t count, std::string_view now) const;
+
   /// The first `count` elements of a tuple; none when `key` is absent. Fewer fail with `form`, as in "[x y
   /// z]", and none are given; more are a warning.
   std::span<const Value> elements(std::string_view key, std::size_t count, std::string_view form) const;
@@ -63,7 +67,11 @@ class Properties {
   bool tuple(std::string_view key, std::string_view scales, std::span<double> out,
              std::string_view form) const;
 
+  /// A size without height, as Stage 2 had: the model is of a world in which all is at one height.
+  bool has_flat_size() const;
+  /// Three values are [x y heading], as Stage 2 had poses.
   std::optional<geom::Pose> pose(std::string_view key) const;
+  /// Two values are [x y], as Stage 2 had sizes, with the height of `otherwise`.
   geom::Size size(std::string_view key, geom::Size otherwise) const;
   /// `color`, else `color_rgba`, else `otherwise`. `row` decides what "random" is.
   Color color(Color otherwise, std::size_t row) const;

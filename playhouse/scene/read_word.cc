@@ -107,6 +107,11 @@ geom::Vec2 read_point(const Properties& properties, std::string_view key, geom::
 geom::Twist read_twist(const Properties& properties, std::string_view key, std::string_view scales,
                        std::string_view form) {
   double v[4] = {};
+  if (properties.is_flat(key, 3, form)) {
+    const std::string flat{scales[0], scales[1], scales[3]};
+    properties.tuple(key, flat, v, "");
+    return {v[0], v[1], 0, v[2]};
+  }
   properties.tuple(key, scales, v, form);
   return {v[0], v[1], v[2], v[3]};
 }

@@ -54,7 +54,7 @@ std::vector<Color> read_colors(const Properties& properties, std::string_view ke
 /// [x y], as they are.
 geom::Vec2 read_point(const Properties& properties, std::string_view key, geom::Vec2 otherwise);
 
-/// Four numbers, as `scales` says (Properties::tuple).
+/// Four numbers, as `scales` says (Properties::tuple); three leave z out, as Stage 2 did.
 geom::Twist read_twist(const Properties& properties, std::string_view key, std::string_view scales,
                        std::string_view form);
 

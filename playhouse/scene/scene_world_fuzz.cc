@@ -36,6 +36,8 @@ void check_written(const SceneDesc& scene, FileReader& files) {
   const auto second = write_world(again, scene.path);
   expect_same(second && *second == *text ? "" : "written otherwise then", *text);
   expect_same(difference(again, read_back(again, files, *second)), *text);
+  for (const std::string& warning : again.warnings)
+    expect_same(warning.find("of older versions: ") == std::string::npos ? "" : warning, *text);
 }
 
 }  // namespace

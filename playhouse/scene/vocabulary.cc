@@ -21,11 +21,11 @@ std::string hint(const Kind& kind, std::string_view word) {
   return did_you_mean(word, candidates);
 }
 
-std::string owner(const Kind& kind) {
+}  // namespace
+
+std::string owner_of(const Kind& kind) {
   return (kind.entity == EntityForm::kWorld ? "the " : "") + std::string(kind.name);
 }
-
-}  // namespace
 
 std::string what_instead(std::string_view name, std::span<const std::string_view> others) {
   const auto old = std::ranges::find(old_types(), name, &OldType::name);
@@ -66,9 +66,9 @@ void VocabularyCheck::check(const Kind& kind, const Properties& properties) {
     const std::string_view name = without_index(field->key);
     const Word* word = find_word(kind, name);
     if (word && word->use != Use::kLater && word->use != Use::kOld) continue;
-    if (word && !words_.insert(name).second) continue;
+    if (word && word->use == Use::kLater && !words_.insert(name).second) continue;
     const std::string subject = in_quotes(name);
-    const std::string whose = " of " + owner(kind);
+    const std::string whose = " of " + owner_of(kind);
     if (!word) {
       state.warnings.add(Warning::kUnknownWord, field->where, "unknown property " + subject + whose,
                          [&] { return hint(kind, name); });
@@ -77,7 +77,7 @@ void VocabularyCheck::check(const Kind& kind, const Properties& properties) {
                          subject + " is not simulated yet and has no effect");
     } else {
       const std::string instead = word->instead.empty() ? "" : ": " + std::string(word->instead);
-      state.warnings.add(Warning::kNoEffect, field->where, subject + whose + " has no effect" + instead);
+      state.warnings.add_old(word, field->where, subject + whose + " has no effect" + instead);
     }
   }
 }

@@ -18,6 +18,9 @@ namespace playhouse::scene {
 /// instead of an older type; "" when nothing is near. `others` are names that would also have been possible.
 std::string what_instead(std::string_view name, std::span<const std::string_view> others);
 
+/// "ranger", "the world".
+std::string owner_of(const Kind& kind);
+
 /// Where an entity belongs that is no model: "a ranger".
 std::string place_of(const Kind& kind);
 
@@ -25,14 +28,14 @@ std::string place_of(const Kind& kind);
 std::vector<KeptWord> kept_words(const Kind& kind, const Properties& properties);
 
 /// Warns of properties that do nothing: once per line for words that are unknown, once per load for words
-/// that older or other versions of Stage know, or that stand for something this build does not simulate.
+/// that older versions of Stage know, or that stand for something this build does not simulate.
 class VocabularyCheck {
  public:
   void check(const Kind& kind, const Properties& properties);
 
  private:
   std::set<const Field*> checked_;
-  std::set<std::string_view> words_;
+  std::set<std::string_view> words_;  // that are not simulated
 };
 
 }  // namespace playhouse::scene

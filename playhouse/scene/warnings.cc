@@ -25,6 +25,16 @@ bool Warnings::is_known(std::string_view line) const {
   return std::ranges::any_of(lines_, [line](const std::string& known) { return known.starts_with(line); });
 }
 
+void Warnings::add_old(const void* what, SourceLine where, std::string text) {
+  const auto [old, is_new] = old_.try_emplace(what);
+  if (is_new) {
+    old->second.row = lines_.size();
+    lines_.push_back(sources_->at(where) + ": " + std::move(text));
+  }
+  const bool here = where.file == watched_.file && where.line == watched_.line;
+  news_ += old->second.at.emplace(where.file, where.line).second || here ? 1 : 0;
+}
+
 bool Warnings::has_room(Warning kind) {
   return counts_[static_cast<std::size_t>(kind)]++ < limits::kWarningsOfAKind;
 }
@@ -35,6 +45,11 @@ Error Warnings::with_slip(Error error) const {
 }
 
 std::vector<std::string> Warnings::take() {
+  for (const auto& [what, old] : std::exchange(old_, {})) {
+    const std::size_t more = old.at.size() - 1;
+    if (more > 0)
+      lines_[old.row] += " (and on " + std::to_string(more) + (more == 1 ? " line more)" : " lines more)");
+  }
   for (std::size_t kind = 0; kind < kWarningKinds; ++kind) {
     if (counts_[kind] <= limits::kWarningsOfAKind) continue;
     lines_.push_back(escaped(sources_->file_names().front()) + ": and " +

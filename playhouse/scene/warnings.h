@@ -7,8 +7,11 @@
 #include <array>
 #include <concepts>
 #include <cstdint>
+#include <map>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "playhouse/base/result.h"
@@ -41,6 +44,10 @@ class Warnings {
     if (kind == Warning::kUnknownWord && !tail.empty() && slip_.empty()) slip_ = lines_.back();
   }
 
+  /// The same of something that only older versions had, `what`: one line, of the first line that has it, and
+  /// on how many others it is.
+  void add_old(const void* what, SourceLine where, std::string text);
+
   /// `error` and, after it, the first unknown word that resembles a known one: a slip there often is why
   /// something is missing later, and the warnings are not shown when an error ends the load.
   Error with_slip(Error error) const;
@@ -64,6 +71,12 @@ class Warnings {
   std::size_t news_ = 0;
   SourceLine watched_;
   std::array<std::size_t, kWarningKinds> counts_{};
+  /// What is old, with its row in lines_ and the lines of files that have it.
+  struct Old {
+    std::size_t row = 0;
+    std::set<std::pair<std::uint32_t, std::uint32_t>> at;
+  };
+  std::map<const void*, Old> old_;
 };
 
 }  // namespace playhouse::scene

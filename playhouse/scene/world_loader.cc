@@ -1,5 +1,7 @@
 #include "playhouse/scene/world_loader.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -14,6 +16,7 @@
 #include "playhouse/scene/generated/bodies.h"
 #include "playhouse/scene/generated/read_kinds.h"
 #include "playhouse/scene/kinds.h"
+#include "playhouse/scene/old_words.h"
 #include "playhouse/scene/properties.h"
 #include "playhouse/scene/repeats.h"
 #include "playhouse/scene/syntax.h"
@@ -82,7 +85,8 @@ class WorldLoader {
 
   void read_globals();
   void define(const Statement& statement);
-  /// The section with its macros applied.
+  /// The section with its macros applied, in today's words; none where nothing is left of it, and where the
+  /// load ends.
   std::optional<Instance> instance(const Section& section);
   void load_window(const Instance& window, const Kind& kind);
   /// A section at top level.
@@ -103,6 +107,7 @@ class WorldLoader {
   void read_words(const Properties& properties, const Kind& kind, ModelDesc& model);
   /// Reads the entities that are parts of a model of this kind; returns all others, the models inside it.
   std::vector<Instance> load_parts(const Instance& entity, const Kind& kind, ModelDesc& model, Shape& shape);
+  void load_part(const Instance& entity, const Kind& part, ModelDesc& model, Shape& shape);
   void load_block(const Properties& properties, SourceLine where, Shape& shape);
   void load_sensor(const Properties& properties, SourceLine where, ModelDesc& model);
   void check_holds_nothing(const Instance& entity);
@@ -110,7 +115,9 @@ class WorldLoader {
   void read_body(const Properties& properties, const Kind& kind, Shape shape, ModelDesc& model);
   /// The path under which the model's bitmap was read, and its contours; null where it has none.
   using TracedBitmap = std::map<std::string, Loops>::value_type;
-  const TracedBitmap* load_bitmap(const Properties& properties);
+  const TracedBitmap* load_bitmap(const Properties& properties, const geom::Size& size);
+  void warn_of_margin(const std::string& path, const Bitmap& bitmap, const Loops& loops,
+                      const geom::Size& size, SourceLine where);
   /// `path` was tried last; the error tells of `why.where`.
   const TracedBitmap* fail_bitmap(const std::string& path, SourceLine where, const Error& why);
   /// Macros and bitmaps make much of little text: a fault when the world has no room for `amount` more.
@@ -124,6 +131,7 @@ class WorldLoader {
   WorldLimits limits_;
   Macros macros_;
   LoadState state_;
+  OldWords old_words_{state_, macros_};
   VocabularyCheck vocabulary_;
   SceneDesc scene_;
   TokenNames names_{scene_, state_};
@@ -264,14 +272,14 @@ std::uint32_t WorldLoader::share_tree(std::uint32_t first, std::string_view word
 }
 
 void WorldLoader::read_globals() {
-  const Properties properties(state_, document_.fields);
-  vocabulary_.check(world_kind(), properties);
-  const Result<Units> units = read_units(document_, properties.fields());
+  const Result<Units> units = read_units(document_, FieldSet(document_.fields));
   if (!units) {
     state_.end(units.error());
     return;
   }
   state_.units = scene_.units = *units;
+  const Properties properties(state_, old_words_.now_of_world(document_.fields));
+  vocabulary_.check(world_kind(), properties);
   scene_.name = scene_.path;
   read(properties, scene_);
   scene_.kept = kept_words(world_kind(), properties);
@@ -292,7 +300,9 @@ std::optional<Instance> WorldLoader::instance(const Section& section) {
     state_.end(instance.error());
     return std::nullopt;
   }
-  return std::move(*instance);
+  Instance now = old_words_.now(std::move(*instance));
+  if (state_.over || now.type.empty()) return std::nullopt;
+  return now;
 }
 
 void WorldLoader::load_window(const Instance& window, const Kind& kind) {
@@ -345,7 +355,8 @@ void WorldLoader::read_words(const Properties& properties, const Kind& kind, Mod
   model.update_interval = std::max(model.update_interval, scene_.interval);
   read_kind(properties, kind.kind, model);
   if (model.actuator) check_actuator(properties, *model.actuator);
-  model.stacks_children = properties.flag("stack_children", true);
+  // Where nothing had a height, what a laser stood on was no higher than the walls that it sees.
+  model.stacks_children = properties.flag("stack_children", !properties.has_flat_size());
   model.kept = kept_words(kind, properties);
 }
 
@@ -398,24 +409,34 @@ std::vector<Instance> WorldLoader::load_parts(const Instance& entity, const Kind
   for (const Section* section_of : entity.parts) {
     for (const Section& section : section_of->sections) {
       std::optional<Instance> child = instance(section);
-      if (!child || state_.over) return {};
+      if (state_.over) return {};
+      if (!child) continue;
       const Kind* part = find_entity(child->type);
       if (!part || !is_part_of(*part, kind)) {
         children.push_back(std::move(*child));
         continue;
       }
-      check_holds_nothing(*child);
-      const Properties properties(state_, *child);
-      vocabulary_.check(*part, properties);
-      if (part->table.empty()) {  // a shape: the world keeps no state of it
-        load_block(properties, child->where, shape);
-      } else {
-        load_sensor(properties, child->where, model);
-      }
+      load_part(*child, *part, model, shape);
       if (state_.over) return {};
     }
   }
+  if (!entity.now) return children;
+  for (const Section& section : entity.now->sections) {  // not written, so that no macro is meant
+    load_part({section.name, {&section}, section.where}, *find_entity(section.name), model, shape);
+    if (state_.over) return {};
+  }
   return children;
+}
+
+void WorldLoader::load_part(const Instance& entity, const Kind& part, ModelDesc& model, Shape& shape) {
+  check_holds_nothing(entity);
+  const Properties properties(state_, entity);
+  vocabulary_.check(part, properties);
+  if (part.table.empty()) {  // a shape: the world keeps no state of it
+    load_block(properties, entity.where, shape);
+  } else {
+    load_sensor(properties, entity.where, model);
+  }
 }
 
 void WorldLoader::load_block(const Properties& properties, SourceLine where, Shape& shape) {
@@ -436,7 +457,7 @@ void WorldLoader::check_holds_nothing(const Instance& entity) {
 }
 
 void WorldLoader::read_body(const Properties& properties, const Kind& kind, Shape shape, ModelDesc& model) {
-  const TracedBitmap* bitmap = load_bitmap(properties);
+  const TracedBitmap* bitmap = load_bitmap(properties, model.size);
   if (state_.error) return;  // the world does not load, so nobody needs bodies
   const bool boundary = properties.flag("boundary", false), noblocks = properties.flag("noblocks", false);
   model.body = {bitmap ? bitmap->first : "", noblocks, boundary, shape.prisms};
@@ -457,7 +478,8 @@ void WorldLoader::read_body(const Properties& properties, const Kind& kind, Shap
   }
 }
 
-const WorldLoader::TracedBitmap* WorldLoader::load_bitmap(const Properties& properties) {
+const WorldLoader::TracedBitmap* WorldLoader::load_bitmap(const Properties& properties,
+                                                          const geom::Size& size) {
   const std::string name = properties.text("bitmap", "");
   if (name.empty() || state_.over) return nullptr;
   const SourceLine where = properties.where("bitmap");
@@ -487,7 +509,28 @@ const WorldLoader::TracedBitmap* WorldLoader::load_bitmap(const Properties& prop
   if (loops->empty())
     state_.warnings.add(Warning::kShape, where,
                         "bitmap " + in_quotes(path) + " has no dark pixel, so it is no body");
+  else
+    warn_of_margin(path, *bitmap, *loops, size, where);
   return &*bitmaps_.emplace(std::move(path), std::move(*loops)).first;
+}
+
+/// Dark pixels alone fill the size of a model. Who measured the image with a margin about them gets walls
+/// elsewhere, and as a rule pixels that are not square.
+void WorldLoader::warn_of_margin(const std::string& path, const Bitmap& bitmap, const Loops& loops,
+                                 const geom::Size& size, SourceLine where) {
+  constexpr double kMost = 1, kSquare = 1e-3;  // px that many drawings have; relative
+  geom::Box dark;
+  for (const auto& loop : loops)
+    for (const geom::Vec2 p : loop) dark.add(p);
+  const double width = dark.x_max - dark.x_min, height = dark.y_max - dark.y_min;
+  const double margin =
+      std::max({dark.x_min, bitmap.width - dark.x_max, dark.y_min, bitmap.height - dark.y_max});
+  const double x = size.x / width, y = size.y / height;  // m, of a pixel
+  if (margin <= kMost || std::fabs(x - y) <= kSquare * std::max(x, y)) return;
+  state_.warnings.add(Warning::kShape, where,
+                      fmt::format("bitmap {} has a margin: the size is that of its {} x {} dark pixels, not of all "
+                                  "{} x {}, so a pixel is {:.4g} x {:.4g} m",
+                                  in_quotes(path), width, height, bitmap.width, bitmap.height, x, y));
 }
 
 const WorldLoader::TracedBitmap* WorldLoader::fail_bitmap(const std::string& path, SourceLine where,

@@ -849,17 +849,16 @@ TEST(WorldModels, types_that_are_not_simulated_load_as_plain_bodies_with_one_war
       << "its words are known";
   EXPECT_THAT(
       loaded("blobfinder( channels_count 1 )").warnings,
-      testing::Contains(HasSubstr("\"channels_count\" of blobfinder has no effect: write colors_count")));
+      testing::Contains(HasSubstr("\"channels_count\" of blobfinder is of older versions: write colors_count")));
 }
 
-TEST(WorldModels, types_and_forms_of_older_stages_are_errors_that_say_what_to_write) {
-  EXPECT_THAT(error_of("laser( )"), HasSubstr("write ranger( sensor("));
-  EXPECT_THAT(error_of("position( sonar( ) )"), HasSubstr("unknown model type \"sonar\""));
-  EXPECT_THAT(error_of("puck( )"), HasSubstr("define puck model("));
+TEST(WorldModels, types_and_forms_that_nobody_reads_are_errors_that_say_what_to_write) {
+  EXPECT_THAT(error_of("environment( )"), HasSubstr("write model( bitmap "));
+  EXPECT_THAT(error_of("position( driver( ) )"), HasSubstr("unknown model type \"driver\""));
   EXPECT_EQ(error_of("positoin( )"),
             "w/t.world:1: unknown model type \"positoin\" (did you mean \"position\"?)");
-  EXPECT_THAT(error_of("model( size [1 2] )"), HasSubstr("\"size\" needs 3 values [x y z]"));
-  EXPECT_THAT(error_of("model( pose [1 2 3] )"), HasSubstr("\"pose\" needs 4 values [x y z heading]"));
+  EXPECT_THAT(error_of("model( size [1] )"), HasSubstr("\"size\" needs 3 values [x y z]"));
+  EXPECT_THAT(error_of("model( pose [1 2] )"), HasSubstr("\"pose\" needs 4 values [x y z heading]"));
   EXPECT_THAT(error_of("model( size 1 )"), HasSubstr("\"size\" needs 3 values"));
   EXPECT_THAT(error_of("model( joules \"much\" )"), HasSubstr("\"joules\" needs a number, found \"much\""));
   EXPECT_EQ(error_of("model(\ntake_watts -1 )"), "w/t.world:2: \"take_watts\" must not be negative");
@@ -932,22 +931,19 @@ TEST(WorldWarnings, of_each_kind_the_first_are_lines_and_the_rest_a_count) {
                           "w/t.world: and 9 more names that were given already"));
 }
 
-TEST(WorldWarnings, words_of_other_versions_say_that_they_have_no_effect) {
+TEST(WorldWarnings, words_of_other_versions_that_mean_nothing_say_that_they_have_no_effect) {
   const SceneDesc scene = loaded(
-      "interval_real 100\nmodel( laser_return 1 ) model( laser_return 1 )\nranger( samples 32 sensor( "
-      "range_max 30 ) )");
-  EXPECT_THAT(scene.warnings,
-              ElementsAre("w/t.world:1: \"interval_real\" of the world has no effect",
-                          "w/t.world:2: \"laser_return\" of model has no effect: Stage 4 has ranger_return",
-                          "w/t.world:3: \"samples\" of ranger has no effect: it belongs into a sensor( ... )",
-                          "w/t.world:3: \"range_max\" of sensor has no effect: write range [min max]"));
+      "gui_interval 100\nmodel( sonar_return 1 ) model( sonar_return 1 )\nranger( samples 32 sensor() )");
+  EXPECT_THAT(
+      scene.warnings,
+      ElementsAre("w/t.world:1: \"gui_interval\" of the world has no effect",
+                  "w/t.world:2: \"sonar_return\" of model has no effect: ranger_return is for lasers and sonars",
+                  "w/t.world:3: \"samples\" of ranger has no effect: it belongs into a sensor( ... )"));
 }
 
 TEST(WorldWarnings, words_for_display_and_scheduling_are_silent) {
-  EXPECT_THAT(
-      loaded("threads 4\nmodel( gui_nose 1 gui_outline 0 blob_return 1 friction 0 )\nwindow( size [1 2] )")
-          .warnings,
-      IsEmpty());
+  EXPECT_THAT(loaded("threads 4\nmodel( trail_interval 5 blob_return 1 )\nwindow( size [1 2] )").warnings,
+              IsEmpty());
 }
 
 // ---- disk

@@ -24,6 +24,12 @@ struct Heights {
   double z_min, z_max;  // m
 };
 
+/// Where a mover whose pose is X_PM would be after this tick.
+Pose moved_by(const world::World& world, const Mover& mover, const Pose& X_PM) {
+  const double dt = world.scene().interval;
+  return with_move(mover.kind, [&](auto move) { return move.after(world, mover.part, X_PM, dt); });
+}
+
 template <typename A, typename B>
 bool z_overlaps(const A& a, const B& b) {
   return a.z_min < b.z_max - kTouch && b.z_min < a.z_max - kTouch;
@@ -37,6 +43,13 @@ Pose part_at(const Pose& X_WP, Rotation rotation, const Pose& X_PM) {
 Outline outline_at(const Solids& solids, std::size_t row, Vec2 center, const Vec2* p) {
   const std::size_t vertices = solids.first_vertex[row + 1] - solids.first_vertex[row] - 1;
   return {{p, vertices}, center, solids.convex[row] != 0};
+}
+
+/// Of a solid of a tree whose first is `first`.
+Heights heights_in(const Solids& solids, std::size_t row, const TreeShape& shape, std::size_t first) {
+  if (shape.z.empty()) return {solids.z_min[row], solids.z_max[row]};
+  const double z = shape.z[row - first];
+  return {z + solids.z_min_M[row], z + solids.z_max_M[row]};
 }
 
 Outline outline_now(const Solids& solids, std::size_t row) {
@@ -61,10 +74,13 @@ void Motion::populate(const Trees& trees, const Solids& solids, const world::Mod
   trees_ = &trees;
   fixed_ = solids.fixed;
   fixed_vertices_ = solids.first_vertex[fixed_];
+  headroom_.populate(trees, solids, models);
   proposes_.assign(trees.size(), 0);
   stalls_.assign(trees.size(), 0);
+  free_.assign(trees.size(), 0);
   lifts_.assign(trees.size(), 0);
   conflicts_.assign(trees.size(), {});
+  way_.assign(trees.size(), 0);
   reach_.assign(trees.size(), 0);
   first_parent_.assign(trees.size(), world::ModelRow::kNone);
   parent_.clear();
@@ -86,6 +102,8 @@ void Motion::populate(const Trees& trees, const Solids& solids, const world::Mod
     sweep.center.resize(most_solids);
     sweep.z.resize(most_solids);
     sweep.p.resize(most_vertices);
+    sweep.near.clear();
+    sweep.near.reserve(solids.moving());
     sweep.conflicts.clear();
     sweep.conflicts.reserve(8 * trees.size());  // what few workers meet is met by one
   }
@@ -161,8 +179,9 @@ void Motion::shape_at(const Surroundings& in, std::uint32_t tree, double fractio
   }
 }
 
+/// Of a rigid tree, only where its top would be: that says how far its solids can come to be.
 void Motion::propose(const Surroundings& in, std::uint32_t tree, Sweep& sweep) {
-  proposes_[tree] = stalls_[tree] = lifts_[tree] = 0;
+  proposes_[tree] = stalls_[tree] = lifts_[tree] = free_[tree] = 0;
   reach_[tree] = 0;
   for (const Mover& mover : movers_of(tree)) {
     if (!is_moving(in.world, mover)) continue;
@@ -171,12 +190,41 @@ void Motion::propose(const Surroundings& in, std::uint32_t tree, Sweep& sweep) {
       lifts_[tree] = 1;
   }
   if (!proposes_[tree]) return;
-  const TreeShape shape = proposal(in.solids, tree, sweep);
-  shape_at(in, tree, 1.0, shape);
-  rotation_[tree] = shape.rotation[0];
+  if (headroom_.is_rigid(tree) && !lifts_[tree]) {
+    const Pose& X_WM = in.world.models.X_PM[trees_->root[tree]];
+    const Pose& moved = moved_[trees_->first_mover[tree]] = moved_by(in.world, movers_of(tree)[0], X_WM);
+    way_[tree] = distance(X_WM.xy(), moved.xy());
+    reach_[tree] =
+        way_[tree] + std::fabs(geom::normalize(moved.a - X_WM.a)) * headroom_.arm(tree) + kRounding;
+    return;
+  }
+  const TreeShape shape = propose_shape(in, tree, sweep);
   for (std::size_t i = 0; i < shape.center.size(); ++i)
     reach_[tree] =
         std::max(reach_[tree], distance(shape.center[i], in.solids.center[trees_->first_solid[tree] + i]));
+}
+
+TreeShape Motion::propose_shape(const Surroundings& in, std::uint32_t tree, Sweep& sweep) {
+  const TreeShape shape = proposal(in.solids, tree, sweep);
+  shape_at(in, tree, 1.0, shape);
+  rotation_[tree] = shape.rotation[0];
+  return shape;
+}
+
+/// Of a rigid tree that may meet something, the whole proposal.
+void Motion::propose_rest(const Surroundings& in, std::uint32_t tree, Sweep& sweep) {
+  if (!headroom_.is_rigid(tree) || lifts_[tree]) return;
+  const double way = way_[tree];
+  free_[tree] = headroom_.spend(tree, way);
+  if (!free_[tree]) {
+    const Vec2 p = in.world.models.X_WM[trees_->root[tree]].xy();
+    headroom_.measure(tree, p, way, in.solids, in.index, in.walls);
+    free_[tree] = headroom_.spend(tree, way);
+  }
+  if (free_[tree])
+    rotation_[tree] = Rotation::of(moved_[trees_->first_mover[tree]].a);
+  else
+    propose_shape(in, tree, sweep);
 }
 
 /// Steps so short that nothing is jumped: each moves no solid by more than half its width.
@@ -264,31 +312,55 @@ bool Motion::meets_other(const Surroundings& in, std::size_t solid, const Body& 
   return sweep.add({tree, meets_then});
 }
 
+/// The solids of other trees that a shape, all of which is within a circle, may meet.
+void Motion::gather(const Surroundings& in, std::uint32_t tree, const Circle& all, Sweep& sweep) const {
+  const std::uint32_t root = trees_->root[tree];
+  const double reach = all.radius + reach_max_;
+  sweep.near.clear();
+  in.index.near(all.center, reach, all.z_min - rise_max_ + kTouch, all.z_max + rise_max_ - kTouch,
+                [&](const DiscIndex::Disc& disc) {
+                  if (disc.root != root && (disc.seen_by & bit(Observer::kMotion)) != 0 &&
+                      distance(disc.center, all.center) < disc.radius + reach &&
+                      !free_[in.solids.tree[disc.row]])
+                    sweep.near.push_back(&disc);
+                });
+}
+
+Motion::Circle Motion::circle_about(const Solids& solids, std::uint32_t tree, const TreeShape& shape) const {
+  const std::uint32_t first = trees_->first_solid[tree];
+  Circle all{shape.center[0], 0, 1e300, -1e300};
+  for (std::uint32_t row = first; row < trees_->first_solid[tree + 1]; ++row) {
+    if (!solids.is_obstacle(row)) continue;
+    const Heights heights = heights_in(solids, row, shape, first);
+    all.radius = std::max(all.radius, distance(shape.center[row - first], all.center) + solids.radius[row]);
+    all.z_min = std::min(all.z_min, heights.z_min);
+    all.z_max = std::max(all.z_max, heights.z_max);
+  }
+  return all;
+}
+
 bool Motion::meets(const Surroundings& in, std::uint32_t tree, const TreeShape& shape, Sweep& sweep) const {
   const Solids& solids = in.solids;
   const std::uint32_t first = trees_->first_solid[tree], end = trees_->first_solid[tree + 1];
+  if (first == end) return false;
+  const Circle all = circle_about(solids, tree, shape);
+  gather(in, tree, all, sweep);
+  const bool near_walls = in.walls.clear_about(all.center) <= all.radius;
   for (std::uint32_t row = first; row < end; ++row) {
     if (!solids.is_obstacle(row)) continue;
     const Vec2* p = shape.p.data() + (solids.first_vertex[row] - solids.first_vertex[first]);
-    const Body now = body_now(solids, row);
-    Body then{outline_at(solids, row, shape.center[row - first], p), now.z_min, now.z_max};
-    if (!shape.z.empty()) {
-      then.z_min = shape.z[row - first] + solids.z_min_M[row];
-      then.z_max = shape.z[row - first] + solids.z_max_M[row];
-      if (meets_inside(in, row, now, then)) return true;
-    }
-    if (meets_wall(in, row, now, then)) return true;
-    bool met = false;
+    const Heights heights = heights_in(solids, row, shape, first);
+    const Body now = body_now(solids, row),
+               then{outline_at(solids, row, shape.center[row - first], p), heights.z_min, heights.z_max};
+    if (!shape.z.empty() && meets_inside(in, row, now, then)) return true;
+    if (near_walls && meets_wall(in, row, now, then)) return true;
     const double reach = solids.radius[row] + reach_max_;
     // Heights, like places, are those before this tick.
-    const Body near{then.outline, then.z_min - rise_max_, then.z_max + rise_max_};
-    in.index.near(then.outline.center, reach, near.z_min + kTouch, near.z_max - kTouch,
-                  [&](const DiscIndex::Disc& disc) {
-                    if (met || disc.root == solids.root[row] || !solids.is_obstacle(disc.row)) return;
-                    if (distance(disc.center, near.outline.center) >= disc.radius + reach) return;
-                    if (z_overlaps(near, disc)) met = meets_other(in, row, now, then, disc.row, sweep);
-                  });
-    if (met) return true;
+    const Heights near{then.z_min - rise_max_, then.z_max + rise_max_};
+    for (const DiscIndex::Disc* const disc : sweep.near)
+      if (distance(disc->center, then.outline.center) < disc->radius + reach && z_overlaps(near, *disc) &&
+          meets_other(in, row, now, then, disc->row, sweep))
+        return true;
   }
   return false;
 }
@@ -359,16 +431,7 @@ void Motion::commit(world::World& world, Solids& solids, std::uint32_t tree, Swe
   }
   if (!proposes_[tree] || stalls_[tree]) return;
   put(world.models, tree, sweep);
-  const std::uint32_t first = trees_->first_solid[tree], end = trees_->first_solid[tree + 1];
-  std::copy_n(center_.begin() + static_cast<std::ptrdiff_t>(place_of(first)), end - first,
-              solids.center.begin() + first);
-  const std::uint32_t vertex = solids.first_vertex[first], last_vertex = solids.first_vertex[end];
-  std::copy_n(p_.begin() + static_cast<std::ptrdiff_t>(vertex_of(solids, first)), last_vertex - vertex,
-              solids.p.begin() + vertex);
-  for (std::uint32_t row = first; lifts_[tree] && row < end; ++row) {
-    solids.z_min[row] = z_[place_of(row)] + solids.z_min_M[row];
-    solids.z_max[row] = z_[place_of(row)] + solids.z_max_M[row];
-  }
+  place(solids, world.models, trees_->first_solid[tree], trees_->first_solid[tree + 1]);
   for (const Mover& mover : movers_of(tree))
     with_move(mover.kind, [&](auto move) { move.arrive(world, mover.part); });
 }
@@ -390,9 +453,14 @@ bool Motion::move(world::World& world, Solids& solids, const DiscIndex& index, c
     for (std::uint32_t row = trees_->first_solid[tree]; row < trees_->first_solid[tree + 1]; ++row)
       rise_max_ = std::max(rise_max_, rise_of(solids, row));
   }
+  headroom_.begin(reach_max_);
+  each_tree([&](std::uint32_t tree) {
+    if (proposes_[tree]) propose_rest(in, tree, sweeps_[workers.current()]);
+  });
   for (Sweep& sweep : sweeps_) sweep.conflicts.clear();
   each_tree([&](std::uint32_t tree) {
-    if (proposes_[tree]) follow(in, tree, workers.current());
+    conflicts_[tree] = {};
+    if (proposes_[tree] && !free_[tree]) follow(in, tree, workers.current());
   });
   decide();
   each_tree([&](std::uint32_t tree) { commit(world, solids, tree, sweeps_[workers.current()]); });

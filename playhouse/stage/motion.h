@@ -9,12 +9,14 @@
 ///
 /// Proposals and what their ways meet are found on any number of workers; what depends on the moves of trees
 /// before is noted as a conflict, and one pass in row order decides. Threads change no bit of the result.
+/// A tree that has headroom (headroom.h) meets nothing, so nothing but its pose is proposed.
 
 #include <cmath>
 #include <vector>
 
 #include "playhouse/stage/bodies.h"
 #include "playhouse/stage/disc_index.h"
+#include "playhouse/stage/headroom.h"
 #include "playhouse/stage/overlap.h"
 #include "playhouse/stage/walls.h"
 #include "playhouse/world/workers.h"
@@ -27,6 +29,10 @@ class Motion {
 
   /// Makes room for these trees, which outlive the next move().
   void populate(const Trees& trees, const Solids& solids, const world::Models& models);
+  /// To be called after a tree's solids were put elsewhere by others.
+  void replaced(std::uint32_t tree, const Solids& solids, const world::Models& models) {
+    headroom_.replaced(*trees_, tree, solids, models);
+  }
 
   /// The phase `move`. `index` holds the moving solids where they are. True if anything moved.
   bool move(world::World& world, Solids& solids, const DiscIndex& index, const Walls& walls,
@@ -45,6 +51,7 @@ class Motion {
     std::vector<Rotation> rotation;
     std::vector<Vec2> center, p;
     std::vector<double> z;
+    std::vector<const DiscIndex::Disc*> near;  // of other trees, about the present shape
     // Of all ways of this tick, those of one way together; keeps its capacity from tick to tick.
     std::vector<Conflict> conflicts;
     std::size_t first_conflict = 0;  // of the present way
@@ -61,6 +68,11 @@ class Motion {
     Outline outline;
     double z_min, z_max;
   };
+  /// What holds a shape. [m]
+  struct Circle {
+    Vec2 center;
+    double radius, z_min, z_max;
+  };
   struct Surroundings {
     const world::World& world;
     const Solids& solids;
@@ -74,10 +86,14 @@ class Motion {
     return {trees_->movers.data() + first, trees_->first_mover[tree + 1] - first};
   }
   void propose(const Surroundings& in, std::uint32_t tree, Sweep& sweep);
+  TreeShape propose_shape(const Surroundings& in, std::uint32_t tree, Sweep& sweep);
+  void propose_rest(const Surroundings& in, std::uint32_t tree, Sweep& sweep);
   void shape_at(const Surroundings& in, std::uint32_t tree, double fraction, const TreeShape& out) const;
   unsigned steps_of(const Surroundings& in, std::uint32_t tree) const;
   void follow(const Surroundings& in, std::uint32_t tree, std::uint32_t worker);
   bool is_blocked(const Surroundings& in, std::uint32_t tree, Sweep& sweep);
+  void gather(const Surroundings& in, std::uint32_t tree, const Circle& all, Sweep& sweep) const;
+  Circle circle_about(const Solids& solids, std::uint32_t tree, const TreeShape& shape) const;
   bool meets(const Surroundings& in, std::uint32_t tree, const TreeShape& shape, Sweep& sweep) const;
   bool meets_wall(const Surroundings& in, std::size_t solid, const Body& now, const Body& then) const;
   bool meets_inside(const Surroundings& in, std::size_t solid, const Body& now, const Body& then) const;
@@ -110,12 +126,15 @@ class Motion {
   }
 
   const Trees* trees_ = nullptr;
+  Headroom headroom_;
   std::size_t fixed_ = 0, fixed_vertices_ = 0;  // of Solids, before those that can move
   // Rows as in Trees.
   std::vector<std::uint8_t> proposes_, stalls_;  // (trees)
+  std::vector<std::uint8_t> free_;               // 1: it has headroom, so its proposal is a pose  (trees)
   std::vector<std::uint8_t> lifts_;              // the proposal changes heights (trees)
   std::vector<Conflicts> conflicts_;             // (trees)
-  std::vector<double> reach_;                    // largest displacement of a solid's centre  [m] (trees)
+  std::vector<double> way_;                      // displacement of the top of a rigid tree  [m] (trees)
+  std::vector<double> reach_;                    // no centre of a solid is displaced by more  [m] (trees)
   // Row in its tree of a model's parent, for trees whose models are no run of rows: others were attached to
   // them. For a run it follows from the model's row.
   std::vector<std::uint32_t> first_parent_;  // of parent_, or Row::kNone for a run                (trees)

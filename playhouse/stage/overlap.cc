@@ -36,12 +36,16 @@ double length_inside_convex(std::span<const Vec2> polygon, Vec2 a, Vec2 b) {
   return to > from ? (to - from) * length(b - a) : 0;
 }
 
+}  // namespace
+
 double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
   const Vec2 e = b - a;
   const double squared = geom::dot(e, e);
   const double t = squared > 0 ? std::clamp(geom::dot(p - a, e) / squared, 0.0, 1.0) : 0;
   return length(p - (a + t * e));
 }
+
+namespace {
 
 bool is_inside_any(std::span<const Vec2> polygon, Vec2 p) {
   bool odd = false;

@@ -21,6 +21,9 @@ struct Outline {
 /// The length of the segment a-b that is inside the polygon by more than kTouch. [m]
 double length_inside(const Outline& polygon, geom::Vec2 a, geom::Vec2 b);
 
+/// How far p is from the segment a-b. [m]
+double distance_to_segment(geom::Vec2 p, geom::Vec2 a, geom::Vec2 b);
+
 /// True if p is inside the polygon by more than kTouch.
 bool is_inside(const Outline& polygon, geom::Vec2 p);
 

@@ -28,10 +28,12 @@ define bot position( size [0.4 0.4 0.3] alwayson 1 velocity [0.3 0 0 20] joules 
   blobfinder( alwayson 1 colors_count 1 colors ["red"] image [8 4] )
   bumper( alwayson 1 )
   gripper( pose [0.3 0 -0.3 0] alwayson 1 autosnatch 1 )
+  wifi( alwayson 1 fading 2 )
   blinkenlight( alwayson 1 )
   lightindicator()
   actuator( pose [0 0 0 0] type "rotational" max_position 90 alwayson 1 model( size [0.1 0.1 0.1] ) ) )
 bot( name "a" fiducial_return 1 say "hello" )
+wifi( name "post" pose [1 1 1 0] )
 model( name "puck" pose [0.5 0 0 0] size [0.08 0.08 0.1] color "red" gripper_return 1 obstacle_return 0 )
 model( name "walls" size [4 4 1] boundary 1 noblocks 1 )
 )";

@@ -30,6 +30,7 @@ void StageEngine::replace(const world::Change& change) {
   if (change.kind != world::Change::Kind::kPlace || !model) return;
   const std::uint32_t tree = trees_.of_root(world_.models.root[model.index]);
   place(solids_, world_.models, trees_.first_solid[tree], trees_.first_solid[tree + 1]);
+  motion_.replaced(tree, solids_, world_.models);
 }
 
 void StageEngine::move() {

@@ -1,8 +1,8 @@
 #pragma once
 
 /// Decider: one kind of in-process controller, for all the robots that run it. World owns the deciders; the
-/// engine runs each of them over ranges of its robots in the decide phase, before act, and then lets each
-/// deliver. Implemented by playhouse/controllers.
+/// engine runs each of them over ranges of its robots in the decide phase, before act, then lets each
+/// deliver, and filter after sense. Implemented by playhouse/controllers.
 
 #include <cstddef>
 #include <string_view>
@@ -40,6 +40,15 @@ class Decider {
   /// all deciders have decided, in the World's order; goes through its robots in the order of their ids. Who
   /// decides sees it in the next tick. Never throws, allocates nothing that it does not keep.
   virtual void deliver(World& world) { static_cast<void>(world); }
+
+  /// Whether filter() does anything: who does not is not asked in every tick.
+  virtual bool filters() const { return false; }
+  /// Changes what models begin .. end-1 of its own have just measured, before anybody sees it: the state is
+  /// that of the next tick but for its number, and rangers.measured_tick tells what is new. Called as
+  /// decide().
+  virtual void filter(World& world, std::size_t begin, std::size_t end) {
+    static_cast<void>(world), static_cast<void>(begin), static_cast<void>(end);
+  }
 
   /// Adds what a later tick depends on; part of World::hash(). A sum over robots.
   virtual void hash(Hash& hash) const = 0;

@@ -67,6 +67,7 @@ class Population {
 
   using Given = World::Given;
   std::uint32_t& next_id() { return world_.next_id_; }
+  std::uint64_t& seed() { return world_.seed_; }
   std::map<ModelId, Given>& given() { return world_.given_; }
   static std::uint32_t next_id(const World& world) { return world.next_id_; }
   static const std::map<ModelId, Given>& given(const World& world) { return world.given_; }

@@ -205,6 +205,7 @@ class KeptUsers {
 class Loader {
  public:
   Loader(World& world, Unpacker& in) : world_(world), in_(in), population_(world) {}
+  Loader(World& world, Unpacker& in, std::uint64_t seed) : Loader(world, in) { seed_ = seed; }
 
   Result<void> load() {
     const KeptUsers users(world_.models);
@@ -221,7 +222,12 @@ class Loader {
 
  private:
   Result<void> read_head() {
-    if (in_.u64() != world_.seed() && in_.ok()) return damaged("it has another seed");
+    const std::uint64_t seed = in_.u64();
+    if (seed_) {
+      population_.seed() = *seed_;
+    } else if (seed != world_.seed() && in_.ok()) {
+      return damaged("it has another seed");
+    }
     tick_ = in_.u64();
     next_id_ = in_.u32();
     const std::uint64_t given = in_.varint();
@@ -322,6 +328,7 @@ class Loader {
   World& world_;
   Unpacker& in_;
   Population population_;
+  std::optional<std::uint64_t> seed_;  // in place of the state's
   std::uint64_t tick_ = 0;
   std::uint32_t next_id_ = 0;
   std::map<ModelId, Population::Given> given_;
@@ -385,6 +392,11 @@ Result<void> save_state(const World& world, std::vector<std::byte>& bytes) {
 Result<void> load_state(World& world, std::span<const std::byte> state) {
   Unpacker in(state);
   return Loader(world, in).load();
+}
+
+Result<void> load_state(World& world, std::span<const std::byte> state, std::uint64_t seed) {
+  Unpacker in(state);
+  return Loader(world, in, seed).load();
 }
 
 std::optional<Difference> first_difference(const World& a, const World& b) {

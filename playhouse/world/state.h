@@ -26,6 +26,10 @@ Result<void> save_state(const World& world, std::vector<std::byte>& out);
 /// scene.
 Result<void> load_state(World& world, std::span<const std::byte> state);
 
+/// The same with another seed from then on, for a state from which a run begins again: what follows from the
+/// seed alone follows from this one.
+Result<void> load_state(World& world, std::span<const std::byte> state, std::uint64_t seed);
+
 /// Where two worlds differ.
 struct Difference {
   ModelId model;       // none: the worlds as wholes, or a controller

@@ -18,6 +18,8 @@ inline double draw_of(const scene::ModelDesc& model) {
       return 0.1;
     case scene::ModelKind::kActuator:
       return 2;
+    case scene::ModelKind::kWifi:
+      return 1;
     default:
       return model.watts;
   }

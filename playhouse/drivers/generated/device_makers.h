@@ -22,6 +22,7 @@ std::unique_ptr<SimulatedDevice> make_bumper_device(Simulation& simulation, worl
 std::unique_ptr<SimulatedDevice> make_blinkenlight_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_gripper_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_actarray_device(Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_wifi_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_power_device(Simulation& simulation, world::ModelRow model);
 
 struct DeviceMaker {
@@ -40,6 +41,7 @@ inline constexpr DeviceMaker kDeviceMakers[] = {
     {33, make_blinkenlight_device},
     {3, make_gripper_device},
     {53, make_actarray_device},
+    {23, make_wifi_device},
     {2, make_power_device},
 };
 

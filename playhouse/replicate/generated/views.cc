@@ -107,6 +107,20 @@ bool capture_actuator(const world::World& world, std::uint32_t row, std::vector<
   return true;
 }
 
+std::uint32_t row_of_wifi(const world::World& world, std::uint32_t model) {
+  return world.models.kind[model] == scene::ModelKind::kWifi ? world.models.part[model] : world::ModelRow::kNone;
+}
+
+bool capture_wifi(const world::World& world, std::uint32_t row, std::vector<std::int32_t>& out) {
+  if (world.wifis.measured_tick[row] == 0) return false;
+  for (const auto& item : world.wifis.links[row]) {
+    out.push_back(static_cast<std::int32_t>(item.station.value));
+    out.push_back(static_cast<std::int32_t>(item.level));
+    out.push_back(static_cast<std::int32_t>(item.quality));
+  }
+  return true;
+}
+
 std::uint32_t row_of_pack(const world::World& world, std::uint32_t model) {
   return world::trait_row(world.packs, model);
 }
@@ -126,9 +140,10 @@ constexpr Code kCodesOfBumper[] = {Code::kZigzag};
 constexpr Code kCodesOfBlinkenlight[] = {Code::kVarint, Code::kVarint};
 constexpr Code kCodesOfGripper[] = {Code::kVarint, Code::kZigzag, Code::kVarint, Code::kZigzag, Code::kZigzag, Code::kVarint, Code::kVarint};
 constexpr Code kCodesOfActuator[] = {Code::kZigzag, Code::kZigzag};
+constexpr Code kCodesOfWifi[] = {Code::kVarint, Code::kZigzag, Code::kVarint};
 constexpr Code kCodesOfPack[] = {Code::kZigzag, Code::kZigzag, Code::kZigzag, Code::kVarint};
 
-constexpr View kViews[8] = {
+constexpr View kViews[9] = {
     {When::kSelected, false, false, kCodesOfPosition, row_of_position, capture_position},
     {When::kShown, true, true, kCodesOfFiducial, row_of_fiducial, capture_fiducial},
     {When::kShown, true, true, kCodesOfBlobfinder, row_of_blobfinder, capture_blobfinder},
@@ -136,6 +151,7 @@ constexpr View kViews[8] = {
     {When::kSelected, false, false, kCodesOfBlinkenlight, row_of_blinkenlight, capture_blinkenlight},
     {When::kChanged, true, false, kCodesOfGripper, row_of_gripper, capture_gripper},
     {When::kSelected, false, false, kCodesOfActuator, row_of_actuator, capture_actuator},
+    {When::kShown, true, true, kCodesOfWifi, row_of_wifi, capture_wifi},
     {When::kSelected, false, false, kCodesOfPack, row_of_pack, capture_pack},
 };
 
@@ -175,6 +191,7 @@ bool only_measures(scene::ModelKind kind) {
     case scene::ModelKind::kFiducial:
     case scene::ModelKind::kBlobfinder:
     case scene::ModelKind::kBumper:
+    case scene::ModelKind::kWifi:
       return true;
     default:
       return false;
@@ -291,6 +308,8 @@ std::string_view kind_name(scene::ModelKind kind) {
       return "gripper";
     case scene::ModelKind::kActuator:
       return "actuator";
+    case scene::ModelKind::kWifi:
+      return "wifi";
   }
   return "";
 }

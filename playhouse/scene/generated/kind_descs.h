@@ -26,6 +26,7 @@ enum class ModelKind : std::uint8_t {
   kLightindicator = 7,
   kGripper = 8,
   kActuator = 9,
+  kWifi = 10,
 };
 
 /// A plain body; its words are those of every model, whatever its kind.
@@ -49,14 +50,24 @@ struct PlainDesc {
   /// Grippers see it, and take it up with all its parts: it has to be at the top level, and holds nothing
   /// that drives.
   bool gripper_return = false;
-  /// Driving it takes 10 W for each kg and m/s, and for each rad/s. [kg]
+  /// Driving it takes 10 W for each kg and m/s, and for each rad/s. In the plane nothing is pushed, so that
+  /// it means nothing else; it is kept for engines with forces. [kg]
   double mass = 0;
+  /// How much its faces rub. In the plane nothing slides, so that it means nothing, as in Stage; it is kept
+  /// for engines with forces.
+  double friction = 0;
   /// Time between two measurements of a sensor, at least a tick. [s]
   double update_interval = 0.1;
   /// It moves or measures although nobody has opened it.
   bool alwayson = false;
   /// A person may drag it in the page. Else 1, inside another model 0.
   bool gui_move = false;
+  /// The page draws a point ahead of its body, as it does of everything that drives.
+  bool gui_nose = false;
+  /// The page draws the edges of its box on the floor.
+  bool gui_outline = false;
+  /// The page draws a line per metre of its box.
+  bool gui_grid = false;
   /// What it says at the start, in a bubble of the page: one line, of which 1024 bytes count. Controllers and
   /// clients have it say something else.
   std::string say;
@@ -219,6 +230,43 @@ struct ActuatorDesc {
   friend bool operator==(const ActuatorDesc&, const ActuatorDesc&) = default;
 };
 
+/// How what it hears has become weaker on its way.
+enum class Propagation : std::uint8_t { kFriis, kSimple, kItuIndoor, kLogDistance, kRaytrace };
+
+/// A radio: tells which others of its network it hears, and how well.
+struct WifiDesc {
+  /// Its network address; without one 10.x.y.z by its number.
+  std::string ip;
+  /// Its hardware address; without one 02:00:00:xx:yy:zz by its number.
+  std::string mac;
+  /// The name of its network: radios of other networks are not heard.
+  std::string essid;
+  /// Where it sends. [MHz]
+  double frequency = 2450;
+  /// What it is set to. [bit/s]
+  double bitrate = 11000000;
+  /// How strongly it sends. [dBm]
+  double power = 15;
+  /// What arrives weaker is not heard. [dBm]
+  double sensitivity = -70;
+  /// How what it hears has become weaker on its way.
+  Propagation propagation = Propagation::kFriis;
+  /// How far it hears, with model "simple". [m]
+  double range = 30;
+  /// Loss for ten times the distance in dB, with model "ITU indoor".
+  double plc = 30;
+  /// The power of the distance by which it gets weaker, with model "log distance": 2 in free space, 3 to 5 in
+  /// buildings.
+  double ple = 3;
+  /// Loss for each wall on the straight line, with model "raytrace". [dB]
+  double wall_factor = 5;
+  /// Standard deviation of what else makes a link stronger or weaker, drawn anew each time it is measured.
+  /// [dB]
+  double fading = 0;
+
+  friend bool operator==(const WifiDesc&, const WifiDesc&) = default;
+};
+
 /// One transducer or scanner of a ranger.
 struct RangerSensorDesc {
   /// Where the sensor is in the ranger. [frame X_BS, m, m, m, rad]
@@ -289,6 +337,7 @@ struct KindDescs {
   std::optional<BlinkenlightDesc> blinkenlight;  // kBlinkenlight
   std::optional<GripperDesc> gripper;  // kGripper
   std::optional<ActuatorDesc> actuator;  // kActuator
+  std::optional<WifiDesc> wifi;  // kWifi
 
   friend bool operator==(const KindDescs&, const KindDescs&) = default;
 };

@@ -4,7 +4,28 @@
 namespace playhouse::scene {
 namespace {
 
-constexpr Word kWordsOfModel[50] = {
+constexpr std::string_view kOld_model_laser_return_to[] = {"ranger_return"};
+constexpr SaidWord kOld_model_laser_return_values[] = {{"0", "-1"}};
+constexpr Meaning kOld_model_laser_return{.how = Meaning::How::kWords, .to = kOld_model_laser_return_to, .values = kOld_model_laser_return_values};
+constexpr std::string_view kOld_model_blobfinder_return_to[] = {"blob_return"};
+constexpr Meaning kOld_model_blobfinder_return{.how = Meaning::How::kWords, .to = kOld_model_blobfinder_return_to};
+constexpr std::string_view kOld_model_vision_return_to[] = {"blob_return"};
+constexpr Meaning kOld_model_vision_return{.how = Meaning::How::kWords, .to = kOld_model_vision_return_to};
+constexpr std::string_view kOld_model_puck_return_to[] = {"gripper_return"};
+constexpr Meaning kOld_model_puck_return{.how = Meaning::How::kWords, .to = kOld_model_puck_return_to};
+constexpr std::string_view kOld_model_gui_movemask_to[] = {"gui_move"};
+constexpr Meaning kOld_model_gui_movemask{.how = Meaning::How::kWords, .to = kOld_model_gui_movemask_to};
+constexpr std::string_view kOld_model_offset_to[] = {"origin.0", "origin.1"};
+constexpr Meaning kOld_model_offset{.how = Meaning::How::kWords, .to = kOld_model_offset_to};
+constexpr std::string_view kOld_model_size3_to[] = {"size"};
+constexpr Meaning kOld_model_size3{.how = Meaning::How::kWords, .to = kOld_model_size3_to};
+constexpr Meaning kOld_model_polygons{.how = Meaning::How::kCount, .part = "block"};
+constexpr SaidWord kOld_model_polygon_part_words[] = {{"z", "0 1"}};
+constexpr Meaning kOld_model_polygon{.how = Meaning::How::kNested, .part = "block", .part_words = kOld_model_polygon_part_words};
+constexpr Meaning kOld_model_blocks{.how = Meaning::How::kCount, .part = "block"};
+constexpr SaidWord kOld_model_block_part_words[] = {{"z", "0 1"}};
+constexpr Meaning kOld_model_block{.how = Meaning::How::kNested, .part = "block", .part_words = kOld_model_block_part_words};
+constexpr Word kWordsOfModel[58] = {
     {.name = "name", .use = Use::kRead, .type = "text", .told = "the type and its number, as position:0", .doc = "What the model is called; inside a parent it is parent.name, with a leading / it stands as it is."},
     {.name = "pose", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .otherwise = "[0 0 0 0]", .doc = "Where the model is in its parent."},
     {.name = "origin", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .otherwise = "[0 0 0 0]", .doc = "Where body and sensors are, from the pose."},
@@ -20,10 +41,14 @@ constexpr Word kWordsOfModel[50] = {
     {.name = "fiducial_return", .use = Use::kRead, .type = "integer", .otherwise = "0", .doc = "The number that fiducial finders see; 0: none sees it."},
     {.name = "fiducial_key", .use = Use::kRead, .type = "integer", .otherwise = "0", .doc = "Finders see marks of their own key only."},
     {.name = "gripper_return", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "Grippers see it, and take it up with all its parts: it has to be at the top level, and holds nothing that drives."},
-    {.name = "mass", .use = Use::kRead, .type = "number", .unit = "kg", .otherwise = "0", .limits = "not negative", .doc = "Driving it takes 10 W for each kg and m/s, and for each rad/s."},
+    {.name = "mass", .use = Use::kRead, .type = "number", .unit = "kg", .otherwise = "0", .limits = "not negative", .doc = "Driving it takes 10 W for each kg and m/s, and for each rad/s. In the plane nothing is pushed, so that it means nothing else; it is kept for engines with forces."},
+    {.name = "friction", .use = Use::kRead, .type = "number", .otherwise = "0", .limits = "not negative", .doc = "How much its faces rub. In the plane nothing slides, so that it means nothing, as in Stage; it is kept for engines with forces."},
     {.name = "update_interval", .use = Use::kRead, .type = "number", .unit = "ms", .otherwise = "100", .limits = "not negative", .doc = "Time between two measurements of a sensor, at least a tick."},
     {.name = "alwayson", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "It moves or measures although nobody has opened it."},
     {.name = "gui_move", .use = Use::kRead, .type = "flag", .told = "1, inside another model 0", .doc = "A person may drag it in the page."},
+    {.name = "gui_nose", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "The page draws a point ahead of its body, as it does of everything that drives."},
+    {.name = "gui_outline", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "The page draws the edges of its box on the floor."},
+    {.name = "gui_grid", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "The page draws a line per metre of its box."},
     {.name = "say", .use = Use::kRead, .type = "text", .otherwise = "\"\"", .doc = "What it says at the start, in a bubble of the page: one line, of which 1024 bytes count. Controllers and clients have it say something else."},
     {.name = "trail_length", .use = Use::kRead, .type = "integer", .otherwise = "20", .limits = "not negative", .doc = "How many places of the past the page draws."},
     {.name = "ctrl", .use = Use::kRead, .type = "texts", .doc = "The controllers that drive it, each a name and its arguments."},
@@ -35,17 +60,16 @@ constexpr Word kWordsOfModel[50] = {
     {.name = "give_watts", .use = Use::kRead, .type = "number", .unit = "W", .otherwise = "0", .limits = "not negative", .doc = "Power with which it charges others that touch it."},
     {.name = "take_watts", .use = Use::kRead, .type = "number", .unit = "W", .otherwise = "0", .limits = "not negative", .doc = "Power with which others may charge it."},
     {.name = "blob_return", .use = Use::kSilent},
-    {.name = "friction", .use = Use::kSilent},
     {.name = "map_resolution", .use = Use::kSilent},
-    {.name = "gui_grid", .use = Use::kSilent},
-    {.name = "gui_nose", .use = Use::kSilent},
-    {.name = "gui_outline", .use = Use::kSilent},
     {.name = "trail_interval", .use = Use::kSilent},
     {.name = "event_queue", .use = Use::kSilent},
     {.name = "debug", .use = Use::kSilent},
-    {.name = "laser_return", .use = Use::kOld, .instead = "Stage 4 has ranger_return"},
-    {.name = "sonar_return", .use = Use::kOld, .instead = "Stage 4 has ranger_return"},
-    {.name = "gui_movemask", .use = Use::kOld},
+    {.name = "laser_return", .use = Use::kOld, .instead = "write ranger_return, -1 for what rangers see through", .meaning = &kOld_model_laser_return},
+    {.name = "sonar_return", .use = Use::kOld, .instead = "ranger_return is for lasers and sonars"},
+    {.name = "blobfinder_return", .use = Use::kOld, .instead = "write blob_return", .meaning = &kOld_model_blobfinder_return},
+    {.name = "vision_return", .use = Use::kOld, .instead = "write blob_return", .meaning = &kOld_model_vision_return},
+    {.name = "puck_return", .use = Use::kOld, .instead = "write gripper_return", .meaning = &kOld_model_puck_return},
+    {.name = "gui_movemask", .use = Use::kOld, .instead = "write gui_move", .meaning = &kOld_model_gui_movemask},
     {.name = "gui_boundary", .use = Use::kOld},
     {.name = "gui_geometry", .use = Use::kOld},
     {.name = "shape", .use = Use::kOld},
@@ -53,7 +77,12 @@ constexpr Word kWordsOfModel[50] = {
     {.name = "scale", .use = Use::kOld},
     {.name = "port", .use = Use::kOld},
     {.name = "block_return", .use = Use::kOld},
-    {.name = "polygons", .use = Use::kOld},
+    {.name = "offset", .use = Use::kOld, .instead = "write origin [x y z heading]", .meaning = &kOld_model_offset},
+    {.name = "size3", .use = Use::kOld, .instead = "write size [x y z]", .meaning = &kOld_model_size3},
+    {.name = "polygons", .use = Use::kOld, .instead = "the block( ) entities are counted", .meaning = &kOld_model_polygons},
+    {.name = "polygon", .use = Use::kOld, .instead = "write block( points N point[0] [x y] ... )", .meaning = &kOld_model_polygon},
+    {.name = "blocks", .use = Use::kOld, .instead = "the block( ) entities are counted", .meaning = &kOld_model_blocks},
+    {.name = "block", .use = Use::kOld, .instead = "write block( points N point[0] [x y] ... z [min max] )", .meaning = &kOld_model_block},
     {.name = "interval_real", .use = Use::kOld},
 };
 
@@ -61,7 +90,7 @@ constexpr KindInterface kInterfacesOfModel[1] = {
     {"speech", 12, Index::kRobot, Need::kNothing, Need::kRobot, true},
 };
 
-constexpr Word kWordsOfPosition[11] = {
+constexpr Word kWordsOfPosition[12] = {
     {.name = "drive", .use = Use::kRead, .type = "choice", .form = "\"diff\" | \"omni\" | \"car\"", .otherwise = "\"diff\"", .doc = "How it can move. \"diff\": ahead and turning, as two wheels do; \"omni\": in any direction and turning; \"car\": ahead, and turning by the angle of a steered axle."},
     {.name = "localization", .use = Use::kRead, .type = "choice", .form = "\"gps\" | \"odom\"", .otherwise = "\"gps\"", .doc = "What it believes about its pose. \"gps\": the truth; \"odom\": what its wheels counted, with an error."},
     {.name = "localization_origin", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .told = "odom: the start pose, gps: 0 0 0 0", .doc = "Where in the world its coordinates begin."},
@@ -70,6 +99,7 @@ constexpr Word kWordsOfPosition[11] = {
     {.name = "acceleration_bounds", .use = Use::kRead, .type = "bounds", .form = "[xmin xmax ymin ymax zmin zmax amin amax]", .unit = "m/s^2, m/s^2, m/s^2, deg/s^2", .otherwise = "[-1 1 -1 1 -1 1 -90 90]", .doc = "The same of accelerations, which count when a controller commands them."},
     {.name = "wheelbase", .use = Use::kRead, .type = "length", .unit = "m", .otherwise = "1", .limits = "above 0", .doc = "Of a car, from the front axle to the rear one."},
     {.name = "odom_error", .use = Use::kRead, .type = "twist", .form = "[x y z heading]", .told = "drawn per robot: up to 0.015 in x and y, 0.025 in heading", .doc = "Errors of odometry along each axis, as fractions of the motion."},
+    {.name = "show_waypoints", .use = Use::kOld},
     {.name = "odom", .use = Use::kOld, .instead = "write localization \"odom\""},
     {.name = "power", .use = Use::kOld},
     {.name = "steer", .use = Use::kOld},
@@ -79,17 +109,36 @@ constexpr KindInterface kInterfacesOfPosition[1] = {
     {"position2d", 4, Index::kRobot, Need::kNothing, Need::kNothing, false},
 };
 
+constexpr std::string_view kOld_ranger_range_max_to[] = {"range.1"};
+constexpr Meaning kOld_ranger_range_max{.how = Meaning::How::kWords, .part = "sensor", .to = kOld_ranger_range_max_to};
+constexpr std::string_view kOld_ranger_range_min_to[] = {"range.0"};
+constexpr Meaning kOld_ranger_range_min{.how = Meaning::How::kWords, .part = "sensor", .to = kOld_ranger_range_min_to};
+constexpr std::string_view kOld_ranger_view_to[] = {"range.0", "range.1", "fov"};
+constexpr Meaning kOld_ranger_view{.how = Meaning::How::kWords, .part = "sensor", .to = kOld_ranger_view_to};
+constexpr std::string_view kOld_ranger_ssize_to[] = {"size.0", "size.1"};
+constexpr Meaning kOld_ranger_ssize{.how = Meaning::How::kWords, .part = "sensor", .to = kOld_ranger_ssize_to};
+constexpr std::string_view kOld_ranger_spose_to[] = {"pose.0", "pose.1", "pose.3"};
+constexpr Meaning kOld_ranger_spose{.how = Meaning::How::kWords, .part = "sensor", .to = kOld_ranger_spose_to};
+constexpr Meaning kOld_ranger_scount{.how = Meaning::How::kCount, .part = "sensor"};
+constexpr std::string_view kOld_ranger_sview_to[] = {"range.0", "range.1", "fov"};
+constexpr Meaning kOld_ranger_sview{.how = Meaning::How::kWords, .part = "sensor", .to = kOld_ranger_sview_to};
+constexpr std::string_view kOld_ranger_srange_to[] = {"range.0", "range.1"};
+constexpr Meaning kOld_ranger_srange{.how = Meaning::How::kWords, .part = "sensor", .to = kOld_ranger_srange_to};
+constexpr std::string_view kOld_ranger_samples_to[] = {"samples"};
+constexpr Meaning kOld_ranger_samples{.how = Meaning::How::kWords, .part = "sensor", .to = kOld_ranger_samples_to};
+constexpr std::string_view kOld_ranger_fov_to[] = {"fov"};
+constexpr Meaning kOld_ranger_fov{.how = Meaning::How::kWords, .part = "sensor", .to = kOld_ranger_fov_to};
 constexpr Word kWordsOfRanger[11] = {
-    {.name = "range_max", .use = Use::kOld, .instead = "it belongs into a sensor( range [min max] )"},
-    {.name = "range_min", .use = Use::kOld, .instead = "it belongs into a sensor( range [min max] )"},
-    {.name = "view", .use = Use::kOld, .instead = "write sensor( range [min max] fov degrees )"},
-    {.name = "ssize", .use = Use::kOld, .instead = "write sensor( size [x y z] )"},
-    {.name = "spose", .use = Use::kOld, .instead = "write one sensor( pose [x y z heading] ) each"},
-    {.name = "scount", .use = Use::kOld, .instead = "the sensor( ) entities are counted"},
-    {.name = "sview", .use = Use::kOld, .instead = "write sensor( range [min max] fov degrees )"},
-    {.name = "srange", .use = Use::kOld, .instead = "write sensor( range [min max] )"},
-    {.name = "samples", .use = Use::kOld, .instead = "it belongs into a sensor( ... )"},
-    {.name = "fov", .use = Use::kOld, .instead = "it belongs into a sensor( ... )"},
+    {.name = "range_max", .use = Use::kOld, .instead = "it belongs into a sensor( range [min max] )", .meaning = &kOld_ranger_range_max},
+    {.name = "range_min", .use = Use::kOld, .instead = "it belongs into a sensor( range [min max] )", .meaning = &kOld_ranger_range_min},
+    {.name = "view", .use = Use::kOld, .instead = "write sensor( range [min max] fov degrees )", .meaning = &kOld_ranger_view},
+    {.name = "ssize", .use = Use::kOld, .instead = "write sensor( size [x y z] )", .meaning = &kOld_ranger_ssize},
+    {.name = "spose", .use = Use::kOld, .instead = "write one sensor( pose [x y z heading] ) each", .meaning = &kOld_ranger_spose},
+    {.name = "scount", .use = Use::kOld, .instead = "the sensor( ) entities are counted", .meaning = &kOld_ranger_scount},
+    {.name = "sview", .use = Use::kOld, .instead = "write sensor( range [min max] fov degrees )", .meaning = &kOld_ranger_sview},
+    {.name = "srange", .use = Use::kOld, .instead = "write sensor( range [min max] )", .meaning = &kOld_ranger_srange},
+    {.name = "samples", .use = Use::kOld, .instead = "it belongs into a sensor( ... )", .meaning = &kOld_ranger_samples},
+    {.name = "fov", .use = Use::kOld, .instead = "it belongs into a sensor( ... )", .meaning = &kOld_ranger_fov},
     {.name = "laser_sample_skip", .use = Use::kOld},
 };
 
@@ -99,18 +148,31 @@ constexpr KindInterface kInterfacesOfRanger[3] = {
     {"sonar", 5, Index::kRobot, Need::kNothing, Need::kSeveralSensors, false},
 };
 
-constexpr Word kWordsOfFiducial[5] = {
+constexpr std::string_view kOld_fiducial_range_to[] = {"range_max"};
+constexpr Meaning kOld_fiducial_range{.how = Meaning::How::kWords, .to = kOld_fiducial_range_to};
+constexpr Word kWordsOfFiducial[6] = {
     {.name = "range_min", .use = Use::kRead, .type = "length", .unit = "m", .otherwise = "0", .limits = "not negative", .doc = "Nearer marks are not seen."},
     {.name = "range_max", .use = Use::kRead, .type = "length", .unit = "m", .otherwise = "8", .limits = "not negative", .doc = "Farther marks are not seen."},
     {.name = "range_max_id", .use = Use::kRead, .type = "length", .unit = "m", .otherwise = "5", .limits = "not negative", .doc = "Of farther marks the number cannot be told, and is 0."},
     {.name = "fov", .use = Use::kRead, .type = "angle", .unit = "deg", .otherwise = "180", .limits = "not negative", .doc = "The field of view, half to each side."},
     {.name = "ignore_zloc", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "Marks are seen at any height."},
+    {.name = "range", .use = Use::kOld, .instead = "write range_max", .meaning = &kOld_fiducial_range},
 };
 
 constexpr KindInterface kInterfacesOfFiducial[1] = {
     {"fiducial", 10, Index::kCount, Need::kNothing, Need::kNothing, false},
 };
 
+constexpr std::string_view kOld_blobfinder_channel_count_to[] = {"colors_count"};
+constexpr Meaning kOld_blobfinder_channel_count{.how = Meaning::How::kWords, .to = kOld_blobfinder_channel_count_to};
+constexpr std::string_view kOld_blobfinder_channels_to[] = {"colors"};
+constexpr Meaning kOld_blobfinder_channels{.how = Meaning::How::kWords, .to = kOld_blobfinder_channels_to};
+constexpr std::string_view kOld_blobfinder_channels_count_to[] = {"colors_count"};
+constexpr Meaning kOld_blobfinder_channels_count{.how = Meaning::How::kWords, .to = kOld_blobfinder_channels_count_to};
+constexpr std::string_view kOld_blobfinder_range_max_to[] = {"range"};
+constexpr Meaning kOld_blobfinder_range_max{.how = Meaning::How::kWords, .to = kOld_blobfinder_range_max_to};
+constexpr std::string_view kOld_blobfinder_ptz_to[] = {"pan", "", "fov"};
+constexpr Meaning kOld_blobfinder_ptz{.how = Meaning::How::kWords, .to = kOld_blobfinder_ptz_to};
 constexpr Word kWordsOfBlobfinder[11] = {
     {.name = "colors_count", .use = Use::kRead, .type = "count", .otherwise = "0", .limits = "from 0 to 256", .doc = "How many of the colors it looks for; 0: all that it names, and any color if it names none."},
     {.name = "colors", .use = Use::kRead, .type = "colors", .doc = "The names of the colors that it looks for."},
@@ -118,11 +180,11 @@ constexpr Word kWordsOfBlobfinder[11] = {
     {.name = "range", .use = Use::kRead, .type = "number", .unit = "m", .otherwise = "12", .limits = "not negative", .doc = "How far it sees."},
     {.name = "fov", .use = Use::kRead, .type = "angle", .unit = "deg", .otherwise = "60", .limits = "not negative", .doc = "The field of view, half to each side."},
     {.name = "pan", .use = Use::kRead, .type = "angle", .unit = "deg", .otherwise = "0", .doc = "How far it is turned to the left."},
-    {.name = "channel_count", .use = Use::kOld, .instead = "write colors_count"},
-    {.name = "channels", .use = Use::kOld, .instead = "write colors"},
-    {.name = "channels_count", .use = Use::kOld, .instead = "write colors_count"},
-    {.name = "range_max", .use = Use::kOld, .instead = "write range"},
-    {.name = "ptz", .use = Use::kOld},
+    {.name = "channel_count", .use = Use::kOld, .instead = "write colors_count", .meaning = &kOld_blobfinder_channel_count},
+    {.name = "channels", .use = Use::kOld, .instead = "write colors", .meaning = &kOld_blobfinder_channels},
+    {.name = "channels_count", .use = Use::kOld, .instead = "write colors_count", .meaning = &kOld_blobfinder_channels_count},
+    {.name = "range_max", .use = Use::kOld, .instead = "write range", .meaning = &kOld_blobfinder_range_max},
+    {.name = "ptz", .use = Use::kOld, .instead = "write pan and fov", .meaning = &kOld_blobfinder_ptz},
 };
 
 constexpr KindInterface kInterfacesOfBlobfinder[1] = {
@@ -176,6 +238,28 @@ constexpr KindInterface kInterfacesOfActuator[1] = {
     {"actarray", 53, Index::kCount, Need::kNothing, Need::kNothing, false},
 };
 
+constexpr Word kWordsOfWifi[15] = {
+    {.name = "ip", .use = Use::kRead, .type = "text", .otherwise = "\"\"", .doc = "Its network address; without one 10.x.y.z by its number."},
+    {.name = "mac", .use = Use::kRead, .type = "text", .otherwise = "\"\"", .doc = "Its hardware address; without one 02:00:00:xx:yy:zz by its number."},
+    {.name = "essid", .use = Use::kRead, .type = "text", .otherwise = "\"\"", .doc = "The name of its network: radios of other networks are not heard."},
+    {.name = "freq", .use = Use::kRead, .type = "number", .unit = "MHz", .otherwise = "2450", .limits = "not negative", .doc = "Where it sends."},
+    {.name = "bitrate", .use = Use::kRead, .type = "number", .unit = "bit/s", .otherwise = "1.1e+07", .limits = "not negative", .doc = "What it is set to."},
+    {.name = "power", .use = Use::kRead, .type = "number", .unit = "dBm", .otherwise = "15", .doc = "How strongly it sends."},
+    {.name = "sensitivity", .use = Use::kRead, .type = "number", .unit = "dBm", .otherwise = "-70", .doc = "What arrives weaker is not heard."},
+    {.name = "model", .use = Use::kRead, .type = "choice", .form = "\"friis\" | \"simple\" | \"ITU indoor\" | \"log distance\" | \"raytrace\"", .otherwise = "\"friis\"", .doc = "How what it hears has become weaker on its way. \"friis\": as in free space; \"simple\": as in free space, and not heard beyond range; \"ITU indoor\": as in a building, by plc (ITU-R P.1238); \"log distance\": as in free space for the first metre, then by ple; \"raytrace\": as in free space, and by wall_factor for each wall."},
+    {.name = "range", .use = Use::kRead, .type = "number", .unit = "m", .otherwise = "30", .limits = "not negative", .doc = "How far it hears, with model \"simple\"."},
+    {.name = "plc", .use = Use::kRead, .type = "number", .otherwise = "30", .limits = "not negative", .doc = "Loss for ten times the distance in dB, with model \"ITU indoor\"."},
+    {.name = "ple", .use = Use::kRead, .type = "number", .otherwise = "3", .limits = "not negative", .doc = "The power of the distance by which it gets weaker, with model \"log distance\": 2 in free space, 3 to 5 in buildings."},
+    {.name = "wall_factor", .use = Use::kRead, .type = "number", .unit = "dB", .otherwise = "5", .limits = "not negative", .doc = "Loss for each wall on the straight line, with model \"raytrace\"."},
+    {.name = "fading", .use = Use::kRead, .type = "number", .unit = "dB", .otherwise = "0", .limits = "not negative", .doc = "Standard deviation of what else makes a link stronger or weaker, drawn anew each time it is measured."},
+    {.name = "range_db", .use = Use::kOld, .instead = "write sensitivity"},
+    {.name = "random_seed", .use = Use::kOld},
+};
+
+constexpr KindInterface kInterfacesOfWifi[1] = {
+    {"wifi", 23, Index::kCount, Need::kNothing, Need::kNothing, false},
+};
+
 constexpr Word kWordsOfCamera[4] = {
     {.name = "resolution", .use = Use::kSilent, .type = "tuple", .form = "[width height]", .unit = "px", .otherwise = "[32 32]", .doc = "The size of the image."},
     {.name = "range", .use = Use::kSilent, .type = "tuple", .form = "[min max]", .unit = "m", .otherwise = "[0.2 8]", .doc = "The nearest and the farthest thing that it shows."},
@@ -187,15 +271,24 @@ constexpr KindInterface kInterfacesOfCamera[1] = {
     {"camera", 40, Index::kCount, Need::kNothing, Need::kNothing, false},
 };
 
-constexpr Word kWordsOfBlock[6] = {
+constexpr std::string_view kOld_block_height_to[] = {"z.1"};
+constexpr Meaning kOld_block_height{.how = Meaning::How::kWords, .to = kOld_block_height_to};
+constexpr Word kWordsOfBlock[7] = {
     {.name = "points", .use = Use::kRead, .type = "integer", .doc = "How many corners the outline has, at least 2; two are a wall 0.01 m thick."},
     {.name = "point", .use = Use::kRead, .type = "tuple", .form = "[x y]", .unit = "m", .otherwise = "[0 0]", .doc = "A corner, counted from 0; beside a bitmap in its pixels."},
     {.name = "z", .use = Use::kRead, .type = "tuple", .form = "[min max]", .unit = "m", .told = "as high as the model", .doc = "From where to where the prism reaches, the floor being 0."},
-    {.name = "height", .use = Use::kOld},
+    {.name = "height", .use = Use::kOld, .instead = "write z [min max]", .meaning = &kOld_block_height},
+    {.name = "fill", .use = Use::kOld},
     {.name = "filled", .use = Use::kOld},
     {.name = "color", .use = Use::kOld},
 };
 
+constexpr std::string_view kOld_sensor_range_max_to[] = {"range.1"};
+constexpr Meaning kOld_sensor_range_max{.how = Meaning::How::kWords, .to = kOld_sensor_range_max_to};
+constexpr std::string_view kOld_sensor_range_min_to[] = {"range.0"};
+constexpr Meaning kOld_sensor_range_min{.how = Meaning::How::kWords, .to = kOld_sensor_range_min_to};
+constexpr std::string_view kOld_sensor_view_to[] = {"range.0", "range.1", "fov"};
+constexpr Meaning kOld_sensor_view{.how = Meaning::How::kWords, .to = kOld_sensor_view_to};
 constexpr Word kWordsOfSensor[14] = {
     {.name = "pose", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .otherwise = "[0 0 0 0]", .doc = "Where the sensor is in the ranger."},
     {.name = "size", .use = Use::kRead, .type = "size", .form = "[x y z]", .unit = "m", .otherwise = "[0.02 0.02 0.02]", .doc = "For drawing; beams start at half its height above the pose."},
@@ -205,9 +298,9 @@ constexpr Word kWordsOfSensor[14] = {
     {.name = "noise", .use = Use::kRead, .type = "tuple", .form = "[constant proportional angular]", .unit = "m, 1, deg", .otherwise = "[0 0 0]", .doc = "Errors: a standard deviation, a fraction of the range, and the angle by which a beam may be turned."},
     {.name = "color", .use = Use::kRead, .type = "color", .told = "blue, which one can see through", .doc = "The name of an X11 color, or random, which is the same in each run."},
     {.name = "color_rgba", .use = Use::kRead, .type = "rgba", .form = "[red green blue alpha]", .otherwise = "[0 0 1 0.15]", .doc = "The color as shares from 0 to 1; counts where there is no color."},
-    {.name = "range_max", .use = Use::kOld, .instead = "write range [min max]"},
-    {.name = "range_min", .use = Use::kOld, .instead = "write range [min max]"},
-    {.name = "view", .use = Use::kOld, .instead = "write range [min max] fov degrees"},
+    {.name = "range_max", .use = Use::kOld, .instead = "write range [min max]", .meaning = &kOld_sensor_range_max},
+    {.name = "range_min", .use = Use::kOld, .instead = "write range [min max]", .meaning = &kOld_sensor_range_min},
+    {.name = "view", .use = Use::kOld, .instead = "write range [min max] fov degrees", .meaning = &kOld_sensor_view},
     {.name = "ranger_return", .use = Use::kOld},
     {.name = "obstacle_return", .use = Use::kOld},
     {.name = "alwayson", .use = Use::kOld},
@@ -271,6 +364,8 @@ constexpr Word kWordsOfWindow[51] = {
     {.name = "show_tree", .use = Use::kOld},
 };
 
+constexpr std::string_view kOld_world_threadpool_to[] = {"threads"};
+constexpr Meaning kOld_world_threadpool{.how = Meaning::How::kWords, .to = kOld_world_threadpool_to};
 constexpr Word kWordsOfWorld[21] = {
     {.name = "name", .use = Use::kRead, .type = "text", .told = "the file's path", .doc = "The name of the world."},
     {.name = "interval_sim", .use = Use::kRead, .type = "number", .unit = "ms", .otherwise = "100", .limits = "above 0", .doc = "Simulated time of one tick, in whole microseconds."},
@@ -285,12 +380,12 @@ constexpr Word kWordsOfWorld[21] = {
     {.name = "threads", .use = Use::kSilent},
     {.name = "confirm_on_quit", .use = Use::kSilent},
     {.name = "test", .use = Use::kSilent},
-    {.name = "size", .use = Use::kOld},
-    {.name = "interval_real", .use = Use::kOld},
+    {.name = "size", .use = Use::kOld, .instead = "there is no edge, the floor goes on"},
+    {.name = "interval_real", .use = Use::kOld, .instead = "write speedup, interval_sim / interval_real"},
     {.name = "gui_interval", .use = Use::kOld},
     {.name = "gui_menu_interval", .use = Use::kOld},
     {.name = "gui_disable", .use = Use::kOld},
-    {.name = "threadpool", .use = Use::kOld},
+    {.name = "threadpool", .use = Use::kOld, .instead = "write threads", .meaning = &kOld_world_threadpool},
     {.name = "truth_server", .use = Use::kOld},
     {.name = "map_resolution", .use = Use::kOld},
 };
@@ -299,7 +394,7 @@ constexpr KindInterface kInterfacesOfWorld[1] = {
     {"simulation", 31, Index::kOne, Need::kNothing, Need::kNothing, false},
 };
 
-constexpr Kind kKinds[16] = {
+constexpr Kind kKinds[17] = {
     {.name = "model", .doc = "A plain body; its words are those of every model, whatever its kind.", .entity = EntityForm::kModel, .table = "models", .kind = ModelKind::kPlain, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfModel, .interfaces = kInterfacesOfModel},
     {.name = "position", .doc = "A robot that drives in the plane.", .entity = EntityForm::kModel, .table = "positions", .kind = ModelKind::kPosition, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfPosition, .interfaces = kInterfacesOfPosition},
     {.name = "ranger", .doc = "Range finders of any kind: a laser has one sensor with many samples, a ring of sonars many with one.", .entity = EntityForm::kModel, .table = "rangers", .kind = ModelKind::kRanger, .simulated = true, .solid = false, .size = {0.15, 0.15, 0.2}, .color = {0, 0, 0.5f, 1}, .words = kWordsOfRanger, .interfaces = kInterfacesOfRanger},
@@ -310,6 +405,7 @@ constexpr Kind kKinds[16] = {
     {.name = "lightindicator", .doc = "A body that is darker while it is off, as it is at the start.", .entity = EntityForm::kModel, .table = "lightindicators", .kind = ModelKind::kLightindicator, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .interfaces = kInterfacesOfLightindicator},
     {.name = "gripper", .doc = "Two paddles that close around a thing and carry it.", .entity = EntityForm::kModel, .table = "grippers", .kind = ModelKind::kGripper, .simulated = true, .solid = true, .size = {0.2, 0.3, 0.2}, .color = {0.3f, 0.3f, 0.3f, 1}, .words = kWordsOfGripper, .interfaces = kInterfacesOfGripper},
     {.name = "actuator", .doc = "A joint that slides or turns, with what it carries.", .entity = EntityForm::kModel, .table = "actuators", .kind = ModelKind::kActuator, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfActuator, .interfaces = kInterfacesOfActuator},
+    {.name = "wifi", .doc = "A radio: tells which others of its network it hears, and how well.", .entity = EntityForm::kModel, .table = "wifis", .kind = ModelKind::kWifi, .simulated = true, .solid = false, .size = {0, 0, 0}, .color = {0.2f, 0.6f, 0.9f, 1}, .words = kWordsOfWifi, .interfaces = kInterfacesOfWifi},
     {.name = "camera", .doc = "A camera that takes images of the scene.", .entity = EntityForm::kModel, .simulated = false, .solid = true, .size = {0.1, 0.07, 0.05}, .color = {0, 0, 0, 1}, .words = kWordsOfCamera, .interfaces = kInterfacesOfCamera},
     {.name = "block", .doc = "A prism, as a part of a model's body; all blocks together are stretched to fill the model's size.", .entity = EntityForm::kPart, .inside = "model", .simulated = true, .words = kWordsOfBlock},
     {.name = "sensor", .doc = "One transducer or scanner of a ranger.", .entity = EntityForm::kPart, .inside = "ranger", .table = "sensors", .simulated = true, .words = kWordsOfSensor},
@@ -318,23 +414,32 @@ constexpr Kind kKinds[16] = {
     {.name = "world", .doc = "The world file itself: words that stand outside of all entities, anywhere in the file.", .entity = EntityForm::kWorld, .simulated = true, .words = kWordsOfWorld, .interfaces = kInterfacesOfWorld},
 };
 
-constexpr OldType kOldTypes[16] = {
-    {"map", "write model( bitmap \"file.png\" size [x y z] boundary 1 ), or the floorplan macro of map.inc"},
-    {"environment", "write model( bitmap \"file.png\" size [x y z] boundary 1 )"},
-    {"box", "write model( size [x y z] )"},
-    {"puck", "write: define puck model( size [0.08 0.08 0.1] gripper_return 1 )"},
-    {"charger", "write model( joules -1 give_watts 1000 )"},
-    {"power", "joules and watts are properties of any model"},
-    {"powerpack", "joules and watts are properties of any model"},
-    {"audio", "Stage 4 has no audio; any model has say \"text\""},
-    {"speech", "any model has say \"text\""},
-    {"truth", "leave it out; every model's pose is known by its name"},
-    {"laser", "write ranger( sensor( range [0 8] fov 180 samples 180 ) )"},
-    {"sonar", "write ranger( sensor( pose [x y z heading] range [0 5] fov 15 ) ... )"},
-    {"ptz", "a camera has pantilt [pan tilt]"},
-    {"player", "leave it out; devices are named in the configuration file"},
-    {"driver", "this is a configuration file, for playhouse serve"},
-    {"wifi", "Stage 4 has no radio"},
+constexpr SaidWord kOldType_map_words[] = {{"boundary", "1"}, {"color", "gray30"}, {"gui_move", "0"}};
+constexpr SaidWord kOldType_puck_words[] = {{"size", "0.08 0.08 0.1"}, {"gripper_return", "1"}};
+constexpr SaidWord kOldType_charger_words[] = {{"joules", "-1"}, {"give_watts", "1000"}};
+constexpr SaidWord kOldType_laser_part_words[] = {{"range", "0 8"}, {"fov", "180"}, {"samples", "180"}};
+constexpr SaidWord kOldType_sonar_part_words[] = {{"range", "0 5"}, {"fov", "15"}};
+constexpr OldType kOldTypes[20] = {
+    {.name = "map", .instead = "write model( bitmap \"file.png\" size [x y z] boundary 1 ), or the floorplan macro of map.inc", .is_read = true, .type = "model", .words = kOldType_map_words},
+    {.name = "environment", .instead = "write model( bitmap \"file.png\" size [x y z] boundary 1 )"},
+    {.name = "box", .instead = "write model( size [x y z] )", .is_read = true, .type = "model"},
+    {.name = "puck", .instead = "write: define puck model( size [0.08 0.08 0.1] gripper_return 1 )", .is_read = true, .type = "model", .words = kOldType_puck_words},
+    {.name = "charger", .instead = "write model( joules -1 give_watts 1000 )", .is_read = true, .type = "model", .words = kOldType_charger_words},
+    {.name = "power", .instead = "leave it out; joules and watts are words of any model", .is_read = true},
+    {.name = "powerpack", .instead = "leave it out; joules and watts are words of any model", .is_read = true},
+    {.name = "audio", .instead = "leave it out; any model has say \"text\"", .is_read = true},
+    {.name = "speech", .instead = "leave it out; any model has say \"text\"", .is_read = true},
+    {.name = "truth", .instead = "leave it out; every model's pose is known by its name", .is_read = true},
+    {.name = "gps", .instead = "leave it out; write localization \"gps\" in the position", .is_read = true},
+    {.name = "laser", .instead = "write ranger( sensor( range [0 8] fov 180 samples 180 ) )", .is_read = true, .type = "ranger", .part = "sensor", .part_words = kOldType_laser_part_words},
+    {.name = "sonar", .instead = "write ranger( sensor( pose [x y z heading] range [0 5] fov 15 ) ... )", .is_read = true, .type = "ranger", .part = "sensor", .part_words = kOldType_sonar_part_words},
+    {.name = "fiducialfinder", .instead = "write fiducial", .is_read = true, .type = "fiducial"},
+    {.name = "lbd", .instead = "write fiducial", .is_read = true, .type = "fiducial"},
+    {.name = "vision", .instead = "write blobfinder", .is_read = true, .type = "blobfinder"},
+    {.name = "visionfinder", .instead = "write blobfinder", .is_read = true, .type = "blobfinder"},
+    {.name = "ptz", .instead = "write camera( pantilt [pan tilt] fov [horizontal vertical] )", .is_read = true, .type = "camera"},
+    {.name = "player", .instead = "leave it out; devices are named in the configuration file", .is_read = true},
+    {.name = "driver", .instead = "this is a configuration file, for playhouse serve"},
 };
 
 }  // namespace

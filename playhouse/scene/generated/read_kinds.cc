@@ -100,6 +100,30 @@ void read(const Properties& properties, ActuatorDesc& to) {
   to.start_position = properties.number("start_position", to.start_position);
 }
 
+void read(const Properties& properties, WifiDesc& to) {
+  to.ip = properties.text("ip", to.ip);
+  to.mac = properties.text("mac", to.mac);
+  to.essid = properties.text("essid", to.essid);
+  to.frequency = properties.number("freq", to.frequency);
+  require(to.frequency >= 0, properties, "freq", "must not be negative");
+  to.bitrate = properties.number("bitrate", to.bitrate);
+  require(to.bitrate >= 0, properties, "bitrate", "must not be negative");
+  to.power = properties.number("power", to.power);
+  to.sensitivity = properties.number("sensitivity", to.sensitivity);
+  static constexpr std::string_view kWordsOfModel[] = {"friis", "simple", "ITU indoor", "log distance", "raytrace"};
+  to.propagation = static_cast<Propagation>(read_choice(properties, "model", kWordsOfModel, static_cast<std::size_t>(to.propagation)));
+  to.range = properties.number("range", to.range);
+  require(to.range >= 0, properties, "range", "must not be negative");
+  to.plc = properties.number("plc", to.plc);
+  require(to.plc >= 0, properties, "plc", "must not be negative");
+  to.ple = properties.number("ple", to.ple);
+  require(to.ple >= 0, properties, "ple", "must not be negative");
+  to.wall_factor = properties.number("wall_factor", to.wall_factor);
+  require(to.wall_factor >= 0, properties, "wall_factor", "must not be negative");
+  to.fading = properties.number("fading", to.fading);
+  require(to.fading >= 0, properties, "fading", "must not be negative");
+}
+
 }  // namespace
 
 void read(const Properties& properties, std::size_t row, PlainDesc& to) {
@@ -114,10 +138,15 @@ void read(const Properties& properties, std::size_t row, PlainDesc& to) {
   to.gripper_return = properties.flag("gripper_return", to.gripper_return);
   to.mass = properties.number("mass", to.mass);
   to.mass = at_least_zero(properties, "mass", to.mass, "no mass is meant");
+  to.friction = properties.number("friction", to.friction);
+  to.friction = at_least_zero(properties, "friction", to.friction, "no friction is meant");
   to.update_interval = read_milliseconds(properties, "update_interval", to.update_interval);
   to.update_interval = at_least_zero(properties, "update_interval", to.update_interval, "every tick is meant");
   to.alwayson = properties.flag("alwayson", to.alwayson);
   to.gui_move = properties.flag("gui_move", to.gui_move);
+  to.gui_nose = properties.flag("gui_nose", to.gui_nose);
+  to.gui_outline = properties.flag("gui_outline", to.gui_outline);
+  to.gui_grid = properties.flag("gui_grid", to.gui_grid);
   to.say = properties.text("say", to.say);
   to.trail_length = properties.integer("trail_length", to.trail_length);
   to.trail_length = at_least_zero(properties, "trail_length", to.trail_length, "no trail is meant");
@@ -203,6 +232,9 @@ void read_kind(const Properties& properties, ModelKind kind, KindDescs& to) {
     case ModelKind::kActuator:
       read(properties, to.actuator.emplace());
       break;
+    case ModelKind::kWifi:
+      read(properties, to.wifi.emplace());
+      break;
     case ModelKind::kPlain:
     case ModelKind::kRanger:
     case ModelKind::kLightindicator:
@@ -226,6 +258,8 @@ bool is_described(ModelKind kind, const KindDescs& by) {
       return by.gripper.has_value();
     case ModelKind::kActuator:
       return by.actuator.has_value();
+    case ModelKind::kWifi:
+      return by.wifi.has_value();
     default:
       return true;
   }

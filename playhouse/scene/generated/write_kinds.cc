@@ -71,6 +71,23 @@ void write(const ActuatorDesc& from, const ActuatorDesc& unsaid, Words& to) {
   if (from.start_position != unsaid.start_position) to.number("start_position", from.start_position);
 }
 
+void write(const WifiDesc& from, const WifiDesc& unsaid, Words& to) {
+  if (from.ip != unsaid.ip) to.text("ip", from.ip);
+  if (from.mac != unsaid.mac) to.text("mac", from.mac);
+  if (from.essid != unsaid.essid) to.text("essid", from.essid);
+  if (from.frequency != unsaid.frequency) to.number("freq", from.frequency);
+  if (from.bitrate != unsaid.bitrate) to.number("bitrate", from.bitrate);
+  if (from.power != unsaid.power) to.number("power", from.power);
+  if (from.sensitivity != unsaid.sensitivity) to.number("sensitivity", from.sensitivity);
+  static constexpr std::string_view kWordsOfModel[] = {"friis", "simple", "ITU indoor", "log distance", "raytrace"};
+  if (from.propagation != unsaid.propagation) to.text("model", kWordsOfModel[static_cast<std::size_t>(from.propagation)]);
+  if (from.range != unsaid.range) to.number("range", from.range);
+  if (from.plc != unsaid.plc) to.number("plc", from.plc);
+  if (from.ple != unsaid.ple) to.number("ple", from.ple);
+  if (from.wall_factor != unsaid.wall_factor) to.number("wall_factor", from.wall_factor);
+  if (from.fading != unsaid.fading) to.number("fading", from.fading);
+}
+
 void write(const RangerSensorDesc& from, const RangerSensorDesc& unsaid, Words& to) {
   if (from.X_BS != unsaid.X_BS) to.pose("pose", from.X_BS);
   if (from.size != unsaid.size) to.size("size", from.size);
@@ -96,9 +113,13 @@ void write(const PlainDesc& from, const PlainDesc& unsaid, double z, Words& to) 
   if (from.fiducial_key != unsaid.fiducial_key) to.integer("fiducial_key", from.fiducial_key);
   if (from.gripper_return != unsaid.gripper_return) to.flag("gripper_return", from.gripper_return);
   if (from.mass != unsaid.mass) to.number("mass", from.mass);
+  if (from.friction != unsaid.friction) to.number("friction", from.friction);
   if (from.update_interval != unsaid.update_interval) to.milliseconds("update_interval", from.update_interval);
   if (from.alwayson != unsaid.alwayson) to.flag("alwayson", from.alwayson);
   if (from.gui_move != unsaid.gui_move) to.flag("gui_move", from.gui_move);
+  if (from.gui_nose != unsaid.gui_nose) to.flag("gui_nose", from.gui_nose);
+  if (from.gui_outline != unsaid.gui_outline) to.flag("gui_outline", from.gui_outline);
+  if (from.gui_grid != unsaid.gui_grid) to.flag("gui_grid", from.gui_grid);
   if (from.say != unsaid.say) to.text("say", from.say);
   if (from.trail_length != unsaid.trail_length) to.integer("trail_length", from.trail_length);
   if (from.ctrl != unsaid.ctrl) to.texts("ctrl", from.ctrl);
@@ -138,6 +159,7 @@ void write_kind(const KindDescs& from, const Units& units, Entity& to) {
   if (from.blinkenlight) write(*from.blinkenlight, {}, words);
   if (from.gripper) write(*from.gripper, {}, words);
   if (from.actuator) write(*from.actuator, {}, words);
+  if (from.wifi) write(*from.wifi, {}, words);
   for (const RangerSensorDesc& part : from.sensors) {
     Words words_of_part(units, to.parts.emplace_back(Entity{"sensor", {}, {}}).words);
     write(part, {}, words_of_part);

@@ -103,6 +103,13 @@ inline constexpr auto kColumns<Actuators> = std::tuple{
 };
 
 template <>
+inline constexpr auto kColumns<Wifis> = std::tuple{
+    Column{"wifis.model", Role::kDerived, "", "", "", &Wifis::model},
+    Column{"wifis.links", Role::kSensed, "", "", "sense", &Wifis::links},
+    Column{"wifis.measured_tick", Role::kSensed, "", "", "sense", &Wifis::measured_tick},
+};
+
+template <>
 inline constexpr auto kColumns<Packs> = std::tuple{
     Column{"packs.model", Role::kDerived, "", "", "", &Packs::model},
     Column{"packs.stored", Role::kMotion, "J", "", "energy", &Packs::stored},
@@ -135,6 +142,8 @@ template <>
 inline constexpr scene::ModelKind kKindOf<Grippers> = scene::ModelKind::kGripper;
 template <>
 inline constexpr scene::ModelKind kKindOf<Actuators> = scene::ModelKind::kActuator;
+template <>
+inline constexpr scene::ModelKind kKindOf<Wifis> = scene::ModelKind::kWifi;
 
 /// The trait whose models have a row each; of other tables there is none.
 template <typename Table>
@@ -146,10 +155,10 @@ inline constexpr auto kTraitTable = nullptr;
 template <>
 inline constexpr auto kTraitTable<Packs> = &Tables::packs;
 
-inline constexpr std::tuple kTables{&Tables::models, &Tables::positions, &Tables::rangers, &Tables::sensors, &Tables::fiducials, &Tables::blobfinders, &Tables::bumpers, &Tables::blinkenlights, &Tables::lightindicators, &Tables::grippers, &Tables::actuators, &Tables::packs};
+inline constexpr std::tuple kTables{&Tables::models, &Tables::positions, &Tables::rangers, &Tables::sensors, &Tables::fiducials, &Tables::blobfinders, &Tables::bumpers, &Tables::blinkenlights, &Tables::lightindicators, &Tables::grippers, &Tables::actuators, &Tables::wifis, &Tables::packs};
 
 /// Those of kinds: a row for each model of the kind, in the order of the models.
-inline constexpr std::tuple kKindTables{&Tables::positions, &Tables::rangers, &Tables::fiducials, &Tables::blobfinders, &Tables::bumpers, &Tables::blinkenlights, &Tables::lightindicators, &Tables::grippers, &Tables::actuators};
+inline constexpr std::tuple kKindTables{&Tables::positions, &Tables::rangers, &Tables::fiducials, &Tables::blobfinders, &Tables::bumpers, &Tables::blinkenlights, &Tables::lightindicators, &Tables::grippers, &Tables::actuators, &Tables::wifis};
 
 /// Those of traits: a row for each model that has it, in the order of the models.
 inline constexpr std::tuple kTraitTables{&Tables::packs};

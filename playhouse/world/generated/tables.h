@@ -22,6 +22,7 @@ using BlinkenlightRow = Row<struct BlinkenlightTable>;
 using LightindicatorRow = Row<struct LightindicatorTable>;
 using GripperRow = Row<struct GripperTable>;
 using ActuatorRow = Row<struct ActuatorTable>;
+using WifiRow = Row<struct WifiTable>;
 using PackRow = Row<struct PackTable>;
 
 /// A robot that drives in the plane.
@@ -178,6 +179,34 @@ struct Actuators {
   std::size_t size() const { return model.size(); }
 };
 
+/// A radio that is heard.
+struct WifiLink {
+  ModelId station;  // The radio.
+  double level = 0;  // How strongly it arrives. [dBm]
+  std::uint32_t quality = 0;  // How far that is above the sensitivity: 100 from 30 dB on. [%]
+  friend bool operator==(const WifiLink&, const WifiLink&) = default;
+};
+
+/// Calls visit(part) for every part.
+template <typename Visit>
+void each_part(WifiLink& value, const Visit& visit) {
+  auto& [station, level, quality] = value;
+  visit(station), visit(level), visit(quality);
+}
+template <typename Visit>
+void each_part(const WifiLink& value, const Visit& visit) {
+  const auto& [station, level, quality] = value;
+  visit(station), visit(level), visit(quality);
+}
+
+/// A radio: tells which others of its network it hears, and how well.
+struct Wifis {
+  std::vector<ModelRow> model;  // The model that hears.
+  std::vector<std::vector<WifiLink>> links;  // The radios that it hears, by id.
+  std::vector<std::uint64_t> measured_tick;  // Tick at which it listened last; 0: never.
+  std::size_t size() const { return model.size(); }
+};
+
 /// A battery, from which a model draws, and what is inside it and has none of its own.
 struct Packs {
   std::vector<ModelRow> model;  // The model that has it.
@@ -215,6 +244,7 @@ struct Tables {
   Lightindicators lightindicators;
   Grippers grippers;
   Actuators actuators;
+  Wifis wifis;
   Packs packs;
 };
 

@@ -22,6 +22,9 @@ export interface Prototype extends KindStart {
   shape?: number; // row of shapes
   moving?: number; // how many of its solids, the last, its kind draws
   movable?: boolean;
+  nose?: boolean; // what it wants drawn beside its body
+  outline?: boolean;
+  grid?: boolean;
 }
 
 /** What is a model's own. */

@@ -21,7 +21,7 @@ interface Batch {
 
 const kOutlineScale = 10; // pixels per metre
 
-/** The bodies of all models, without what their kinds draw, extruded, in their colours; and a point ahead of each that drives. */
+/** The bodies of all models, without what their kinds draw, extruded, in their colours; and a point ahead of each that drives or wants one. */
 export class Bodies {
   readonly group = new Group();
   private readonly batches: Batch[] = [];
@@ -124,7 +124,7 @@ export class Bodies {
   private makeNoses(): Batch | null {
     const rows: number[] = [];
     this.scene.models.forEach((model, row) => {
-      if (model.kind === 'position' && model.shape !== undefined) rows.push(row);
+      if ((model.kind === 'position' || model.nose) && model.shape !== undefined) rows.push(row);
     });
     if (rows.length === 0) return null;
     const geometry = new BufferGeometry();

@@ -9,6 +9,7 @@ import { rootsOf, type Scene } from '../protocol/scene';
 import { Bodies } from './bodies';
 import { Bubbles } from './bubbles';
 import { CameraRig, kTilted, type Box, type Margins } from './camera_rig';
+import { FloorMarks } from './floor_marks';
 import { Ground } from './ground';
 import { Labels } from './labels';
 import { heightOf } from './shapes';
@@ -29,7 +30,7 @@ export interface Layers {
 class Drawn {
   readonly group = new Group();
   readonly bodies: Bodies;
-  readonly drawings: Drawing[]; // of kinds
+  readonly drawings: Drawing[]; // on the floor and of kinds
   readonly trails: Trails;
   readonly labels: Labels;
   readonly bubbles: Bubbles;
@@ -45,7 +46,8 @@ class Drawn {
     before: Drawn | null = null,
   ) {
     this.bodies = new Bodies(scene, replica, motion, theme);
-    this.drawings = kKindPages.flatMap(({ drawings }) => drawings?.({ scene, replica, motion, theme }) ?? []);
+    const stage = { scene, replica, motion, theme };
+    this.drawings = [new FloorMarks(stage), ...kKindPages.flatMap(({ drawings }) => drawings?.(stage) ?? [])];
     this.trails = new Trails(scene, replica, before?.trails);
     this.labels = new Labels(scene, motion, rig, canvas, theme, before?.labels);
     this.bubbles = new Bubbles(scene, replica, motion, rig, canvas, theme);

@@ -2,7 +2,7 @@
 import type { Pose, Rgba } from '../scene';
 
 /** What a model is. */
-export type Kind = 'plain' | 'position' | 'ranger' | 'fiducial' | 'blobfinder' | 'bumper' | 'blinkenlight' | 'lightindicator' | 'gripper' | 'actuator';
+export type Kind = 'plain' | 'position' | 'ranger' | 'fiducial' | 'blobfinder' | 'bumper' | 'blinkenlight' | 'lightindicator' | 'gripper' | 'actuator' | 'wifi';
 
 /** What models of any kind may have. */
 export type Trait = 'pack';
@@ -71,6 +71,13 @@ export interface ActuatorView {
   velocity: number; // m/s or rad/s
 }
 
+/** A radio: tells which others of its network it hears, and how well. SI units and radians. */
+export interface WifiView {
+  station: number;
+  level: number;
+  quality: number;
+}
+
 /** A battery, from which a model draws, and what is inside it and has none of its own. SI units and radians. */
 export interface PackView {
   stored: number; // J
@@ -88,6 +95,7 @@ export interface Views {
   blinkenlight: BlinkenlightView;
   gripper: GripperView;
   actuator: ActuatorView;
+  wifi: WifiView[];
   pack: PackView;
 }
 
@@ -108,6 +116,7 @@ export const kViews: readonly ViewFormat[] = [
   { kind: 'blinkenlight', list: false, fields: [['period', 'varint', 0.001], ['dutycycle', 'varint', 0.001]] },
   { kind: 'gripper', list: false, fields: [['paddles', 'varint', 0.001], ['closing', 'zigzag', 1], ['lift', 'varint', 0.001], ['rising', 'zigzag', 1], ['held', 'zigzag', 1], ['beams', 'varint', 1], ['contacts', 'varint', 1]] },
   { kind: 'actuator', list: false, fields: [['position', 'zigzag', 0.001], ['velocity', 'zigzag', 0.001]] },
+  { kind: 'wifi', list: true, fields: [['station', 'varint', 1], ['level', 'zigzag', 1], ['quality', 'varint', 1]] },
   { kind: 'pack', list: false, fields: [['stored', 'zigzag', 1], ['capacity', 'zigzag', 1], ['watts', 'zigzag', 0.001], ['charging', 'varint', 1]] },
 ];
 

@@ -1,0 +1,33 @@
+"""docs/stage-words.md: every word of Stage 4 world files, and what is made of it here."""
+
+from __future__ import annotations
+
+from codegen.emit_kinds_docs import _banner, _table
+from codegen.kinds import Kind, Kinds
+
+PAGE = "docs/stage-words.md"
+VERDICTS = {"same": "same", "better": "better", "other": "other", "none": "only here", "later": "not yet"}
+
+
+def emit(kinds: Kinds) -> dict[str, str]:
+    lines = [_banner("kinds/"), "# Words of Stage, one by one", "",
+             "What each word of a Stage 4 world file does here: the **same**; **better**, where Stage has a fault or leaves out what its manual promises;",
+             "something **other**; **nothing**, and why; or **not yet**. Words that Stage has not are **only here**. Behaviour beyond words is in",
+             "[stage-compatibility.md](stage-compatibility.md), what words mean in [kinds/](kinds/README.md), those of older versions in [worldfile.md](worldfile.md).", ""]
+    for kind in kinds.all:
+        rows = _rows(kind)
+        if rows:
+            lines += [f"## {kind.name}", "", *_table(["word", "here", "why"], rows)]
+    return {PAGE: "\n".join(lines).rstrip() + "\n"}
+
+
+def _rows(kind: Kind) -> list[list[str]]:
+    rows = []
+    for word in kind.words:
+        later = word.use == "later" or not kind.simulated
+        rows.append([f"`{word.name}{'[i]' if word.indexed else ''}`", VERDICTS["later" if later else word.stage], word.stage_why])
+    told = {name: kind.silent_why.get(name, kind.silent_why.get("", "")) for name in kind.silent}
+    for why in dict.fromkeys(told.values()):  # those of one reason are one row
+        names = ", ".join(f"`{name}`" for name in kind.silent if told[name] == why)
+        rows.append([names, "nothing", why])
+    return rows

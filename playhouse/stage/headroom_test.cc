@@ -1,0 +1,111 @@
+#include "playhouse/stage/headroom.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "playhouse/base/rng.h"
+#include "playhouse/stage/overlap.h"
+#include "playhouse/stage/space.h"
+#include "playhouse/stage/testing_scenes.h"
+
+namespace playhouse::stage {
+namespace {
+
+double length(Vec2 v) {
+  return std::sqrt(geom::dot(v, v));
+}
+
+/// Trees that go about at random, and may go through each other.
+class Wanderers {
+ public:
+  explicit Wanderers(const scene::SceneDesc& scene) : scene_(scene), world_(scene_, 1), shapes_(scene_) {
+    trees_ = make_trees(world_);
+    solids_ = make_fixed_solids(world_, shapes_);
+    replace_moving_solids(solids_, world_, shapes_, trees_);
+    walls_ = Walls(solids_);
+    headroom_.populate(trees_, solids_, world_.models);
+    index_.populate(solids_.moving(), 0.2);
+  }
+
+  /// A tick; adds to `free` and `others` how many trees had headroom and how many had not.
+  void go(std::uint64_t tick, std::size_t* free, std::size_t* others) {
+    index_.rebuild(
+        solids_.moving(), [&](std::size_t i) { return disc_of(solids_, solids_.fixed + i); }, workers_);
+    std::vector<Pose> next;
+    double most = 0;
+    for (std::uint32_t tree = 0; tree < trees_.size(); ++tree) {
+      Rng rng(7, tick, {Purpose::kTestScene, tree});
+      Pose X = world_.models.X_WM[trees_.root[tree]];
+      const double x = X.x, y = X.y, turn = rng.uniform(-0.05, 0.05);
+      X.x += rng.uniform(-0.03, 0.03);
+      X.y += rng.uniform(-0.03, 0.03);
+      X.a += turn;
+      most = std::max(most, length({X.x - x, X.y - y}) + std::fabs(turn) * headroom_.arm(tree));
+      next.push_back(X);
+    }
+    headroom_.begin(most);
+    std::vector<std::uint32_t> are_free;
+    for (std::uint32_t tree = 0; tree < trees_.size(); ++tree) {
+      const Vec2 p = world_.models.X_WM[trees_.root[tree]].xy();
+      const double way = length(next[tree].xy() - p);
+      bool is_free = headroom_.spend(tree, way);
+      if (!is_free) {
+        headroom_.measure(tree, p, way, solids_, index_, walls_);
+        is_free = headroom_.spend(tree, way);
+      }
+      if (is_free) are_free.push_back(tree);
+      ++*(is_free ? free : others);
+    }
+    const Solids before = solids_;
+    std::vector<Vec2> from;
+    for (std::uint32_t tree = 0; tree < trees_.size(); ++tree) {
+      Pose& X_WM = world_.models.X_WM[trees_.root[tree]];
+      from.push_back(X_WM.xy());
+      X_WM = next[tree];
+    }
+    place(solids_, world_.models, solids_.fixed, solids_.size());
+    for (const std::uint32_t tree : are_free)
+      for (const Vec2 p : {from[tree], next[tree].xy()}) {
+        expect_clear_about(p, tree, before);
+        expect_clear_about(p, tree, solids_);
+      }
+  }
+
+ private:
+  /// The circle about `p` that holds the tree however it turns is clear of all other solids.
+  void expect_clear_about(Vec2 p, std::uint32_t tree, const Solids& solids) const {
+    const std::uint32_t first = trees_.first_solid[tree], end = trees_.first_solid[tree + 1];
+    double radius = 0;
+    for (std::uint32_t row = first; row < end; ++row)
+      radius = std::max(radius, length(solids.center_M[row]) + solids.radius[row]);
+    for (std::uint32_t row = 0; row < solids.size(); ++row) {
+      if (first <= row && row < end) continue;
+      if (row >= solids.fixed) EXPECT_GT(length(solids.center[row] - p), radius + solids.radius[row]);
+      const std::span<const Vec2> wall = solids.polygon(row);
+      for (std::size_t i = 0; row < solids.fixed && i < wall.size(); ++i)
+        EXPECT_GT(distance_to_segment(p, wall[i], wall[(i + 1) % wall.size()]), radius);
+    }
+  }
+
+  scene::SceneDesc scene_;
+  world::World world_;
+  Shapes shapes_;
+  Trees trees_;
+  Solids solids_;
+  Walls walls_;
+  DiscIndex index_;
+  Headroom headroom_;
+  world::Workers workers_{1};
+};
+
+TEST(Headroom, who_has_some_is_out_of_reach_of_all_others) {
+  Wanderers wanderers(testing::crowd(36, testing::Sensing::kNone));
+  std::size_t free = 0, others = 0;
+  for (std::uint64_t tick = 0; tick < 200; ++tick) wanderers.go(tick, &free, &others);
+  EXPECT_GT(free, 4000u);   // most of 7200
+  EXPECT_GT(others, 100u);  // and some meet
+}
+
+}  // namespace
+}  // namespace playhouse::stage
