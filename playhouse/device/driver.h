@@ -14,6 +14,7 @@
 
 #include "playhouse/base/result.h"
 #include "playhouse/device/address.h"
+#include "playhouse/device/caller.h"
 
 namespace playhouse::device {
 
@@ -24,6 +25,7 @@ struct Message {
   std::uint8_t type = 0;  // wire::MessageType
   std::uint8_t subtype = 0;
   std::span<const std::byte> body;  // valid for the call
+  Caller* caller = nullptr;         // who says so, until it has gone; none: a driver
 };
 
 /// Where answers and data go: the server. Every function may be called from any thread.

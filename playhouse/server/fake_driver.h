@@ -31,6 +31,7 @@ class FakeDriver final : public device::Driver {
   std::vector<device::Replier> held;
   std::vector<device::Replier> barriers;  // held
   std::function<void()> on_request = [] {};
+  std::function<void(device::Caller&)> on_caller;
 
   std::string_view name() const override { return name_; }
   Result<void> start(device::DeviceId) override {
@@ -47,6 +48,7 @@ class FakeDriver final : public device::Driver {
   void request(const device::Message& message, device::Replier replier) override {
     ++requests;
     on_request();
+    if (on_caller && message.caller != nullptr) on_caller(*message.caller);
     if (holds_requests) return held.push_back(std::move(replier));
     if (bounces) return replier.nack({message.body.begin(), message.body.end()});
     if (const auto found = answers.find(message.subtype); found != answers.end()) replier.ack(found->second);

@@ -49,6 +49,12 @@ void Fanout::publish(const device::Publication& publication, device::Address add
   for (Reader* reader : to.readers) reader->deliver(frame);
 }
 
+void Fanout::lose(device::DeviceId device, std::uint64_t messages) {
+  const auto found = channels_.find(device);
+  if (found == channels_.end()) return;
+  for (Reader* reader : found->second.readers) reader->lose(messages);
+}
+
 double Fanout::next_timestamp(Channel& channel, const device::Publication& publication, double now) {
   const double told = std::isfinite(publication.timestamp) ? publication.timestamp : now;
   const auto [entry, first] = channel.last.try_emplace(publication.subtype, Timestamps{told, told});

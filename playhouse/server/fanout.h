@@ -20,6 +20,8 @@ class Reader {
  public:
   virtual ~Reader() = default;
   virtual void deliver(const Frame& frame) = 0;
+  /// Data that it should have got are lost.
+  virtual void lose(std::uint64_t messages) = 0;
 };
 
 class Fanout {
@@ -41,6 +43,9 @@ class Fanout {
   /// that of a time that has gone back, and one that is no number becomes `now`. Data over
   /// limits::kBodyBytes goes to nobody and is logged once.
   void publish(const device::Publication& publication, device::Address address, double now);
+
+  /// Tells the readers of a device that so many messages of it are lost.
+  void lose(device::DeviceId device, std::uint64_t messages);
 
   std::uint64_t messages_encoded() const { return encoded_; }
 

@@ -60,8 +60,14 @@ void OutQueue::drop_one() {
   const Kind& kind = kinds_.at(code);
   remove_data(kind.oldest);
   count(code, kind.waiting, kind.lost + 1);
-  ++dropped_;
-  ++unreported_drops_;
+  count_lost(1);
+}
+
+// The wire's number ends somewhere.
+void OutQueue::count_lost(std::uint64_t messages) {
+  dropped_ += messages;
+  constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
+  unreported_drops_ = static_cast<std::uint32_t>(std::min(kMost, unreported_drops_ + messages));
 }
 
 void OutQueue::add_answer(Frame frame, QueueAction action) {

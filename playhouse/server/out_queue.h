@@ -54,6 +54,8 @@ class OutQueue {
 
   /// take() would give something.
   bool has_output() const { return may_send() || round_is_over(); }
+  /// So many messages for this client were lost before they came here.
+  void lose(std::uint64_t messages) { count_lost(messages); }
   /// Drops all data, as over a limit.
   void drop_data();
   /// Takes out everything: nobody will read it.
@@ -67,7 +69,7 @@ class OutQueue {
   std::size_t notices_waiting() const { return notices_.size(); }
   /// Kinds of data that it counts.
   std::size_t kinds() const { return kinds_.size(); }
-  /// Data messages pushed out since the start.
+  /// Data messages lost since the start: pushed out, or lost before.
   std::uint64_t dropped() const { return dropped_; }
 
  private:
@@ -107,6 +109,7 @@ class OutQueue {
   void count(std::uint64_t code, std::size_t waiting, std::uint64_t lost);
   bool over_limits() const;
   void drop_one();
+  void count_lost(std::uint64_t messages);
   bool may_send() const;
   bool may_tell() const;
   bool round_is_over() const;

@@ -20,14 +20,20 @@ bool Outbox::put(std::vector<device::Publication> batch) {
   const std::scoped_lock lock(mutex_);
   const bool fits =
       data_bytes_ + bytes <= limits::kOutboxBytes && data_messages_ + batch.size() <= limits::kOutboxMessages;
-  if (data_messages_ > 0 && !fits) {
-    dropped_ += std::erase_if(items_, [](const Item& item) { return item.index() == 0; });
-    data_messages_ = data_bytes_ = 0;
-  }
+  if (data_messages_ > 0 && !fits) drop_data();
   data_messages_ += batch.size();
   data_bytes_ += bytes;
   for (device::Publication& publication : batch) items_.emplace_back(std::move(publication));
   return !batch.empty() && wake();
+}
+
+void Outbox::drop_data() {
+  dropped_ += std::erase_if(items_, [this](const Item& item) {
+    const auto* publication = std::get_if<device::Publication>(&item);
+    if (publication != nullptr) ++dropped_of_[publication->device];
+    return publication != nullptr;
+  });
+  data_messages_ = data_bytes_ = 0;
 }
 
 bool Outbox::put(Answer answer) {
@@ -51,6 +57,11 @@ bool Outbox::take(std::vector<Item>& items, std::size_t most) {
   }
   woken_ = !items_.empty();
   return woken_;
+}
+
+std::map<device::DeviceId, std::uint64_t> Outbox::take_dropped() {
+  const std::scoped_lock lock(mutex_);
+  return std::exchange(dropped_of_, {});
 }
 
 std::uint64_t Outbox::data_dropped() const {

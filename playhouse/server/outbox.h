@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <mutex>
 #include <variant>
 #include <vector>
@@ -32,14 +33,18 @@ class Outbox {
   /// without being woken.
   bool take(std::vector<Item>& items, std::size_t most);
   std::uint64_t data_dropped() const;
+  /// Messages dropped since the last call, by their device.
+  std::map<device::DeviceId, std::uint64_t> take_dropped();
 
  private:
-  bool wake();  // holding the mutex
+  void drop_data();  // holding the mutex
+  bool wake();       // holding the mutex
 
   mutable std::mutex mutex_;
   std::deque<Item> items_;
   std::size_t data_messages_ = 0, data_bytes_ = 0;
   std::uint64_t dropped_ = 0;
+  std::map<device::DeviceId, std::uint64_t> dropped_of_;  // since take_dropped()
   bool woken_ = false;
 };
 

@@ -44,6 +44,18 @@ TEST(Outbox, gives_up_old_data_for_new_over_the_limit_and_answers_never) {
   EXPECT_EQ(std::get<device::Publication>(left[1]).timestamp, 3);
 }
 
+TEST(Outbox, tells_once_which_devices_lost_how_much) {
+  Outbox outbox;
+  std::vector<device::Publication> batch = data(1, 10);
+  batch.push_back({{5}, 1, 1, {}});
+  EXPECT_TRUE(outbox.put(std::move(batch)));
+  EXPECT_FALSE(outbox.put(data(2, 10)));
+  EXPECT_FALSE(outbox.put(data(3, limits::kOutboxBytes)));
+  const std::map<device::DeviceId, std::uint64_t> lost{{{0}, 2}, {{5}, 1}};
+  EXPECT_EQ(outbox.take_dropped(), lost);
+  EXPECT_TRUE(outbox.take_dropped().empty());
+}
+
 TEST(Outbox, holds_so_many_messages_however_small) {
   Outbox outbox;
   for (std::size_t i = 0; i <= limits::kOutboxMessages; ++i) {

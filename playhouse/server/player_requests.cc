@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <span>
+#include <string_view>
 
 #include "playhouse/base/limits.h"
 #include "playhouse/base/log.h"
@@ -16,6 +18,8 @@ namespace playhouse::server {
 namespace {
 
 namespace player = wire::player;
+
+constexpr std::string_view kLostProperty = "lost";  // data messages that this client should have got
 
 // Access codes of servers before version 3, when devices were opened like files. They travel as numbers.
 constexpr std::uint8_t kReadLetter = 'r', kWriteLetter = 'w', kAllLetter = 'a', kCloseLetter = 'c';
@@ -51,6 +55,8 @@ void Session::player_message(const wire::Header& header, Body body) {
       return set_data_mode(header, body);
     case player::kReqAddReplaceRule:
       return add_replace_rule(header, body);
+    case wire::kReqGetIntprop:
+      return tell_lost(header, body);
     default:
       return refuse(header, Fault::kUnknownMessage, "no such request");
   }
@@ -167,6 +173,16 @@ bool Session::close(device::DeviceId device) {
   board_.devices.close(device);
   if (board_.devices[device].users == 0) take_credit(device);
   return true;
+}
+
+/// In PULL mode SYNCH OVERFLOW says so unasked; in PUSH mode old clients take that for a fault.
+void Session::tell_lost(const wire::Header& header, Body body) {
+  auto asked = wire::decode<wire::IntpropReq>(body);
+  if (!asked || wire::text(asked->key) != kLostProperty)
+    return refuse(header, Fault::kUnknownMessage, "no such property");
+  constexpr std::uint64_t kMost = std::numeric_limits<std::int32_t>::max();
+  asked->value = static_cast<std::int32_t>(std::min(kMost, queue_.dropped()));
+  reply(header, true, wire::encode(*asked));
 }
 
 void Session::set_data_mode(const wire::Header& header, Body body) {

@@ -81,6 +81,7 @@ class Server::Impl {
   void finish(std::function<void()> done);
   Result<device::DeviceId> add_device(device::Address address, device::Driver& driver);
   void retire_device(device::DeviceId id);
+  void take_turns(device::Turns& turns);
   Result<void> hold(device::DeviceId device, device::Driver* holder);
   void release(device::DeviceId device, device::Driver* holder);
 
@@ -402,6 +403,8 @@ void Server::Impl::deliver_outbox(std::size_t most) {
 // Their number is in the status.
 void Server::Impl::tell_of_lost_data() {
   const std::uint64_t lost = outbox_.data_dropped();
+  if (lost > 0)
+    for (const auto& [device, messages] : outbox_.take_dropped()) board_.fanout.lose(device, messages);
   if (lost > 0 && !std::exchange(told_of_lost_data_, true))
     log::warn("the server is too busy: {} messages of data gave way to newer ones, unsent", lost);
 }
@@ -432,6 +435,16 @@ void Server::Impl::retire_device(device::DeviceId id) {
   for (device::Driver* holder : use.holders) holder->retired(id);
   if (users > 0) log::info("{} has retired, {} clients had it open", describe(address), use.sessions.size());
   schedule();
+}
+
+void Server::Impl::take_turns(device::Turns& turns) {
+  board_.turns = &turns;
+  turns.when_changed([this, alive = std::weak_ptr<int>(alive_)] {
+    if (!board_.held_back.exchange(false)) return;
+    network_.post([this, alive] {
+      if (!alive.expired()) advance_everybody();
+    });
+  });
 }
 
 Result<void> Server::Impl::hold(device::DeviceId device, device::Driver* holder) {
@@ -569,6 +582,9 @@ Result<void> Server::hold(device::DeviceId device, device::Driver* holder) {
 }
 void Server::release(device::DeviceId device, device::Driver* holder) {
   impl_->release(device, holder);
+}
+void Server::take_turns(device::Turns& turns) {
+  impl_->take_turns(turns);
 }
 void Server::finish(std::function<void()> done) {
   impl_->finish(std::move(done));

@@ -17,6 +17,7 @@
 #include "playhouse/base/result.h"
 #include "playhouse/device/address.h"
 #include "playhouse/device/driver.h"
+#include "playhouse/device/turns.h"
 #include "playhouse/net/network.h"
 
 namespace playhouse::server {
@@ -86,6 +87,10 @@ class Server final : public device::Publisher, public device::Outlet {
 
   /// The time in s that goes into answers; called on the io thread. Default: seconds since 1970.
   void set_clock(std::function<double()> clock);
+
+  /// From now on what clients say that changes something is carried out in these turns; what waits for its
+  /// turn stays with its session. Before the loop runs; the turns end no earlier than the loop.
+  void take_turns(device::Turns& turns);
 
   /// The run is over: takes no more clients, sends those it has what waits for them, and calls `done` when
   /// they have it. For a second a client in PULL mode may ask for it, then it goes out unasked; who has not

@@ -7,6 +7,7 @@
 
 #include "playhouse/server/fake_driver.h"
 #include "playhouse/server/test_client.h"
+#include "playhouse/wire/generated/common.h"
 #include "playhouse/wire/generated/laser.h"
 #include "playhouse/wire/generated/position2d.h"
 #include "playhouse/wire/messages.h"
@@ -543,6 +544,93 @@ TEST_F(ServerTest, bounds_what_waits_for_a_stalled_client_and_serves_the_others)
   EXPECT_EQ(late.size() + status.data_dropped, 3000u);
   EXPECT_EQ(late.back().header.timestamp, 2999.0);
   EXPECT_EQ(server.status().stalled_sessions, 0u);
+}
+
+/// How many data messages the server says that a client lost.
+std::int32_t told_lost(TestClient& client) {
+  const auto replies = client.ask(
+      player_request(wire::kReqGetIntprop, wire::encode(wire::IntpropReq{wire::c_string("lost"), 0})));
+  if (outline(replies) != "ACK 254") return -1;
+  return wire::decode<wire::IntpropReq>(replies[0].body)->value;
+}
+
+TEST_F(ServerTest, tells_a_client_how_many_messages_it_lost_and_nothing_of_other_properties) {
+  network.window_bytes = 4096;
+  TestClient stalled(network, kPort), good(network, kPort);
+  stalled.ask(open_request(kWheels, 0));
+  EXPECT_EQ(told_lost(stalled), 0);
+  stalled.peer.stall();
+  for (int i = 0; i < 3000; ++i) {
+    publish(wheels_id, i);
+    network.run();
+  }
+  stalled.peer.read_on();
+  const std::size_t late = stalled.read().size();
+  EXPECT_EQ(told_lost(stalled), static_cast<std::int32_t>(3000 - late));
+  EXPECT_EQ(told_lost(good), 0);
+  EXPECT_EQ(outline(good.ask(player_request(wire::kReqGetIntprop,
+                                            wire::encode(wire::IntpropReq{wire::c_string("other"), 0})))),
+            "NACK 254");
+}
+
+TEST_F(ServerTest, tells_every_reader_of_what_gave_way_before_it_came_to_the_queues) {
+  TestClient reader(network, kPort), other(network, kPort);
+  reader.ask(open_request(kWheels, 0));
+  other.ask(open_request(kLaser, 0));
+  for (int i = 0; i < 3; ++i)
+    server.publish({{wheels_id, 1, static_cast<double>(i), Bytes(limits::kOutboxBytes / 2)}});
+  network.run();
+  EXPECT_GT(told_lost(reader), 0);
+  EXPECT_EQ(told_lost(other), 0);
+}
+
+/// Lets one client act.
+class OneTurn final : public device::Turns {
+ public:
+  bool may_act(const device::Caller& caller) const override { return caller.name() == whose; }
+  void when_changed(std::function<void()> changed) override { changed_ = std::move(changed); }
+  void give_to(std::string name) {
+    whose = std::move(name);
+    changed_();
+  }
+
+  std::string whose;
+
+ private:
+  std::function<void()> changed_;
+};
+
+TEST_F(ServerTest, what_clients_change_waits_for_their_turn_and_what_they_only_ask_does_not) {
+  OneTurn turns;
+  server.take_turns(turns);
+  TestClient client(network, kPort);
+  EXPECT_EQ(outline(client.ask(open_request(kWheels, 0))), "ACK 3");
+  client.ask(drive(0.5));
+  EXPECT_TRUE(wheels.commands.empty());
+  EXPECT_EQ(outline(client.ask(player_request(wire::player::kReqDevlist))), "")
+      << "it waits behind the command";
+  std::string name;
+  wheels.on_caller = [&](const device::Caller& caller) { name = caller.name(); };
+  TestClient asking(network, kPort);
+  EXPECT_EQ(outline(asking.ask(player_request(wire::player::kReqDevlist))), "ACK 1");
+  asking.ask(message(wire::MessageType::kReq, kWheels, 0, position2d::kReqGetGeom));
+  EXPECT_EQ(wheels.requests, 1) << "a question";
+  EXPECT_NE(name, "");
+}
+
+TEST_F(ServerTest, what_waited_for_its_turn_is_carried_out_when_that_comes) {
+  OneTurn turns;
+  server.take_turns(turns);
+  TestClient client(network, kPort);
+  client.ask(open_request(kWheels, 0));
+  std::string name;
+  wheels.on_caller = [&](const device::Caller& caller) { name = caller.name(); };
+  client.ask(message(wire::MessageType::kReq, kWheels, 0, position2d::kReqGetGeom));
+  client.ask(drive(0.5));
+  EXPECT_TRUE(wheels.commands.empty());
+  turns.give_to(name);
+  network.run();
+  EXPECT_EQ(wheels.commands.size(), 1u);
 }
 
 TEST_F(ServerTest, stops_reading_from_a_client_that_asks_without_reading) {

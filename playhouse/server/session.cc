@@ -51,7 +51,7 @@ bool begins_with_message(std::span<const std::byte> input) {
 }  // namespace
 
 Session::Session(Switchboard& board, std::uint32_t serial, std::uint32_t robot, std::string peer)
-    : board_(board), serial_(serial), robot_(robot), peer_(std::move(peer)) {}
+    : board_(board), serial_(serial), robot_(robot), peer_(std::move(peer)), caller_(peer_) {}
 
 Session::~Session() {
   leave();
@@ -59,7 +59,7 @@ Session::~Session() {
     board_.uses.answer(request.device, make_ticket(serial_, number));
   count_input(0);
   if (commands_dropped_ > 1) log::warn("{}: {} commands were dropped in all", peer_, commands_dropped_);
-  if (queue_.dropped() > 0) log::warn("{}: {} data messages were dropped in all", peer_, queue_.dropped());
+  if (queue_.dropped() > 0) log::warn("{}: {} data messages were lost in all", peer_, queue_.dropped());
 }
 
 // --- input
@@ -82,6 +82,7 @@ void Session::lose_peer() {
 }
 
 void Session::leave() {
+  caller_.leave();
   for (const auto& [device, opened] : std::exchange(open_, {})) {
     board_.fanout.leave(device, *this);
     board_.uses.close(device, serial_);
@@ -120,6 +121,7 @@ std::size_t Session::work() {
     const Body rest = std::span(input_).subspan(at);
     if (!begins_with_message(rest)) break;
     const wire::Header header = wire::decode_header(rest.first<limits::kHeaderBytes>());
+    if (waits_for_turn(header)) break;
     if (header.size > limits::kBodyBytes) {
       give_up(fmt::format("{} claims {} bytes, over the limit of {}", describe(header), header.size,
                           limits::kBodyBytes));
@@ -156,6 +158,19 @@ void Session::give_up(std::string why) {
   broken_ = std::move(why);
   forget_input(input_.size());
   mark_due();
+}
+
+bool Session::is_held_back() const {
+  return board_.turns != nullptr && has_message() &&
+         waits_for_turn(wire::decode_header(std::span(input_).first<limits::kHeaderBytes>()));
+}
+
+/// What only asks, opens and closes passes at any time: nobody else's run depends on when.
+bool Session::waits_for_turn(const wire::Header& header) const {
+  if (board_.turns == nullptr || header.interf == wire::player::kCode || !matters_without_peer(header))
+    return false;
+  board_.held_back = true;  // before the question, so that no change is missed
+  return !board_.turns->may_act(caller_);
 }
 
 bool Session::matters_without_peer(const wire::Header& header) const {
@@ -195,7 +210,7 @@ void Session::command(const wire::Header& header, Body body) {
     return drop_command(header, Fault::kUndecodable, wrong);
   }
   const auto type = static_cast<std::uint8_t>(header.type);
-  switch (board_.devices[device].driver->command({device, type, header.subtype, body})) {
+  switch (board_.devices[device].driver->command({device, type, header.subtype, body, &caller_})) {
     case device::Taken::kNo:
       return drop_command(header, Fault::kUnsupported,
                           "the device has no such command, or not with these values");
@@ -228,7 +243,7 @@ void Session::request(const wire::Header& header, Body body) {
   queue_.set_awaited(true);
   board_.uses.ask(device, ticket);
   const auto type = static_cast<std::uint8_t>(header.type);
-  board_.devices[device].driver->request({device, type, header.subtype, body},
+  board_.devices[device].driver->request({device, type, header.subtype, body, &caller_},
                                          device::Replier(*board_.outlet, ticket));
 }
 

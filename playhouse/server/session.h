@@ -47,8 +47,10 @@ class Session final : public Reader {
   std::size_t work();
   /// A message has come whole and is not carried out yet.
   bool has_message() const;
-  /// work() would do something: has_message(), and no answers hold it up.
-  bool can_work() const { return has_message() && owed_answers() < limits::kSessionAnswers; }
+  /// work() would do something: has_message(), and neither answers nor the turns of others hold it up.
+  bool can_work() const {
+    return has_message() && owed_answers() < limits::kSessionAnswers && !is_held_back();
+  }
   /// Nobody hears answers or data any more. What the client sent before still counts if it changes something:
   /// commands, requests that set, devices opened and closed. What only asks is passed over.
   void lose_peer();
@@ -79,6 +81,7 @@ class Session final : public Reader {
   /// A driver's answer to the request or the barrier with this number (the low half of its ticket).
   void answer(std::uint32_t number, bool ack, std::span<const std::byte> body);
   void deliver(const Frame& frame) override;
+  void lose(std::uint64_t messages) override { queue_.lose(messages); }
 
   /// Of answers and data that wait; data that others wait for too is counted for each.
   std::size_t output_bytes() const { return queue_.bytes_waiting(); }
@@ -122,6 +125,8 @@ class Session final : public Reader {
   // session.cc: framing, commands and requests
   std::size_t owed_answers() const;
   void take_credit(device::DeviceId device);
+  bool is_held_back() const;
+  bool waits_for_turn(const wire::Header& header) const;
   bool matters_without_peer(const wire::Header& header) const;
   void forget_input(std::size_t count);
   void count_input(std::size_t bytes);
@@ -146,6 +151,7 @@ class Session final : public Reader {
   void open_or_close(const wire::Header& header, Body body);
   void set_data_mode(const wire::Header& header, Body body);
   void add_replace_rule(const wire::Header& header, Body body);
+  void tell_lost(const wire::Header& header, Body body);
   std::uint8_t open(device::DeviceId device, Access access, std::uint8_t code);
   bool close(device::DeviceId device);
 
@@ -153,6 +159,7 @@ class Session final : public Reader {
   const std::uint32_t serial_;
   const std::uint32_t robot_;
   const std::string peer_;
+  device::Caller caller_;
 
   std::vector<std::byte> input_;  // begins at a header
   std::size_t input_bytes_ = 0;

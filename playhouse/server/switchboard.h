@@ -2,6 +2,7 @@
 
 /// Switchboard: what every session of a server shares. Io thread only.
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -12,6 +13,7 @@
 
 #include "playhouse/device/device_table.h"
 #include "playhouse/device/driver.h"
+#include "playhouse/device/turns.h"
 #include "playhouse/server/device_uses.h"
 #include "playhouse/server/fanout.h"
 
@@ -33,8 +35,10 @@ struct Switchboard {
   FrameBytes frame_bytes = std::make_shared<std::size_t>(0);  // limits::kOutputBytes
   Fanout fanout{frame_bytes};
   Counters counters;
-  std::function<double()> clock;  // s; stamps answers
-  device::Outlet* outlet;         // where drivers send their answers
+  std::function<double()> clock;         // s; stamps answers
+  device::Outlet* outlet;                // where drivers send their answers
+  const device::Turns* turns = nullptr;  // of clients; none: everybody may act at any time
+  std::atomic<bool> held_back = false;   // somebody waits for its turn
   std::deque<std::uint32_t> due;  // serials of the sessions with something to do, the longest waiting first
   /// Bodies of the answers to "which devices are there", by port; forgotten when a device comes or goes.
   std::map<std::uint32_t, std::vector<std::byte>> device_lists;

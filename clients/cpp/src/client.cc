@@ -10,6 +10,7 @@
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/wire/codec.h"
+#include "playhouse/wire/generated/common.h"
 #include "playhouse/wire/generated/player.h"
 #include "playhouse/wire/generated/simulation.h"
 #include "playhouse_client/robot.h"
@@ -227,6 +228,15 @@ Result<std::size_t> Client::read() {
 }
 Result<std::size_t> Client::read(Seconds patience) {
   return session_->read(patience);
+}
+
+Result<std::uint64_t> Client::lost_count() {
+  const wire::IntpropReq question{wire::c_string("lost"), 0};
+  const auto answer = session_->request(player::kCode, 0, wire::kReqGetIntprop, wire::encode(question));
+  if (!answer) return answer.error();
+  const auto told = wire::decode<wire::IntpropReq>(*answer);
+  if (!told) return Error{peer(), "the number of lost messages does not decode: " + told.error().text};
+  return static_cast<std::uint64_t>(std::max(told->value, 0)) + session_->unread_count();
 }
 
 void Client::close() {

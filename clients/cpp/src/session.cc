@@ -63,6 +63,14 @@ Result<std::optional<std::vector<std::byte>>> Session::ask(std::uint16_t interf,
                                                            std::uint8_t subtype,
                                                            std::span<const std::byte> body,
                                                            Deadline deadline) {
+  Result<Message> came = exchange(interf, index, subtype, body, deadline);
+  if (!came) return came.error();
+  if (came->header.type == wire::MessageType::kNack) return std::optional<std::vector<std::byte>>();
+  return std::optional(std::move(came->body));
+}
+
+Result<Message> Session::exchange(std::uint16_t interf, std::uint16_t index, std::uint8_t subtype,
+                                  std::span<const std::byte> body, Deadline deadline) {
   wire::Header header;
   header.interf = interf;
   header.index = index;
@@ -70,11 +78,7 @@ Result<std::optional<std::vector<std::byte>>> Session::ask(std::uint16_t interf,
   header.subtype = subtype;
   header.seq = sequence_;
   if (const Result<void> sent = send(header, body); !sent) return sent.error();
-  const Key key{interf, index, subtype};
-  Result<Message> came = answer(key, deadline);
-  if (!came) return came.error();
-  if (came->header.type == wire::MessageType::kNack) return std::optional<std::vector<std::byte>>();
-  return std::optional(std::move(came->body));
+  return answer({interf, index, subtype}, deadline);
 }
 
 /// The answer to the request of this key, the last one sent.
@@ -124,6 +128,7 @@ void Session::sort(Message message) {
     if (waiting_.size() == kWaitingMessages) {
       waiting_.pop_front();
       ++overflow_count_;
+      ++unread_count_;
     }
     waiting_.push_back(std::move(message));
   } else if (message.header.type == wire::MessageType::kSynch) {
@@ -201,6 +206,13 @@ Result<std::size_t> Session::read_pushed(Deadline deadline) {
     delivered += deliver();
   }
   return delivered;
+}
+
+void Session::deliver_pushed() {
+  if (mode_ != Mode::kPush || reading_) return;
+  reading_ = true;
+  deliver();
+  reading_ = false;
 }
 
 /// Hands the waiting data to the devices; how many messages found one.

@@ -40,6 +40,8 @@ class Session {
   const Connection& connection() const { return connection_; }
   std::uint64_t overflow_count() const { return overflow_count_; }
   std::uint64_t skipped_count() const { return skipped_count_; }
+  /// Of overflow_count(), those that were lost here.
+  std::uint64_t unread_count() const { return unread_count_; }
   Seconds timeout() const { return timeout_; }
 
   Result<void> set_mode(Mode mode);
@@ -57,7 +59,13 @@ class Session {
                                                     std::uint8_t subtype, std::span<const std::byte> body,
                                                     Deadline deadline);
 
+  /// The same with the whole answer, which is ACK or NACK.
+  Result<Message> exchange(std::uint16_t interf, std::uint16_t index, std::uint8_t subtype,
+                           std::span<const std::byte> body, Deadline deadline);
+
   Result<std::size_t> read(Seconds patience);
+  /// In push mode, hands the data that have come to the devices without waiting for more.
+  void deliver_pushed();
 
   /// `slot` must stay where it is until remove().
   void add(Slot& slot);
@@ -98,6 +106,7 @@ class Session {
   bool told_ = false;  // in this read(), that a device has retired
   std::uint64_t overflow_count_ = 0;
   std::uint64_t skipped_count_ = 0;
+  std::uint64_t unread_count_ = 0;
   std::uint32_t sequence_ = 0;
   std::vector<Key> abandoned_;  // requests whose answer did not come in time
   std::deque<Message> waiting_;

@@ -1,11 +1,14 @@
 #include "playhouse_client/simulation.h"
 
+#include <bit>
 #include <cmath>
 #include <initializer_list>
 #include <utility>
 
 #include "convert.h"
 #include "playhouse/base/in_quotes.h"
+#include "playhouse/wire/codec.h"
+#include "session.h"
 
 namespace playhouse::client {
 
@@ -34,6 +37,17 @@ Result<void> move(Device& device, std::uint8_t subtype, std::string_view model, 
   if (done) return {};
   return Error{done.error().where, "cannot move model " + in_quotes(model) + ": " + done.error().text};
 }
+
+/// A value's bytes, in the order of a PC's.
+template <typename... Numbers>
+std::string raw(Numbers... numbers) {
+  static_assert(std::endian::native == std::endian::little, "property values travel in a PC's byte order");
+  std::string bytes;
+  (bytes.append(reinterpret_cast<const char*>(&numbers), sizeof numbers), ...);
+  return bytes;
+}
+
+constexpr Seconds kForEver{1e9};
 
 }  // namespace
 
@@ -73,6 +87,61 @@ Result<void> Simulation::pause() {
 }
 Result<void> Simulation::reset() {
   return device_.command(simulation::kCmdReset);
+}
+
+Seconds Simulation::patience() const {
+  return device_.session_->timeout();
+}
+
+/// Sets a property that the server answers when it has done what that stands for; what it answers. A refusal
+/// is an error with its reason.
+Result<std::string> Simulation::ask_world(std::string_view name, std::string_view property, std::string value,
+                                          Seconds patience) {
+  if (const Result<void> fit = device_.usable(); !fit) return fit.error();
+  const simulation::PropertyReq question{wire::c_string(name), wire::c_string(property), 0, std::move(value)};
+  Session& session = *device_.session_;
+  const auto answer = session.exchange(device_.interf(), device_.index(), simulation::kReqSetProperty,
+                                       wire::encode(question), deadline_after(patience));
+  if (!answer) return answer.error();
+  const auto body = wire::decode<simulation::PropertyReq>(answer->body);
+  const std::string said = body ? std::string(wire::text(body->value)) : "";
+  if (answer->header.type == wire::MessageType::kAck) return said;
+  return Error{device_.name(), std::string(property) +
+                                   " was refused: " + (said.empty() ? "the server does not do that" : said)};
+}
+
+Result<void> Simulation::join(std::string_view name) {
+  const auto done = ask_world("", "join", wire::c_string(name), patience());
+  return done ? Result<void>() : done.error();
+}
+
+Result<void> Simulation::step(std::uint32_t ticks) {
+  return step(ticks, kForEver);
+}
+
+Result<void> Simulation::step(std::uint32_t ticks, Seconds patience) {
+  const auto done = ask_world("", "step", raw(ticks), patience);
+  if (!done) return done.error();
+  device_.session_->deliver_pushed();
+  return {};
+}
+
+Result<void> Simulation::reset(std::uint64_t seed) {
+  const auto done = ask_world("", "reset", raw(seed), patience());
+  return done ? Result<void>() : done.error();
+}
+
+Result<std::string> Simulation::spawn(std::string_view like, const Pose& pose, std::string_view name) {
+  if (!std::isfinite(pose.x) || !std::isfinite(pose.y) || !std::isfinite(pose.a))
+    return Error{"", device_.name() + ": a pose takes finite numbers"};
+  return ask_world(like, "spawn",
+                   raw(pose.x, pose.y, pose.a) + (name.empty() ? std::string() : wire::c_string(name)),
+                   patience());
+}
+
+Result<void> Simulation::remove(std::string_view name) {
+  const auto done = ask_world(name, "remove", {}, patience());
+  return done ? Result<void>() : done.error();
 }
 
 }  // namespace playhouse::client

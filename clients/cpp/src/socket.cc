@@ -111,7 +111,7 @@ Result<std::size_t> Socket::receive(std::span<std::byte> out, Deadline deadline)
     if (got > 0) return static_cast<std::size_t>(got);
     if (got == 0) {
       drop();
-      return Error{"", "the server closed the connection"};
+      return Error{"", "the run ended: the server closed the connection"};
     }
     if (errno == EAGAIN) {
       if (!wait_for(fd_, POLLIN, deadline)) return std::size_t{0};

@@ -20,6 +20,7 @@ from .errors import (
     PlayerError,
     RequestRefused,
     RequestTimeout,
+    RunEnded,
     WireError,
 )
 from .models import DeviceAddress, Model
@@ -49,5 +50,5 @@ __all__ = [
     "Access", "Bumper", "Client", "ConnectionLost", "Device", "DeviceAddress", "DeviceClosed", "DeviceEntry",
     "DeviceGone", "Face", "Fiducial", "Geometry", "InvalidValue", "Laser", "Marker", "Mode", "Model", "NoData",
     "PlayerError", "Pose", "Pose3d", "Position2d", "Ranger", "RequestRefused", "RequestTimeout", "Robot", "Rule",
-    "Scan", "Simulation", "Size", "Sonar", "State", "Velocity", "WireError", "connect",
+    "RunEnded", "Scan", "Simulation", "Size", "Sonar", "State", "Velocity", "WireError", "connect",
 ]

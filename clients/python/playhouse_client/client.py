@@ -12,7 +12,7 @@ from .models import Model, ask_models, families
 from .proxies import Bumper, Fiducial, Laser, Position2d, Ranger, Simulation, Sonar
 from .robot import Robot
 from .session import Session
-from .wire import Kind, text
+from .wire import Kind, c_string, text
 
 DEFAULT_HOST = "127.0.0.1"  # not localhost, which a machine without /etc/hosts cannot resolve
 DEFAULT_PORT = 6665
@@ -98,6 +98,13 @@ class Client:
     def overflow_count(self) -> int:
         """Data messages that were lost because they were not read in time, here or in the server."""
         return self._session.overflow_count
+
+    def lost_count(self) -> int:
+        """Asks how many data messages were lost on their way to this client, in any mode: the server's number, and those
+        that were not read here in time. Raises RequestRefused where the server does not tell."""
+        question = common.IntpropReq(c_string("lost"))
+        answer = self._session.request(player.CODE, 0, common.REQ_GET_INTPROP, question)
+        return common.IntpropReq.decode(answer.body).value + self._session.unread_count
 
     @property
     def skipped_count(self) -> int:
@@ -185,6 +192,15 @@ class Client:
         in the world file's order. Raises RequestRefused as models()."""
         tops = [self._robot_at(at) for at, family in enumerate(self._list_families()) if not family[0].parent]
         return [robot for robot in tops if any(at.port == self._session.server_port for at in robot.devices)]
+
+    def deliver_pushed(self) -> None:
+        """In push mode, hands the data that have come to the devices without waiting for more."""
+        if self.mode == Mode.PUSH and not self._reading:
+            self._reading = True
+            try:
+                self._deliver()
+            finally:
+                self._reading = False
 
     def forget(self, device: Device) -> None:
         """Takes a closed device off the list; Device.close() does this."""

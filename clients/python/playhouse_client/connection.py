@@ -4,7 +4,7 @@ import socket
 import time
 from typing import NamedTuple, Optional
 
-from .errors import ConnectionLost, InvalidValue, RequestTimeout, WireError
+from .errors import ConnectionLost, InvalidValue, RequestTimeout, RunEnded, WireError
 from .wire import HEADER_BYTES, MAX_BODY_BYTES, Header
 
 BANNER_BYTES = 32
@@ -40,6 +40,7 @@ class Connection:
         self._bytes = bytearray()
         self._socket: Optional[socket.socket] = None
         self._fault = ""  # why nothing can be sent any more
+        self._ended = False  # by the server, in order
         try:
             self._socket = socket.create_connection((host, port), self._timeout)
             self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
@@ -121,7 +122,8 @@ class Connection:
             except OSError as error:
                 raise self._drop(f"the server is gone: {error}") from error
             if not chunk:
-                raise self._drop("the server closed the connection")
+                self._ended = not self._fault
+                raise self._drop("the run ended: the server closed the connection")
             self._bytes += chunk
 
     def _wait_until(self, deadline: float) -> None:
@@ -131,7 +133,7 @@ class Connection:
         self._socket.settimeout(0.0 if self._fault else left)  # one that cannot be sent to will say nothing new
 
     def _lost(self) -> ConnectionLost:
-        return ConnectionLost(f"{self.peer}: {self._fault}")
+        return (RunEnded if self._ended else ConnectionLost)(f"{self.peer}: {self._fault}")
 
     def _drop(self, fault: str) -> ConnectionLost:
         """Ends the connection, for the first reason that was found; the error to raise."""

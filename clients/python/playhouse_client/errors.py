@@ -9,12 +9,20 @@ class ConnectionLost(PlayerError):
     """The server could not be reached, is gone, or sent bytes that are not Player's."""
 
 
+class RunEnded(ConnectionLost):
+    """The server closed the connection behind all that it had to say: the run is over."""
+
+
 class RequestTimeout(PlayerError):
     """No answer, or no data, within the time allowed. The connection is still good."""
 
 
 class RequestRefused(PlayerError):
-    """The server answered NACK, or has no device or model of that name."""
+    """The server answered NACK, or has no device or model of that name. `body` is what came with a NACK, undecoded."""
+
+    def __init__(self, text: str, body: bytes = b"") -> None:
+        super().__init__(text)
+        self.body = body
 
 
 class NoData(PlayerError):

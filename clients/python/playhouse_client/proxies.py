@@ -6,12 +6,16 @@ first data of the device. next_data() and updates() wait.
 """
 
 import math
+import struct
 from typing import Iterator, List, NamedTuple, Optional, Tuple, cast
 
 from .device import Device
-from .errors import RequestRefused, WireError
+from .errors import InvalidValue, RequestRefused, RunEnded, WireError
 from .generated import bumper, common, fiducial, laser, position2d, ranger, simulation, sonar
-from .wire import MessageType, Struct, c_string
+from .wire import MessageType, Struct, c_string, text
+
+
+_ENDED = "the run has ended"  # why the server refuses a step then
 
 
 class Pose(NamedTuple):
@@ -368,9 +372,52 @@ class Simulation(Device):
         """Stops the clock, or lets it go on."""
         self.command(simulation.CMD_PAUSE)
 
-    def reset(self) -> None:
-        """Everything back to where the world file has it."""
-        self.command(simulation.CMD_RESET)
+    def reset(self, seed: Optional[int] = None) -> None:
+        """Everything back to where the world file has it, while time goes on. With a seed the run begins again with
+        that: at tick 0, with the models of then and their ids. A server keeps the start in lock-step only, and else
+        refuses: RequestRefused."""
+        if seed is None:
+            self.command(simulation.CMD_RESET)
+            return
+        if not 0 <= seed < 1 << 64:
+            raise InvalidValue(f"the seed is {seed}")
+        self._of_world("reset", struct.pack("<Q", seed))
+
+    def join(self, name: str) -> None:
+        """This client is one of those that a world in lock-step waits for, by this name, until it closes its connection.
+        Open devices first. Raises RequestRefused, which says why."""
+        self._of_world("join", c_string(name))
+
+    def step(self, ticks: int = 1, timeout: Optional[float] = None) -> None:
+        """Lets the world go on by so many ticks, and waits until they are done: in lock-step when the others have asked
+        for as many, for `timeout` seconds, None: for ever. In push mode all data of the ticks have been handed to the
+        devices then; in pull mode they wait for read(). Without lock-step the world is paused afterwards."""
+        if not 0 < ticks <= 1 << 20:
+            raise InvalidValue(f"a step of {ticks} ticks")
+        self._of_world("step", struct.pack("<I", ticks), timeout=math.inf if timeout is None else timeout)
+        self._client.deliver_pushed()
+
+    def spawn(self, like: str, x: float, y: float, a: float, name: str = "") -> str:
+        """Adds a robot like the model of that name, at a place in the world (m, m, rad); gives its name."""
+        self._insist_on_finite(x=x, y=y, a=a)
+        value = struct.pack("<ddd", x, y, a) + (c_string(name) if name else b"")
+        return text(self._of_world("spawn", value, like).value)
+
+    def remove(self, name: str) -> None:
+        """Takes a model at the top out of the world, with what it carries."""
+        self._of_world("remove", b"", name)
+
+    def _of_world(
+        self, prop: str, value: bytes, name: str = "", timeout: Optional[float] = None
+    ) -> simulation.PropertyReq:
+        request = simulation.PropertyReq(c_string(name), c_string(prop), 0, value)
+        try:
+            return cast(simulation.PropertyReq, self.request(simulation.REQ_SET_PROPERTY, request, timeout) or request)
+        except RequestRefused as error:
+            why = text(simulation.PropertyReq.decode(error.body).value) if error.body else "the server does not do that"
+            if why == _ENDED:
+                raise RunEnded(f"{self._session.peer}: {why}") from None
+            raise RequestRefused(f"{self._session.peer}: {prop} was refused: {why}") from None
 
     def _of_model(self, name: str, message: MessageType, request: Struct) -> Optional[Struct]:
         try:

@@ -41,6 +41,7 @@ class Session:
         self.told = False  # that a device has retired
         self._retire = retire
         self.overflow_count = 0
+        self.unread_count = 0  # of these, those that were lost here
         self.skipped_count = 0
         self._server_port = 0
         self._abandoned: List[_Key] = []
@@ -86,7 +87,7 @@ class Session:
             raise RequestTimeout(f"{self.peer}: no answer to {whose} in {seconds:g} s") from None
         self._server_port = answer.header.robot
         if answer.header.kind == Kind.NACK:
-            raise RequestRefused(f"{self.peer}: {whose} was refused")
+            raise RequestRefused(f"{self.peer}: {whose} was refused", answer.body)
         return answer
 
     def begin_round(self) -> None:
@@ -163,6 +164,7 @@ class Session:
             if len(self.waiting) == WAITING_LIMIT:
                 self.waiting.popleft()
                 self.overflow_count += 1
+                self.unread_count += 1
             self.waiting.append(message)
         elif message.header.kind == Kind.SYNCH:
             self._end_round(message)

@@ -20,6 +20,7 @@
 #include "playhouse/wire/generated/ranger.h"
 #include "playhouse/wire/generated/simulation.h"
 #include "playhouse/wire/generated/sonar.h"
+#include "playhouse/wire/generated/wifi.h"
 
 namespace playhouse::drivers {
 namespace {
@@ -41,7 +42,9 @@ position( name "r0" pose [1 2 0 90] size [0.44 0.38 0.22] origin [-0.04 0 0 0] f
   blobfinder( name "camera" colors_count 2 colors [ "blue" "red" ] image [100 40] )
   bumper( name "skirt" pose [0.1 0 -0.2 0] bcount 2 bpose[0] [0.2 0 0.05 0] bpose[1] [0 0.2 0 90] blength 0.3 blength[1] 0.1 )
   gripper( name "hand" pose [0.3 0 -0.22 0] )
+  wifi( name "radio" mac "08:00:20:ae:fd:7e" bitrate 54000000 )
 )
+wifi( name "post" pose [5 0 0 0] essid "lab" ip "192.168.0.9" )
 )";
 
 /// One device of kWorld, open, with a driver in front of it.
@@ -337,6 +340,28 @@ TEST_F(Device, a_blob_becomes_a_box_of_pixels_in_its_color) {
   EXPECT_EQ(blob.left, 10u);
   EXPECT_EQ(blob.bottom, 24u);
   EXPECT_EQ(blob.range, 2.5f);
+}
+
+TEST_F(Device, a_radio_tells_whom_it_hears_by_address) {
+  open(wire::wifi::kCode, "r0.radio");
+  world::World& world = still_.world();
+  world.wifis.links[0] = {{world.id(world.find("post")), -61.6, 28}};
+  still_.run(1);
+  const auto data = last<wire::wifi::Data>(wire::wifi::kDataState);
+  EXPECT_EQ(data.qual_type, static_cast<std::uint32_t>(wire::wifi::kQualDbm));
+  EXPECT_EQ(data.bitrate, 54000000u);
+  ASSERT_EQ(data.links.size(), 1u);
+  const wire::wifi::Link& link = data.links[0];
+  const auto text = [](const std::vector<std::uint8_t>& bytes) {
+    return std::string(bytes.begin(), bytes.end());
+  };
+  EXPECT_EQ(text(link.ip), "192.168.0.9");
+  EXPECT_EQ(text(link.essid), "lab");
+  EXPECT_EQ(text(link.mac).substr(0, 9), "02:00:00:");
+  EXPECT_EQ(static_cast<std::int32_t>(link.level), -62);
+  EXPECT_EQ(link.qual, 28u);
+  const auto own = reply<wire::wifi::MacReq>(ask(wire::wifi::kReqMac));
+  EXPECT_EQ(text(own.mac), "08:00:20:ae:fd:7e");
 }
 
 TEST_F(Device, a_switch_becomes_a_byte_and_its_face_a_place_on_the_robot) {

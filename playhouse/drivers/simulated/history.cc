@@ -83,12 +83,16 @@ void History::drop_after(std::uint64_t tick) {
   while (!instants_.empty() && instants_.back().tick > tick) drop(instants_.size() - 1);
 }
 
-void History::give_up(std::string why) {
-  given_up_ = true;
-  why_none_ = std::move(why);
+void History::clear() {
   instants_.clear();
   bytes_ = 0;
   past_.reset();
+}
+
+void History::give_up(std::string why) {
+  given_up_ = true;
+  why_none_ = std::move(why);
+  clear();
 }
 
 std::shared_ptr<const world::Past> History::past() {

@@ -35,6 +35,8 @@ class History {
   std::span<const std::byte> nearest(std::uint64_t tick) const;
   /// Forgets what lies after a tick: the run goes another way from there.
   void drop_after(std::uint64_t tick);
+  /// Forgets everything: another run begins.
+  void clear();
   /// Forgets everything, and takes nothing any more.
   void give_up(std::string why);
 

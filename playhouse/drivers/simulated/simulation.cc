@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "playhouse/base/log.h"
@@ -29,7 +30,7 @@ Clock::time_point wall_time(double seconds) {
 constexpr double kPausedShow = 0.1;
 
 /// Single steps that may wait; those asked for beyond are not taken.
-constexpr int kSteps = 1000;
+constexpr std::uint64_t kSteps = 1000;
 
 /// A clock cannot wait for ever: at a tiny speed the next tick is due after the end of its numbers. [s]
 constexpr double kLongestWait = 3600;
@@ -54,6 +55,17 @@ Simulation::Simulation(std::unique_ptr<world::Engine> engine, Options options)
   wanted_.speed = std::max(0.0, options.speed);
   wanted_.paused = options.paused;
   past_ = history_.past();
+  if (!options.lock_step) return;
+  lock_step_ = std::make_unique<LockStep>(*options.lock_step);
+  lock_step_->when_changed([this] { wake(); });
+  keep_start();
+}
+
+void Simulation::keep_start() {
+  const Result<void> kept = world::save_state(engine_->world(), start_);
+  if (kept) return;
+  start_.clear();
+  why_no_start_ = kept.error().line();
 }
 
 void Simulation::run() {
@@ -63,22 +75,24 @@ void Simulation::run() {
     pacer_.start(clock_(), wanted_.speed, wanted_.paused);
   }
   for (;;) {
+    // Looked at first: what members said before they asked for the tick is in the inbox then.
+    const bool asked_for = lock_step_ == nullptr || lock_step_->is_due();
     if (woken_.exchange(false)) {
       take_wanted();
       take_inbox();
       if (now_.instant) go_back(*std::exchange(now_.instant, std::nullopt));
     }
     if (now_.stop || world.tick() >= end_tick_) return;
-    if (wait_for_tick()) tick();
+    if (wait_for_tick(asked_for)) tick();
   }
 }
 
-/// True when a tick is due; else waits until it is, somebody wakes this thread, or a paused world should be
-/// shown again.
-bool Simulation::wait_for_tick() {
-  const bool waits_for_resume = now_.paused && now_.steps == 0;
+/// True when a tick is due; else waits until it is, somebody wakes this thread, or a world that stands should
+/// be shown again.
+bool Simulation::wait_for_tick(bool asked_for) {
+  const bool stands = !asked_for || (now_.paused && now_.steps == 0);
   const double now = clock_();
-  const double due = waits_for_resume ? now + kPausedShow : now_.steps > 0 ? now : pacer_.due().value_or(now);
+  const double due = stands ? now + kPausedShow : now_.steps > 0 ? now : pacer_.due().value_or(now);
   if (due <= now) return true;
   const double until = std::min(due, now + kLongestWait);
   bool woken = false;
@@ -86,13 +100,17 @@ bool Simulation::wait_for_tick() {
     std::unique_lock lock(mutex_);
     woken = changed_.wait_until(lock, wall_time(until), [this] { return woken_.load(); });
   }
-  if (waits_for_resume && !woken) tell_listeners();
+  if (stands && !woken) tell_listeners();
+  if (lock_step_) lock_step_->look_for_silence(clock_(), now_.paused && now_.steps == 0);
   return false;
 }
 
 void Simulation::tick() {
   history_.drop_after(engine_->world().tick());
   engine_->step();
+  std::vector<LockStep::Done> done;
+  if (lock_step_) done = lock_step_->ticked();
+  const bool last_step = now_.steps == 1;
   if (now_.steps > 0) --now_.steps;
   pacer_.ticked(clock_());
   factor_.store(pacer_.real_time_factor(), std::memory_order_relaxed);
@@ -104,6 +122,17 @@ void Simulation::tick() {
   show_past();
   publish();
   tell_listeners();
+  for (const LockStep::Done& each : done) each({});
+  if (last_step) answer_steps();
+}
+
+void Simulation::answer_steps() {
+  std::vector<LockStep::Done> done;
+  {
+    const std::lock_guard lock(mutex_);
+    if (wanted_.steps == 0) done.swap(steppers_);  // else more came meanwhile, and all wait for the last
+  }
+  for (const LockStep::Done& each : done) each({});
 }
 
 void Simulation::publish() {
@@ -128,7 +157,7 @@ void Simulation::tell_listeners() {
 void Simulation::take_wanted() {
   {
     const std::lock_guard lock(mutex_);
-    const int steps = now_.steps + std::exchange(wanted_.steps, 0);
+    const std::uint64_t steps = now_.steps + std::exchange(wanted_.steps, 0);
     now_ = wanted_;
     now_.steps =
         now_.paused ? std::min(steps, kSteps) : 0;  // a world that runs takes them without being asked
@@ -137,6 +166,7 @@ void Simulation::take_wanted() {
   }
   if (now_.recording && history_.empty()) history_.record(engine_->world());
   show_past();
+  if (now_.steps == 0) answer_steps();  // somebody let the world go on
   if (!now_.pace_changed) return;
   pacer_.change(clock_(), now_.speed, now_.paused);
   tell_listeners();
@@ -219,7 +249,32 @@ void Simulation::want(Edit edit) {
   changed_.notify_one();
 }
 
+Result<void> Simulation::start_again(std::uint64_t seed) {
+  if (start_.empty())
+    return Error{{}, why_no_start_.empty() ? "only a run with --lock-step keeps its start" : why_no_start_};
+  world::World& world = engine_->world();
+  const std::vector<world::ModelId> before = world.models.id;
+  if (const Result<void> loaded = world::load_state(world, start_, seed); !loaded) return loaded;
+  // Ids of models that came and went are given again: whoever used those does so no more.
+  std::vector<world::ModelId> changed;
+  std::ranges::set_symmetric_difference(before, world.models.id, std::back_inserter(changed));
+  for (const world::ModelId model : changed) ++lives_[model];
+  ids_given_ = 0;
+  history_.clear();
+  time_.store(world.time(), std::memory_order_relaxed);
+  pacer_.start(clock_(), now_.speed, now_.paused);
+  show_past();
+  return {};
+}
+
 void Simulation::discard() {
+  if (lock_step_) lock_step_->close("the run has ended");
+  std::vector<LockStep::Done> steppers;
+  {
+    const std::lock_guard lock(mutex_);
+    steppers.swap(steppers_);
+  }
+  for (const LockStep::Done& each : steppers) each("the run has ended");
   inbox_.close();
   inbox_.take(taken_);
   taken_.clear();
@@ -237,11 +292,16 @@ void Simulation::resume() {
   want([](Wanted& wanted) { wanted.paused = false; });
 }
 
-void Simulation::step_once() {
-  want([](Wanted& wanted) {
+void Simulation::step(std::uint64_t ticks, LockStep::Done done) {
+  bool refused = false;
+  want([&](Wanted& wanted) {
     wanted.paused = true;
-    wanted.steps = std::min(wanted.steps + 1, kSteps);
+    refused = wanted.steps + ticks > kSteps;
+    if (refused) return;
+    wanted.steps += ticks;
+    if (done) steppers_.push_back(done);
   });
+  if (refused && done) done("too many steps are waiting");
 }
 
 void Simulation::set_speed(double times_real_time) {

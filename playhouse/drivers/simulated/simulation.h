@@ -13,6 +13,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -20,6 +21,7 @@
 #include "playhouse/drivers/simulated/directory.h"
 #include "playhouse/drivers/simulated/history.h"
 #include "playhouse/drivers/simulated/inbox.h"
+#include "playhouse/drivers/simulated/lock_step.h"
 #include "playhouse/drivers/simulated/pacer.h"
 #include "playhouse/drivers/simulated/sources.h"
 #include "playhouse/world/control.h"
@@ -34,6 +36,7 @@ class Simulation final : public world::Control {
     bool paused = false;
     double duration = std::numeric_limits<double>::infinity();  // simulated seconds until run() returns
     std::function<double()> clock = {};  // s; steady, called on the tick thread; by default, the system's
+    std::optional<LockStep::Options> lock_step = {};  // none: time goes on by itself
   };
   /// Called after every tick, after changes made between ticks, and ten times a second while paused, on the
   /// tick thread.
@@ -70,7 +73,10 @@ class Simulation final : public world::Control {
   // Control; any thread.
   void pause() override;
   void resume() override;
-  void step_once() override;
+  void step_once() override { step(1, {}); }
+  /// So many single steps; the world is paused then. `done`, if any, is called on the tick thread when their
+  /// data are published; with a reason, at once, where too many steps wait already.
+  void step(std::uint64_t ticks, LockStep::Done done);
   void set_speed(double times_real_time) override;
   void drive(world::ModelId robot, const geom::Twist& velocity) override;
   bool post(Change change, world::ModelId robot = {}) override;
@@ -87,10 +93,16 @@ class Simulation final : public world::Control {
   /// Simulated time of the newest tick. [s]
   double time() const { return time_.load(std::memory_order_relaxed); }
   world::Pace pace() const;
+  /// Who the world waits for; null: for nobody.
+  LockStep* lock_step() const { return lock_step_.get(); }
   /// Empty: clients may not save.
   const Saver& saver() const { return saver_; }
 
   // Tick thread only (inside a Change), or while run() is not running.
+  /// The world becomes what it was when this was made, with another seed, as in a new run: models and ids
+  /// are those of then. Fails where no such state is kept: without lock-step, and with a controller that
+  /// cannot say what it remembers.
+  Result<void> start_again(std::uint64_t seed);
   void add_source(std::shared_ptr<Source> source) { sources_.add(std::move(source)); }
   void remove_source(const Source& source) { sources_.remove(source); }
   std::size_t source_count() const { return sources_.size(); }
@@ -106,7 +118,7 @@ class Simulation final : public world::Control {
     bool paused = false;
     bool stop = false;
     bool pace_changed = true;
-    int steps = 0;  // single steps to do although paused
+    std::uint64_t steps = 0;  // single steps to do although paused
     bool recording = false;
     std::optional<std::uint64_t> instant;  // to go back to
   };
@@ -120,11 +132,13 @@ class Simulation final : public world::Control {
   void go_back(std::uint64_t tick);
   void load(std::uint64_t tick);
   void show_past();
-  bool wait_for_tick();
+  void keep_start();
+  bool wait_for_tick(bool asked_for);
   void tick();
   void publish();
   void follow_changes();
   void tell_listeners();
+  void answer_steps();
 
   std::unique_ptr<world::Engine> engine_;
   device::Publisher* publisher_ = nullptr;
@@ -136,11 +150,14 @@ class Simulation final : public world::Control {
 
   // Shared between threads.
   Inbox inbox_;
-  mutable std::mutex mutex_;  // guards wanted_, past_ and, with changed_, the sleep of the tick thread
+  mutable std::mutex
+      mutex_;  // guards wanted_, past_, steppers_ and, with changed_, the sleep of the tick thread
   std::condition_variable changed_;
   std::atomic<bool> woken_ = true;  // something was asked for that the tick thread has not looked at
   Wanted wanted_;
   std::shared_ptr<const world::Past> past_;
+  std::vector<LockStep::Done> steppers_;  // who asked for the single steps that are not done
+  std::unique_ptr<LockStep> lock_step_;
   std::atomic<double> time_ = 0;
   std::atomic<double> factor_ = 0;
 
@@ -150,7 +167,9 @@ class Simulation final : public world::Control {
   Pacer pacer_;
   History history_;
   std::map<world::ModelId, std::uint64_t> lives_;  // of models that came back
-  std::uint32_t ids_given_ = 0;  // before the run was taken back: none of them is given to another model
+  std::uint32_t ids_given_ = 0;   // before the run was taken back: none of them is given to another model
+  std::vector<std::byte> start_;  // the state at the start, where it is kept
+  std::string why_no_start_;      // else
   std::vector<Change> taken_;
   std::uint64_t followed_;  // changes that the followers know
   Sources sources_;

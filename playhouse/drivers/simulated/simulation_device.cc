@@ -8,6 +8,7 @@
 #include "playhouse/drivers/simulated/directory.h"
 #include "playhouse/drivers/simulated/properties.h"
 #include "playhouse/drivers/simulated/shapes.h"
+#include "playhouse/drivers/simulated/world_requests.h"
 #include "playhouse/wire/generated/simulation.h"
 
 namespace playhouse::drivers {
@@ -158,6 +159,7 @@ void SimulationDevice::property(const device::Message& message, device::Replier 
   const auto request = wire::decode<sim::PropertyReq>(message.body);
   if (!request) return;
   if (message.subtype == sim::kReqSetProperty) {
+    if (ask_for_world(simulation(), *request, message.caller, replier)) return;
     ask_world(std::move(replier), [r = *request](world::World& world) -> std::optional<Bytes> {
       if (!set_property(world, wire::text(r.name), wire::text(r.prop), r.value)) return std::nullopt;
       return Bytes();

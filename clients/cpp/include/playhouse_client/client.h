@@ -94,6 +94,9 @@ class Client {
 
   /// Data messages that were lost because they were not read in time, here or in the server.
   std::uint64_t overflow_count() const;
+  /// Asks how many data messages were lost on their way to this client, in any mode: the server's number, and
+  /// those that were not read here in time. An error where the server does not tell.
+  Result<std::uint64_t> lost_count();
   /// Messages that nobody waited for or that made no sense.
   std::uint64_t skipped_count() const;
 

@@ -109,6 +109,7 @@ class Device {
 
  private:
   friend class Robot;
+  friend class Simulation;
   static Result<Device> open(const std::shared_ptr<Session>& session, std::uint16_t interf,
                              std::uint16_t index, Access access);
   Device(std::shared_ptr<Session> session, std::unique_ptr<Slot> slot);

@@ -1,0 +1,173 @@
+#include "playhouse/drivers/simulated/world_requests.h"
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "playhouse/base/in_quotes.h"
+#include "playhouse/wire/codec.h"
+#include "playhouse/world/population.h"
+#include "playhouse/world/speech.h"
+
+namespace playhouse::drivers {
+namespace {
+
+namespace sim = wire::simulation;
+
+static_assert(std::endian::native == std::endian::little, "property values travel in a PC's byte order");
+
+constexpr std::uint64_t kMostTicks = 1u << 20;  // of one step
+
+/// One question and the right to answer it, which may be copied with tasks.
+struct Asked {
+  sim::PropertyReq request;
+  std::shared_ptr<device::Replier> replier;
+
+  void ack(std::string value = {}) const {
+    sim::PropertyReq body = request;
+    body.value = std::move(value);
+    replier->ack(wire::encode(body));
+  }
+  void nack(std::string_view why) const {
+    sim::PropertyReq body = request;
+    body.value = wire::c_string(why);
+    replier->nack(wire::encode(body));
+  }
+  /// As the end of a step is told.
+  LockStep::Done when_done() const {
+    return [asked = *this](std::optional<std::string> why_not) {
+      if (why_not) return asked.nack(*why_not);
+      asked.ack();
+    };
+  }
+};
+
+/// A number of 4 or 8 bytes; nothing for a value of another size.
+std::optional<std::uint64_t> number(std::string_view value) {
+  if (value.size() == sizeof(std::uint32_t)) {
+    std::uint32_t number = 0;
+    std::memcpy(&number, value.data(), sizeof number);
+    return number;
+  }
+  if (value.size() != sizeof(std::uint64_t)) return std::nullopt;
+  std::uint64_t number = 0;
+  std::memcpy(&number, value.data(), sizeof number);
+  return number;
+}
+
+/// A client that goes is no member any more, whatever it was waiting for.
+void watch(LockStep& lock_step, device::Caller& caller) {
+  if (lock_step.has(&caller)) return;
+  caller.when_gone([&lock_step, who = &caller] { lock_step.leave(who); });
+}
+
+void join(Simulation& simulation, const Asked& asked, device::Caller* caller) {
+  LockStep* lock_step = simulation.lock_step();
+  if (lock_step == nullptr)
+    return asked.nack("this world goes on by itself: it was not started with --lock-step");
+  if (caller == nullptr) return asked.nack("clients alone join");
+  const std::string name(wire::text(asked.request.value));
+  if (name.empty()) return asked.nack("a name is wanted");
+  watch(*lock_step, *caller);
+  const std::string why_not = lock_step->join(caller, name, caller->name());
+  if (!why_not.empty()) return asked.nack(why_not);
+  asked.ack();
+}
+
+void step(Simulation& simulation, const Asked& asked, device::Caller* caller) {
+  const std::optional<std::uint64_t> ticks =
+      asked.request.value.empty() ? std::optional<std::uint64_t>(1) : number(asked.request.value);
+  if (!ticks || *ticks == 0 || *ticks > kMostTicks)
+    return asked.nack("a number of ticks is wanted, 1 to 1048576, in 4 or 8 bytes");
+  LockStep* lock_step = simulation.lock_step();
+  if (lock_step == nullptr) return simulation.step(*ticks, asked.when_done());
+  if (caller == nullptr) return asked.nack("clients alone step");
+  watch(*lock_step, *caller);
+  lock_step->step(caller, caller->name(), *ticks, asked.when_done());
+}
+
+void reset(Simulation& simulation, const Asked& asked) {
+  const bool same_seed = asked.request.value.empty();
+  const std::optional<std::uint64_t> seed = number(asked.request.value);
+  if (!same_seed && !seed) return asked.nack("a seed is wanted, in 4 or 8 bytes");
+  const bool posted = simulation.post_to_all([&simulation, asked, seed](world::World& world) {
+    const Result<void> started = simulation.start_again(seed.value_or(world.seed()));
+    if (!started) return asked.nack(started.error().line());
+    asked.ack();
+  });
+  if (!posted) asked.nack("too many requests are waiting");
+}
+
+/// Three numbers of float64: x, y [m], heading [rad]; and behind them the name, if any.
+void spawn(Simulation& simulation, const Asked& asked) {
+  double place[3];
+  const std::string& value = asked.request.value;
+  if (value.size() < sizeof place)
+    return asked.nack("x, y and heading are wanted, as three float64, and a name");
+  std::memcpy(place, value.data(), sizeof place);
+  const std::string name(wire::text(std::string_view(value).substr(sizeof place)));
+  if (!std::isfinite(place[0]) || !std::isfinite(place[1]) || !std::isfinite(place[2]))
+    return asked.nack("the pose is none");
+  if (!name.empty() && !world::can_be_said(name)) return asked.nack("the name is no line of text");
+  const geom::Pose at{place[0], place[1], 0, place[2]};
+  const bool posted = simulation.post([asked, at, name](world::World& world) {
+    const std::string_view like = wire::text(asked.request.name);
+    const world::ModelRow model = world.find(like);
+    if (!model) return asked.nack("there is no model " + in_quotes(like));
+    const std::uint32_t top = world.models.root[model.index];
+    geom::Pose X_WM = at;
+    X_WM.z = world.models.X_PM[top].z;
+    const auto came = world::spawn(world, world.models.desc[top], X_WM,
+                                   name.empty() ? world::fresh_name(world, world.name({top})) : name);
+    if (!came) return asked.nack(came.error().text);
+    // What models that share a prototype have for themselves. Rows of those that were there stay.
+    const world::ModelRow row = world.row(*came);
+    world::set_color(world, row, world.models.color[top]);
+    world::set_fiducial_return(world, row, world.models.fiducial_return[top]);
+    asked.ack(wire::c_string(world.name(row)));
+  });
+  if (!posted) asked.nack("too many requests are waiting");
+}
+
+void remove(Simulation& simulation, const Asked& asked) {
+  const bool posted = simulation.post([asked](world::World& world) {
+    const std::string_view name = wire::text(asked.request.name);
+    const world::ModelRow model = world.find(name);
+    if (!model) return asked.nack("there is no model " + in_quotes(name));
+    const Result<void> gone = world::despawn(world, world.id(model));
+    if (!gone) return asked.nack(gone.error().text);
+    asked.ack();
+  });
+  if (!posted) asked.nack("too many requests are waiting");
+}
+
+}  // namespace
+
+bool ask_for_world(Simulation& simulation, const sim::PropertyReq& request, device::Caller* caller,
+                   device::Replier& replier) {
+  const std::string_view name = wire::text(request.name), property = wire::text(request.prop);
+  const bool of_world = name.empty() || name == "world";
+  const bool known = of_world ? property == "join" || property == "step" || property == "reset"
+                              : property == "spawn" || property == "remove";
+  if (!known) return false;
+  const Asked asked{request, std::make_shared<device::Replier>(std::move(replier))};
+  if (property == "join") {
+    join(simulation, asked, caller);
+  } else if (property == "step") {
+    step(simulation, asked, caller);
+  } else if (property == "reset") {
+    reset(simulation, asked);
+  } else if (property == "spawn") {
+    spawn(simulation, asked);
+  } else {
+    remove(simulation, asked);
+  }
+  return true;
+}
+
+}  // namespace playhouse::drivers

@@ -1,0 +1,210 @@
+"""Runs in lock-step: outside clients say when each tick is done, and every run of them is the same run."""
+
+import json
+import random
+import struct
+import sys
+import threading
+import time
+import unittest
+
+from house import (ACK, CMD, DATA, LASER, NACK, POSITION2D, ROOT, SIMULATION, Client, HouseTest, text)
+
+sys.path.insert(0, str(ROOT / "clients/python"))
+from playhouse_client import Mode, PlayerError, RequestRefused, RunEnded, connect  # noqa: E402
+
+SET_PROPERTY = 6
+TICKS = 200
+ARENA = """
+interval_sim 100
+define scanner ranger( size [0.1 0.1 0.1] sensor( range [0 8] fov 180 samples 31 noise [0.01 0.01 0] ) )
+define robot position( size [0.4 0.4 0.2] localization "odom" scanner( pose [0 0 0 0] ) )
+model( name "walls" size [12 12 1] boundary 1 noblocks 1 )
+robot( name "r0" pose [-3 0 0 0] )
+robot( name "r1" pose [3 0 0 180] )
+"""
+
+
+def ask_world(client: Client, prop: str, value: bytes = b"", name: str = "world"):
+    value = struct.pack(">II", len(value), len(value)) + value + b"\0" * (-len(value) % 4)
+    return client.request(SIMULATION, 0, SET_PROPERTY, text(name) + text(prop) + struct.pack(">I", 0) + value)
+
+
+def drive(port: int, name: str, index: int, seed: int, faults: list):
+    """One client: goes where its laser sees room, moves a robot that the other moves as well, and adds robots as the
+    other does; all of it after waits that differ from run to run."""
+    waits = random.Random(seed)
+    try:
+        with connect(f":{port}", mode=Mode.PUSH, timeout=60) as client:
+            world, base, laser = client.simulation(0), client.position2d(index), client.laser(index)
+            other = client.position2d(0)
+            world.join(name)
+            for tick in range(TICKS):
+                time.sleep(waits.choice((0, 0, 0.001, 0.004)))
+                if tick > 0:
+                    room = min(laser.ranges)
+                    base.drive(0.5 if room > 0.8 else 0.0, 0.1 if room > 0.8 else 0.7)
+                if tick % 20 == 5:
+                    other.drive(0.1 * len(name), 0.2)
+                if tick % 50 == 10:
+                    time.sleep(waits.choice((0, 0.002)))
+                    world.set_pose("r0", -2.0 + index, 1.0, 0.5)
+                    world.spawn("r1", -4.0 + 2 * index, -4.0 + tick / 50, 0.0)
+                world.step()
+            try:
+                world.step()
+                faults.append("a step after the end was done")
+            except RunEnded:
+                pass
+    except BaseException as error:
+        faults.append(repr(error))
+
+
+class LockStep(HouseTest):
+    def result_of_two_clients(self, seed: int, *arguments) -> dict:
+        with self.run_house("--lock-step", "first,second", "--duration", TICKS / 10, "--json", *arguments,
+                            world=self.world(ARENA)) as house:
+            faults: list = []
+            threads = [threading.Thread(target=drive, args=(house.port(), name, index, 2 * seed + index, faults))
+                       for index, name in enumerate(("second", "first"))]
+            for thread in threads:
+                thread.start()
+            for thread in threads:
+                thread.join()
+            self.assertEqual(house.wait(), 0, house.log())
+            self.assertEqual(faults, [])
+            return json.loads(house.output())
+
+    def test_two_clients_drive_to_the_same_bits_each_time_and_with_two_workers(self):
+        first = self.result_of_two_clients(1)
+        self.assertEqual(first["ticks"], TICKS)
+        for again in (self.result_of_two_clients(2), self.result_of_two_clients(3),
+                      self.result_of_two_clients(4, "--workers", 2)):
+            self.assertEqual([again[word] for word in ("ticks", "hash", "sensed_hash")],
+                             [first[word] for word in ("ticks", "hash", "sensed_hash")])
+
+    def test_nothing_moves_before_a_step_and_its_answer_comes_behind_the_data_of_its_ticks(self):
+        with self.run_house("--lock-step", world=self.world(ARENA)) as house, Client(house.port()) as client:
+            self.assertEqual(client.open(LASER, 0).type, ACK)
+            time.sleep(0.3)
+            self.assertEqual([each for each in client.data if each.type == DATA], [])
+            self.assertEqual(ask_world(client, "step", struct.pack("<I", 5)).type, ACK)
+            times = [each.time for each in client.data if each.interf == LASER]
+            self.assertEqual(times, [0.1, 0.2, 0.3, 0.4, 0.5])
+
+    def test_a_step_of_no_ticks_and_one_of_a_strange_size_are_refused_with_a_reason(self):
+        with self.run_house("--lock-step", world=self.world(ARENA)) as house, Client(house.port()) as client:
+            for value in (struct.pack("<I", 0), b"\1", b"12345"):
+                answer = ask_world(client, "step", value)
+                self.assertEqual(answer.type, NACK)
+                self.assertIn(b"ticks", answer.body)
+
+    def test_a_client_that_leaves_no_longer_counts_and_a_silent_one_is_dropped(self):
+        with self.run_house("--lock-step", "a,b,c", "--lock-step-timeout", 1, world=self.world(ARENA)) as house:
+            clients = [connect(f":{house.port()}", mode=Mode.PUSH, timeout=60) for _ in range(3)]
+            worlds = [client.simulation(0) for client in clients]
+            for world, name in zip(worlds, "abc"):
+                world.join(name)
+            clients[0].close()
+            worlds[1].step(timeout=60)  # when c is given up
+            said = house.wait_for_line(r'client "c" \(127\.0\.0\.1:\d+\) has been silent for [\d.]+ s; the others go on')
+            self.assertTrue(said)
+            worlds[1].step(3)
+            with self.assertRaisesRegex(RequestRefused, "join by name first"):
+                worlds[2].step()
+            worlds[2].join("c")
+
+    def test_a_silent_client_is_told_of_where_no_time_is_set(self):
+        with self.run_house("--lock-step", world=self.world(ARENA)) as house:
+            with connect(f":{house.port()}", timeout=60) as client:
+                client.simulation(0).join("sleeper")
+                house.wait_for_line(r'client "sleeper" .* has been silent for 5\.\d s, and the world waits for it')
+
+    def test_a_run_that_starts_again_is_the_run_of_a_fresh_start(self):
+        def scans(world, laser, base):
+            seen = []
+            for _ in range(20):
+                base.drive(0.4, 0.2)
+                world.step()
+                seen.append((laser.timestamp, tuple(laser.ranges), base.pose))
+            return seen
+
+        runs = {}
+        for seed in (1, 5):
+            with self.run_house("--lock-step", "--seed", seed, world=self.world(ARENA)) as house, \
+                    connect(f":{house.port()}", mode=Mode.PUSH, timeout=60) as client:
+                world, laser, base = client.simulation(0), client.laser(0), client.position2d(0)
+                runs[seed] = scans(world, laser, base)
+                self.assertEqual(world.spawn("r1", 2.0, 2.0, 0.5), "r1~2")
+                for again in (5, 1, 5):
+                    world.reset(again)
+                    self.assertEqual(world.pose("r0"), (-3.0, 0.0, 0.0))
+                    with self.assertRaises(RequestRefused):
+                        world.pose("r1~2")
+                    runs.setdefault(again, None)
+                    seen = scans(world, laser, base)
+                    if runs[again] is None:
+                        runs[again] = seen
+                    self.assertEqual(seen, runs[again])
+        self.assertNotEqual(runs[1], runs[5])
+
+    def test_robots_come_and_go_by_one_call(self):
+        with self.run_house("--lock-step", world=self.world(ARENA)) as house, \
+                connect(f":{house.port()}", mode=Mode.PUSH, timeout=60) as client:
+            world = client.simulation(0)
+            self.assertEqual(world.spawn("r0", 1.0, 2.0, 0.5, "extra"), "extra")
+            self.assertEqual(world.pose("extra"), (1.0, 2.0, 0.5))
+            with self.assertRaisesRegex(RequestRefused, "nobody"):
+                world.spawn("nobody", 0, 0, 0)
+            with self.assertRaises(RequestRefused):
+                world.spawn("r0", 0, 0, 0, "extra")
+            world.remove("extra")
+            with self.assertRaises(RequestRefused):
+                world.pose("extra")
+
+    def test_without_lock_step_a_step_pauses_the_world_and_joining_and_starting_again_are_refused(self):
+        with self.run_house(world=self.world(ARENA)) as house, \
+                connect(f":{house.port()}", mode=Mode.PUSH, timeout=60) as client:
+            world, laser = client.simulation(0), client.laser(0)
+            world.step()
+            before = laser.timestamp
+            world.step(4)
+            self.assertAlmostEqual(laser.timestamp, before + 0.4)
+            with self.assertRaisesRegex(RequestRefused, "--lock-step"):
+                world.join("me")
+            with self.assertRaisesRegex(RequestRefused, "--lock-step"):
+                world.reset(3)
+
+
+class End(HouseTest):
+    def test_what_waits_goes_out_before_the_end_and_what_was_lost_is_counted(self):
+        """A client that does not read for the whole run gets the newest of it, then its end, and the number of the rest."""
+        ticks = 4000
+        with self.run_house("--fast", "--paused", "--duration", ticks / 10, "--json", world=self.world(ARENA)) as house, \
+                connect(f":{house.port()}", mode=Mode.PULL, timeout=60) as client:
+            laser = client.laser(0)
+            times = []
+            laser.on_data(lambda kind, value, timestamp: times.append(timestamp))
+            world = client.simulation(0)
+            world.pause()
+            time.sleep(1.0)
+            with self.assertRaises(RunEnded):
+                while True:
+                    client.read(60)
+            self.assertEqual(times[-1], ticks / 10)
+            self.assertEqual(len(times) + client.overflow_count, ticks)
+            self.assertGreater(client.overflow_count, 0)
+            self.assertEqual(house.wait(), 0, house.log())
+            house.wait_for_line(rf"{client.overflow_count} data messages were lost in all")
+
+    def test_in_push_mode_a_client_asks_how_many_messages_were_lost(self):
+        with self.run_house("--lock-step", world=self.world(ARENA)) as house, \
+                connect(f":{house.port()}", mode=Mode.PUSH, timeout=60) as client:
+            self.assertEqual(client.lost_count(), 0)
+            client.laser(0)
+            client.simulation(0).step(3000)
+            self.assertGreater(client.lost_count(), 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
