@@ -13,6 +13,7 @@ from typing import Dict
 
 HERE = pathlib.Path(__file__).resolve().parent
 PACKAGE = "playhouse_client"
+PACKAGES = (PACKAGE, "playhouse_gym")  # the second needs numpy, which the first does without
 
 
 def version() -> str:
@@ -20,7 +21,7 @@ def version() -> str:
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
-    sources = sorted((HERE / PACKAGE).rglob("*.py")) + [HERE / PACKAGE / "py.typed"]
+    sources = sorted(path for each in PACKAGES for path in (HERE / each).rglob("*.py")) + [HERE / PACKAGE / "py.typed"]
     return _write(wheel_directory, {path.relative_to(HERE).as_posix(): path.read_bytes() for path in sources})
 
 
@@ -35,6 +36,7 @@ def _write(folder: str, files: Dict[str, bytes]) -> str:
         f"Metadata-Version: 2.1\nName: playhouse-client\nVersion: {version()}\n"
         "Summary: Drive robots behind a Player 3 server: standard library only\n"
         "License: Apache-2.0\nRequires-Python: >=3.8\n"
+        "Provides-Extra: gym\nRequires-Dist: numpy; extra == 'gym'\n"
     ).encode()
     files[f"{about}/WHEEL"] = (
         b"Wheel-Version: 1.0\nGenerator: make_wheel\nRoot-Is-Purelib: true\nTag: py3-none-any\n"

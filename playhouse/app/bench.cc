@@ -31,6 +31,7 @@ std::uint64_t resident_bytes() {
 int unknown(const std::string& name) {
   std::vector<std::string_view> names;
   for (const scenarios::Scenario& scenario : scenarios::kScenarios) names.push_back(scenario.name);
+  names.push_back("world");
   names.push_back("load");
   names.push_back("open");
   names.push_back("server");
@@ -54,16 +55,13 @@ void print_result(const BenchOptions& options, world::Engine& engine, double wal
       memory > memory_before ? memory - memory_before : 0, world.bytes(), world.hash(), world.sensed_hash());
 }
 
-int bench_simulation(const BenchOptions& options, const scenarios::Scenario& scenario) {
-  const std::uint64_t memory_before = resident_bytes();
-  const Result<scene::SceneDesc> scene =
-      scenarios::make(scenario.name, options.robots > 0 ? options.robots : scenario.robots);
-  if (!scene) return fail(scene.error(), kUsage);
+/// The scene runs for `duration` simulated seconds.
+int bench_scene(const BenchOptions& options, const scene::SceneDesc& scene, double duration,
+                std::uint64_t memory_before) {
   Result<std::unique_ptr<world::Engine>> engine = make_engine(
-      *scene, {.seed = options.seed, .workers = options.workers}, controllers::Libraries::Use::kLoad, &warn);
+      scene, {.seed = options.seed, .workers = options.workers}, controllers::Libraries::Use::kLoad, &warn);
   if (!engine) return fail(engine.error());
   // The run itself is the one that `playhouse run --fast --headless` does.
-  const double duration = options.duration > 0 ? options.duration : scenario.seconds;
   drivers::Simulation simulation(std::move(*engine), {.speed = 0, .duration = duration});
   const auto start = std::chrono::steady_clock::now();
   simulation.run();
@@ -72,14 +70,35 @@ int bench_simulation(const BenchOptions& options, const scenarios::Scenario& sce
   return kDone;
 }
 
+int bench_scenario(const BenchOptions& options, const scenarios::Scenario& scenario) {
+  const std::uint64_t memory_before = resident_bytes();
+  const Result<scene::SceneDesc> scene =
+      scenarios::make(scenario.name, options.robots > 0 ? options.robots : scenario.robots);
+  if (!scene) return fail(scene.error(), kUsage);
+  return bench_scene(options, *scene, options.duration > 0 ? options.duration : scenario.seconds,
+                     memory_before);
+}
+
+/// As long as the file says, or a minute.
+int bench_world(const BenchOptions& options) {
+  constexpr double kMinute = 60;
+  const std::uint64_t memory_before = resident_bytes();
+  std::vector<Error> others;
+  const Result<scene::SceneDesc> scene = read_scene(options.world, &others);
+  if (!scene) return fail_in_file(scene.error(), others);
+  const double of_file = scene->quit_time > 0 ? scene->quit_time : kMinute;
+  return bench_scene(options, *scene, options.duration > 0 ? options.duration : of_file, memory_before);
+}
+
 }  // namespace
 
 int bench(const BenchOptions& options) {
+  if (options.scenario == "world") return bench_world(options);
   if (options.scenario == "load") return bench_load(options);
   if (options.scenario == "open") return bench_open(options);
   if (options.scenario == "server") return bench_server(options);
   const scenarios::Scenario* scenario = scenarios::find(options.scenario);
-  return scenario == nullptr ? unknown(options.scenario) : bench_simulation(options, *scenario);
+  return scenario == nullptr ? unknown(options.scenario) : bench_scenario(options, *scenario);
 }
 
 }  // namespace playhouse::app

@@ -9,10 +9,14 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "playhouse/base/in_quotes.h"
+#include "playhouse/base/limits.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/scenarios/scenario.h"
 
@@ -33,6 +37,8 @@ constexpr const char* kExamples = R"(Examples:
   playhouse watch 127.0.0.1 laser:0                  a device's data as JSON lines
   playhouse drive 127.0.0.1 guest                    a robot by the keyboard
   playhouse check my.world                           what is wrong with a file
+  playhouse convert old.world -o new.world           a world for older versions of Stage in today's words
+  playhouse convert plan.png --scale 0.05 -o w.world a floor plan as a world; also a map.yaml of ROS, and back
   playhouse kinds ranger                             what a world file can say of a ranger
   playhouse bench laser --robots 1000                one line of figures
 `playhouse COMMAND --help` tells more. Documentation: docs/cli.md)";
@@ -41,7 +47,11 @@ constexpr const char* kExamples = R"(Examples:
 constexpr const char* kRunExamples = R"(Examples:
   playhouse run worlds/cave.world
   playhouse run worlds/cave.world --port 7000 --web off
-  playhouse run worlds/cave.world --fast --headless --duration 60 --json)";
+  playhouse run worlds/cave.world --fast --headless --duration 60 --json
+  playhouse run worlds/cave.world --headless --lock-step
+  playhouse run worlds/cave.world --headless --lock-step left,right --lock-step-timeout 10)";
+constexpr const char* kGymExamples = R"(Started by the Python package playhouse_gym:
+  env = playhouse_gym.VectorEnv("my.world"))";
 constexpr const char* kVerifyExamples = R"(Examples:
   playhouse verify worlds/cave.world --ticks 100
   playhouse verify worlds/cave.world --ticks 20 --workers 1,3)";
@@ -60,12 +70,19 @@ constexpr const char* kDriveExamples = R"(Examples:
 constexpr const char* kCheckExamples = R"(Examples:
   playhouse check my.cfg
   playhouse check worlds/*.world worlds/*.inc)";
+constexpr const char* kConvertExamples = R"(Examples:
+  playhouse convert worlds/cave.world
+  playhouse convert worlds/cave.world -o my.world
+  playhouse convert worlds/bitmaps/cave.png --scale 0.032 -o my.world
+  playhouse convert worlds/cave.world -o map.yaml
+  playhouse convert map.yaml -o my.world)";
 constexpr const char* kKindsExamples = R"(Examples:
   playhouse kinds
   playhouse kinds position
   playhouse kinds sensor --json)";
 constexpr const char* kBenchExamples = R"(Examples:
   playhouse bench laser --robots 100 --duration 1
+  playhouse bench world worlds/cave.world --duration 10
   playhouse bench sonar --robots 100 --duration 1 --workers 2)";
 
 // Set where this file is compiled (CMakeLists.txt); sources without their history have none.
@@ -79,15 +96,18 @@ constexpr const char* kVersion =
 struct Raw {
   RunOptions run;
   ServeOptions serve;
+  GymOptions gym;
   VerifyOptions verify;
   DevicesOptions devices;
   WatchOptions watch;
   DriveOptions drive;
   CheckOptions check;
+  ConvertOptions convert;
   KindsOptions kinds;
   BenchOptions bench;
-  std::string web;
+  std::string web, gym_web = "off";
   std::vector<std::pair<double, std::string>> saves;
+  std::string lock_step;
   bool headless = false, fast = false;
 };
 
@@ -174,6 +194,52 @@ void add_allowed_libraries(CLI::App& app, Running& running) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
+/// The names between commas; nothing where one is none.
+std::optional<std::set<std::string>> names_in(const std::string& text) {
+  std::set<std::string> names;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string name = text.substr(begin, end - begin);
+    const bool good = !name.empty() && std::ranges::all_of(name, [](unsigned char letter) {
+      return std::isalnum(letter) || letter == '-' || letter == '_';
+    });
+    if (!good || !names.insert(name).second) return std::nullopt;
+    begin = end + 1;
+  }
+  return names;
+}
+
+constexpr auto is_client_count = is_whole<std::uint32_t>;
+
+std::string check_lock_step(const std::string& text) {
+  if (text.empty() || is_client_count(text, 1, limits::kSessions) ||
+      (!std::isdigit(text[0]) && names_in(text)))
+    return {};
+  return fmt::format(
+      "a number of clients from 1 to {}, or names of letters and digits between commas, is wanted, not {}",
+      limits::kSessions, in_quotes(text));
+}
+
+LockStepping lock_stepping(const std::string& text) {
+  if (text.empty()) return {};
+  if (std::isdigit(static_cast<unsigned char>(text[0]))) return {.clients = std::stoul(text), .names = {}};
+  std::set<std::string> names = names_in(text).value_or(std::set<std::string>());
+  return {.clients = names.size(), .names = std::move(names)};
+}
+
+void add_lock_step(CLI::App& app, Raw& raw, Running& running) {
+  app.add_option(
+         "--lock-step", raw.lock_step,
+         "go on only when a client asks for a step; with a number or names: each of so many, or of these, "
+         "clients (docs/lock-step.md)")
+      ->check(check_lock_step)
+      ->type_name("[N | NAME,NAME,...]")
+      ->expected(0, 1);
+  app.add_option("--lock-step-timeout", running.lock_step_timeout,
+                 "seconds that a client may be silent before the others go on without it (for ever)")
+      ->check(check_positive);
+}
+
 void add_running(CLI::App& app, Raw& raw, Running& running) {
   auto* fast = app.add_flag("--fast", raw.fast, "as fast as possible instead of real time");
   app.add_option("--speed", running.speed, "times real time; 0: as fast as possible (the file's speedup)")
@@ -191,6 +257,7 @@ void add_running(CLI::App& app, Raw& raw, Running& running) {
   app.add_option("--save-world", running.save_world,
                  "the file into which clients may save the world as it stands (SAVE of simulation)")
       ->type_name("FILE.world");
+  add_lock_step(app, raw, running);
   app.add_flag("--paused", running.paused, "wait to be resumed by a viewer or a client");
   app.add_flag("--json", running.json, "print the result as the last line of standard output");
 }
@@ -220,6 +287,23 @@ void add_commands(CLI::App& app, Raw& raw) {
   serve->add_option("FILE", raw.serve.file, "a .cfg file")->required();
   add_serving(*serve, raw, raw.serve.serving);
   add_running(*serve, raw, raw.serve.running);
+
+  CLI::App* gym =
+      app.add_subcommand("gym", "let a learning program step all robots of a world (docs/gym.md)");
+  gym->footer(kGymExamples);
+  gym->add_option("WORLD", raw.gym.world, "a .world file")->required();
+  gym->add_option("--socket", raw.gym.socket, "descriptor of the socket to the program that started this one")
+      ->check(check_count<std::uint16_t, 3>)
+      ->required();
+  gym->add_option("--web", raw.gym_web, "port of a web page; 0: any free one, printed (none)")
+      ->check(check_web);
+  gym->add_option("--seed", raw.gym.running.seed, "seed until the first reset")
+      ->check(check_count<std::uint64_t>)
+      ->capture_default_str();
+  gym->add_option("--workers", raw.gym.running.workers, "threads that compute")
+      ->check(check_workers)
+      ->capture_default_str();
+  add_allowed_libraries(*gym, raw.gym.running);
 
   CLI::App* verify =
       app.add_subcommand("verify", "run a world several times side by side and compare the states");
@@ -259,14 +343,30 @@ void add_commands(CLI::App& app, Raw& raw) {
   check->footer(kCheckExamples);
   check->add_option("FILE", raw.check.files, "a .world, .inc or .cfg file")->required();
 
+  CLI::App* convert = app.add_subcommand("convert", "write a world in today's words, and floor plans and maps as worlds");
+  convert->footer(kConvertExamples);
+  convert->add_option("FILE", raw.convert.input, "a .world file of any version, an image, or a map.yaml of ROS")
+      ->required();
+  convert->add_option("-o,--output", raw.convert.output,
+                      "where to write (standard output); a .yaml: the walls of a world as a map of ROS");
+  convert
+      ->add_option("--scale", raw.convert.scale, "metres that a pixel of an image measures (of a map 0.05)")
+      ->check(check_positive);
+  convert
+      ->add_option("--height", raw.convert.height,
+                   "metres: of the walls that are made (0.6), or at which they are looked for (0.2)")
+      ->check(check_positive);
+
   CLI::App* kinds = app.add_subcommand("kinds", "list what world files can hold, and its words");
   kinds->footer(kKindsExamples);
   kinds->add_option("NAME", raw.kinds.name, "one of them, with its words");
   kinds->add_flag("--json", raw.kinds.json, "a JSON object per kind, one a line");
 
-  CLI::App* bench = app.add_subcommand("bench", "measure: sonar, laser, cave, load, open or server");
+  CLI::App* bench = app.add_subcommand("bench", "measure: sonar, laser, cave, world FILE, load, open or server");
   bench->footer(kBenchExamples);
-  bench->add_option("SCENARIO", raw.bench.scenario, "sonar, laser, cave, load, open or server")->required();
+  bench->add_option("SCENARIO", raw.bench.scenario, "sonar, laser, cave, world, load, open or server")
+      ->required();
+  bench->add_option("WORLD", raw.bench.world, "a .world file, of bench world");
   bench->add_option("--robots", raw.bench.robots, "how many (the scenario's own number)")
       ->check(check_robots);
   bench
@@ -342,13 +442,24 @@ CommandLine chosen(const CLI::App& app, Raw& raw) {
   const std::string name = app.get_subcommands().front()->get_name();
   finish(raw, raw.run.serving, raw.run.running);
   finish(raw, raw.serve.serving, raw.serve.running);
+  for (const auto& [command, running] : {std::pair("run", &raw.run.running), {"serve", &raw.serve.running}})
+    if (app.get_subcommand(command)->count("--lock-step") > 0)
+      running->lock_step = lock_stepping(raw.lock_step);
   if (name == "run") return raw.run;
   if (name == "serve") return raw.serve;
+  if (name == "gym") {
+    raw.gym.serving.port = 0;
+    raw.gym.serving.web.reset();
+    if (raw.gym_web != "off") raw.gym.serving.web = static_cast<std::uint16_t>(std::stoi(raw.gym_web));
+    raw.gym.running.lock_step = LockStepping{};
+    return raw.gym;
+  }
   if (name == "verify") return raw.verify;
   if (name == "devices") return raw.devices;
   if (name == "watch") return raw.watch;
   if (name == "drive") return raw.drive;
   if (name == "check") return raw.check;
+  if (name == "convert") return raw.convert;
   if (name == "kinds") return raw.kinds;
   return raw.bench;
 }
@@ -396,6 +507,12 @@ Result<CommandLine> parse_command_line(std::span<const char* const> words) {
     return Error{"", "--duration: bench server measures for a time of its own"};
   if (raw.bench.scenario == "load" && raw.bench.duration > 0)
     return Error{"", "--duration: bench load ends before the first tick"};
+  if (raw.bench.scenario == "world" && raw.bench.world.empty())
+    return Error{"", "bench world wants the name of a .world file"};
+  if (raw.bench.scenario == "world" && raw.bench.robots > 0)
+    return Error{"", "--robots: bench world has the robots of its file"};
+  if (raw.bench.scenario != "world" && !raw.bench.world.empty())
+    return Error{"", fmt::format("a file belongs to bench world, not to bench {}", raw.bench.scenario)};
   return chosen(app, raw);
 }
 

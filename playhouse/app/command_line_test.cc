@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <set>
+#include <string>
 #include <vector>
 
 namespace playhouse::app {
@@ -57,6 +59,31 @@ TEST(CommandLine, run_takes_every_option) {
   EXPECT_TRUE(run.running.json);
 }
 
+TEST(CommandLine, lock_step_is_for_one_client_for_some_or_for_those_of_names) {
+  EXPECT_FALSE(parsed<RunOptions>({"run", "w"}).running.lock_step);
+  const auto one = parsed<RunOptions>({"run", "w", "--lock-step"}).running.lock_step;
+  ASSERT_TRUE(one);
+  EXPECT_EQ(one->clients, 1u);
+  EXPECT_TRUE(one->names.empty());
+  EXPECT_EQ(parsed<RunOptions>({"run", "w", "--lock-step", "3"}).running.lock_step->clients, 3u);
+  const auto serve = parsed<ServeOptions>({"serve", "w", "--lock-step=a,b-2", "--lock-step-timeout", "2.5"});
+  EXPECT_EQ(serve.running.lock_step->clients, 2u);
+  EXPECT_EQ(serve.running.lock_step->names, (std::set<std::string>{"a", "b-2"}));
+  EXPECT_EQ(serve.running.lock_step_timeout, 2.5);
+  for (const char* wrong : {"0", "9999999", "a,,b", "a,a", "3,b", "my.world"})
+    EXPECT_THAT(fault({"run", "w", "--lock-step", wrong}), HasSubstr("a number of clients")) << wrong;
+}
+
+TEST(CommandLine, gym_wants_a_socket_and_serves_no_page_unless_told_to) {
+  const auto gym = parsed<GymOptions>({"gym", "w", "--socket", "5"});
+  EXPECT_EQ(gym.socket, 5);
+  EXPECT_FALSE(gym.serving.web);
+  EXPECT_EQ(gym.serving.port, 0);
+  EXPECT_EQ(gym.running.lock_step->clients, 1u);
+  EXPECT_EQ(parsed<GymOptions>({"gym", "w", "--socket", "5", "--web", "0"}).serving.web, 0);
+  EXPECT_THAT(fault({"gym", "w"}), HasSubstr("--socket"));
+}
+
 TEST(CommandLine, files_and_libraries_may_be_several) {
   using testing::ElementsAre;
   EXPECT_THAT(parsed<CheckOptions>({"check", "a.world", "b.cfg"}).files, ElementsAre("a.world", "b.cfg"));
@@ -95,6 +122,23 @@ TEST(CommandLine, verify_takes_numbers_of_workers) {
   EXPECT_THAT(fault({"verify", "w"}), HasSubstr("--ticks"));
   EXPECT_THAT(fault({"verify", "w", "--ticks", "0"}), HasSubstr("--ticks"));
   EXPECT_THAT(fault({"verify", "w", "--ticks", "5", "--workers", "1,0"}), HasSubstr("--workers"));
+}
+
+TEST(CommandLine, convert_writes_to_a_file_or_to_standard_output) {
+  EXPECT_EQ(parsed<ConvertOptions>({"convert", "a.world"}).output, "");
+  const auto options = parsed<ConvertOptions>({"convert", "a.world", "-o", "b.world"});
+  EXPECT_EQ(options.input, "a.world");
+  EXPECT_EQ(options.output, "b.world");
+  EXPECT_EQ(parsed<ConvertOptions>({"convert", "a.world", "--output", "c.world"}).output, "c.world");
+}
+
+TEST(CommandLine, convert_takes_the_scale_of_an_image_and_the_height_of_its_walls) {
+  const auto options = parsed<ConvertOptions>({"convert", "a.png", "--scale", "0.05", "--height", "2"});
+  EXPECT_EQ(options.scale, 0.05);
+  EXPECT_EQ(options.height, 2);
+  EXPECT_FALSE(parsed<ConvertOptions>({"convert", "a.world"}).scale);
+  EXPECT_THAT(fault({"convert", "a.png", "--scale", "0"}), HasSubstr("above 0"));
+  EXPECT_THAT(fault({"convert", "a.png", "--height", "-1"}), HasSubstr("above 0"));
 }
 
 TEST(CommandLine, kinds_takes_a_name_or_none) {
@@ -149,6 +193,9 @@ TEST(CommandLine, what_means_nothing_is_refused) {
   EXPECT_THAT(fault({"bench", "cave", "--duration", "0"}), HasSubstr("above 0"));
   EXPECT_THAT(fault({"bench", "server", "--duration", "3"}), HasSubstr("--duration"));
   EXPECT_THAT(fault({"bench", "load", "--duration", "3"}), HasSubstr("--duration"));
+  EXPECT_THAT(fault({"bench", "world"}), HasSubstr(".world file"));
+  EXPECT_THAT(fault({"bench", "world", "a.world", "--robots", "3"}), HasSubstr("robots of its file"));
+  EXPECT_THAT(fault({"bench", "laser", "a.world"}), HasSubstr("belongs to bench world"));
   EXPECT_THAT(fault({"watch", "localhost", "laser:0", "--count", "0"}), HasSubstr("from 1 to"));
   EXPECT_EQ(fault({"run", "w", "--port", "0", "--port", "1"}), "--port is given more than once");
 }

@@ -8,11 +8,13 @@ namespace playhouse::app {
 
 int run(const RunOptions& options);
 int serve(const ServeOptions& options);
+int gym(const GymOptions& options);
 int verify(const VerifyOptions& options);
 int devices(const DevicesOptions& options);
 int watch(const WatchOptions& options);
 int drive(const DriveOptions& options);
 int check(const CheckOptions& options);
+int convert(const ConvertOptions& options);
 int kinds(const KindsOptions& options);
 int bench(const BenchOptions& options);
 

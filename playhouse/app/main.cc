@@ -31,11 +31,13 @@ struct Dispatch {
   }
   int operator()(const RunOptions& options) const { return run(options); }
   int operator()(const ServeOptions& options) const { return serve(options); }
+  int operator()(const GymOptions& options) const { return gym(options); }
   int operator()(const VerifyOptions& options) const { return verify(options); }
   int operator()(const DevicesOptions& options) const { return devices(options); }
   int operator()(const WatchOptions& options) const { return watch(options); }
   int operator()(const DriveOptions& options) const { return drive(options); }
   int operator()(const CheckOptions& options) const { return check(options); }
+  int operator()(const ConvertOptions& options) const { return convert(options); }
   int operator()(const KindsOptions& options) const { return kinds(options); }
   int operator()(const BenchOptions& options) const { return bench(options); }
 };

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,12 @@ struct Serving {
   std::vector<std::string> web_hosts;  // names of the page besides the machine's
 };
 
+/// Whom the world waits for in every tick.
+struct LockStepping {
+  std::size_t clients = 1;
+  std::set<std::string> names;  // of them; empty: any clients
+};
+
 /// How a world runs. What is not given comes from the world file.
 struct Running {
   std::optional<double> speed;     // times real time; 0: as fast as possible
@@ -31,8 +38,10 @@ struct Running {
   std::uint64_t seed = 1;
   unsigned workers = 1;
   std::vector<std::string>
-      allowed_libraries;   // of controllers, outside the folders where they are looked for
-  std::string save_world;  // the file into which clients may save the world; empty: none
+      allowed_libraries;                  // of controllers, outside the folders where they are looked for
+  std::string save_world;                 // the file into which clients may save the world; empty: none
+  std::optional<LockStepping> lock_step;  // none: for nobody
+  double lock_step_timeout = 0;           // s of silence after which the others go on; 0: never
   bool paused = false;
   bool json = false;  // the result as the last line of standard output
 };
@@ -53,6 +62,13 @@ struct RunOptions {
 
 struct ServeOptions {
   std::string file;  // .cfg
+  Serving serving;
+  Running running;
+};
+
+struct GymOptions {
+  std::string world;
+  int socket = -1;  // that the learning program has the other end of
   Serving serving;
   Running running;
 };
@@ -84,6 +100,13 @@ struct CheckOptions {
   std::vector<std::string> files;
 };
 
+struct ConvertOptions {
+  std::string input;             // a world, an image or a map of ROS
+  std::string output;            // "": standard output
+  std::optional<double> scale;   // of an image or map [m per pixel]
+  std::optional<double> height;  // of walls that are made, or at which they are looked for [m]
+};
+
 struct KindsOptions {
   std::string name;   // "": all
   bool json = false;  // an object per kind
@@ -91,6 +114,7 @@ struct KindsOptions {
 
 struct BenchOptions {
   std::string scenario;
+  std::string world;         // a .world file, of scenario "world" alone
   std::uint32_t robots = 0;  // 0: the scenario's own number
   double duration = 0;       // simulated seconds; 0: the scenario's own
   std::uint64_t seed = 1;

@@ -76,6 +76,7 @@ Result<void> Service::read_world(const std::string& path, scene::NamedBy by) {
   Result<scene::SceneDesc> scene = scene::load_world(path, by, &other_errors_, &sources_);
   if (!scene) return scene.error();
   scene_ = std::move(*scene);
+  controllers::describe_for(scene_);
   for (const std::string& warning : scene_.warnings) warn_(warning);
   return {};
 }
@@ -93,11 +94,12 @@ Result<void> Service::read_saved(const std::string& path) {
       scene::load_world_text(sources_.files.at(sources_.path), sources_.path, files, {}, &other_errors_);
   if (!scene) return Error{escaped(path), "its scene cannot be read: " + scene.error().line()};
   scene_ = std::move(*scene);
+  controllers::describe_for(scene_);
   return {};
 }
 
 Result<void> Service::save(const world::World& world, const std::string& file) const {
-  world::SavedRun run{sources_, running_.seed, {}};
+  world::SavedRun run{sources_, world.seed(), {}};
   if (const Result<void> saved = world::save_state(world, run.state); !saved) return saved;
   return write_file(file, world::encode(run));
 }
@@ -169,6 +171,8 @@ Result<void> Service::make_devices() {
   site_ = std::make_unique<drivers::Site>(surroundings, serving_.port);
   site_->data_flow().pass_to(*server_);
   const Result<void> made = cfg_ ? make_drivers() : add_robots();
+  if (made && site_->simulation() != nullptr)
+    if (drivers::LockStep* lock_step = simulation().lock_step()) server_->take_turns(*lock_step);
   // Before anybody is told where to connect: who reads that may end us at once.
   if (made) catch_signals();
   return made;

@@ -9,7 +9,6 @@
 #include "playhouse/app/world_opener.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
-#include "playhouse/scene/world_loader.h"
 #include "playhouse/world/state.h"
 
 namespace playhouse::app {
@@ -70,9 +69,8 @@ bool tell_difference(const std::vector<Side>& sides) {
 
 int verify(const VerifyOptions& options) {
   std::vector<Error> others;
-  const Result<scene::SceneDesc> scene = scene::load_world(options.world, scene::NamedBy::kPerson, &others);
+  const Result<scene::SceneDesc> scene = read_scene(options.world, &others);
   if (!scene) return fail_in_file(scene.error(), others);
-  for (const std::string& warning : scene->warnings) warn(warning);
   const Result<std::vector<Side>> sides = open_sides(*scene, options);
   if (!sides) return fail(sides.error());
   for (std::uint64_t tick = 0;; ++tick) {

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "playhouse/app/fail.h"
+#include "playhouse/scene/world_loader.h"
 #include "playhouse/stage/engine.h"
 
 namespace playhouse::app {
@@ -17,6 +19,14 @@ std::filesystem::path program_folder() {
 }
 
 }  // namespace
+
+Result<scene::SceneDesc> read_scene(const std::string& path, std::vector<Error>* others) {
+  Result<scene::SceneDesc> scene = scene::load_world(path, scene::NamedBy::kPerson, others);
+  if (!scene) return scene;
+  for (const std::string& warning : scene->warnings) warn(warning);
+  controllers::describe_for(*scene);
+  return scene;
+}
 
 Result<std::unique_ptr<world::Engine>> make_stage(const scene::SceneDesc& scene, std::uint64_t seed,
                                                   unsigned workers) {
@@ -45,6 +55,12 @@ drivers::Simulation::Options pace_of(const scene::SceneDesc& scene, const Servin
       quit_time == QuitTime::kHonoured && scene.quit_time > 0 ? scene.quit_time : kForever;
   drivers::Simulation::Options options;
   options.speed = running.speed.value_or(scene.speedup > 0 ? scene.speedup : 1.0);
+  if (running.lock_step) {
+    options.speed = running.speed.value_or(0);
+    options.lock_step = {.members = running.lock_step->clients,
+                         .names = running.lock_step->names,
+                         .timeout = running.lock_step_timeout};
+  }
   options.paused = running.paused || (scene.paused && serving.web.has_value());
   options.duration = running.duration.value_or(file_end);
   return options;

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "playhouse/app/options.h"
 #include "playhouse/base/result.h"
@@ -28,6 +29,10 @@ using EngineMaker = std::function<Result<std::unique_ptr<world::Engine>>(
 Result<std::unique_ptr<world::Engine>> make_stage(const scene::SceneDesc& scene, std::uint64_t seed,
                                                   unsigned workers);
 
+/// A world file as a person names it, with what its controllers make during a run; its warnings are told.
+/// Fails as scene::load_world().
+Result<scene::SceneDesc> read_scene(const std::string& path, std::vector<Error>* others);
+
 /// An engine for the scene, with the controllers that its models name. The scene must outlive it.
 Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene, const Running& running,
                                                    controllers::Libraries::Use use, const Warn& warn,
@@ -39,7 +44,8 @@ enum class QuitTime : std::uint8_t { kHonoured, kIgnored };
 /// How the run relates to the wall clock: what the command line says, else what the file says. A file that
 /// wants speedup 0 (as fast as possible) runs in real time: clients could not keep up with it, and --fast
 /// asks for it. A file that wants to start paused does so where somebody can resume it: where a page is
-/// served.
+/// served. In lock-step the clients alone say how fast it goes, unless the command line gives a speed, which
+/// is the fastest then.
 drivers::Simulation::Options pace_of(const scene::SceneDesc& scene, const Serving& serving,
                                      const Running& running, QuitTime quit_time);
 

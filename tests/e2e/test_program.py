@@ -229,12 +229,19 @@ class Examples(HouseTest):
                         self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
                         self.assertNotEqual(done.stdout, "")
 
-    def test_those_of_check_and_kinds_and_bench_end_well(self):
-        for command in ("check", "kinds", "bench"):
+    def test_those_of_check_and_convert_and_kinds_and_bench_end_well(self):
+        for command in ("check", "convert", "kinds", "bench"):
             for line in self.examples(command):
                 with self.subTest(line):
                     done = self.shell(line)
                     self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def test_bench_world_is_the_run_of_that_file(self):
+        world = self.write("parts.world", 'position( size [0.4 0.4 0.2] ctrl "dynamic" velocity [0.1 0 0 10] )')
+        done = finish("bench", "world", world, "--duration", "1")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        run = finish("run", world, "--headless", "--fast", "--port", "0", "--duration", "1", "--json")
+        self.assertEqual(json.loads(done.stdout)["hash"], json.loads(run.stdout)["hash"])
 
     def test_the_tool_that_makes_the_swarm_has_help(self):
         tool = ROOT / "tools" / "make_swarm_world.py"

@@ -1,0 +1,243 @@
+"""A world in a program of its own, stepped through a socket, with its arrays in memory that both have."""
+
+import array
+import mmap
+import os
+import pathlib
+import shutil
+import socket
+import struct
+import subprocess
+import tempfile
+import weakref
+from typing import Any, Dict, Optional, Union
+
+import numpy as np
+
+_HEAD = struct.Struct("<8sIIQ40x")
+_ENTRY = struct.Struct("<32s8sIIQ8x")
+_REQUEST = struct.Struct("<IIQ")
+_ANSWER = struct.Struct("<II")
+_MAGIC, _VERSION = b"plhsgym\0", 1
+_STEP, _START_AGAIN = 1, 2
+_SEEDS = 1 << 64
+
+
+class ArenaError(RuntimeError):
+    """The program cannot be started, has ended, or refuses."""
+
+
+def find_program() -> str:
+    """PLAYHOUSE_PROGRAM, or `playhouse` where commands are looked for, or that of the checkout of this file."""
+    named = os.environ.get("PLAYHOUSE_PROGRAM")
+    built = pathlib.Path(__file__).resolve().parents[3] / "build" / "playhouse"
+    found = named or shutil.which("playhouse") or (str(built) if built.exists() else None)
+    if found is None:
+        raise ArenaError("there is no program playhouse: set PLAYHOUSE_PROGRAM, or give its path")
+    return found
+
+
+class Arena:
+    """Columns of all agents, the robots at the top of the world that have a range finder, in the world file's order:
+
+    actions    float32 [agents, 3]      to be written: velocities along x, y (m/s) and about z (rad/s)
+    reset_mask bool [agents]            to be written: the agent is put to a free place before the next tick, and stands
+    ranges     float32 [agents, beams]  m, of its first range finder
+    pose       float64 [agents, 3]      x, y (m), heading (rad) in the world
+    odometry   float64 [agents, 3]      the same as the robot believes
+    velocity   float64 [agents, 3]      m/s, m/s, rad/s
+    stalled    bool [agents]            something was in the way of its last motion
+    range_max  float32 [agents]         m, the farthest that it sees
+
+    They are views of shared memory: the next step changes what is in them. One thread.
+    """
+
+    def __init__(
+        self,
+        world: Union[str, "os.PathLike[str]"],
+        *,
+        program: Optional[str] = None,
+        seed: int = 1,
+        workers: int = 1,
+        web: Optional[int] = None,
+        timeout: float = 120.0,
+    ) -> None:
+        """`web`: the port of a page that shows the world. `timeout` (s): a program that is silent for so long is given
+        up."""
+        command = [program or find_program(), "gym", os.fspath(world), "--seed", str(seed), "--workers", str(workers)]
+        command += [] if web is None else ["--web", str(web)]
+        ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
+        self._said = tempfile.TemporaryFile()
+        try:
+            # In a group of its own: Ctrl-C is for this program, which ends the other by leaving.
+            self._process = subprocess.Popen(
+                [*command, "--socket", str(theirs.fileno())], pass_fds=(theirs.fileno(),), stdin=subprocess.DEVNULL,
+                stdout=subprocess.DEVNULL, stderr=self._said, start_new_session=True)
+        except OSError as error:
+            ours.close()
+            self._said.close()
+            raise ArenaError(f"cannot start {command[0]}: {error}") from error
+        finally:
+            theirs.close()
+        self._socket: Optional[socket.socket] = ours
+        self._finalizer = weakref.finalize(self, _end, ours, self._process, self._said)
+        ours.settimeout(timeout)
+        try:
+            self._columns = self._receive_columns()
+        except BaseException:
+            self.close()
+            raise
+        for name in ("actions", "ranges", "pose", "odometry", "velocity", "range_max"):
+            setattr(self, name, self._columns[name])
+        self.reset_mask = self._columns["reset"].view(np.bool_)
+        self.stalled = self._columns["stalled"].view(np.bool_)
+
+    actions: np.ndarray
+    ranges: np.ndarray
+    pose: np.ndarray
+    odometry: np.ndarray
+    velocity: np.ndarray
+    range_max: np.ndarray
+
+    @property
+    def agents(self) -> int:
+        """How many there are."""
+        return int(self.ranges.shape[0])
+
+    @property
+    def beams(self) -> int:
+        return int(self.ranges.shape[1])
+
+    @property
+    def tick(self) -> int:
+        return int(self._columns["tick"][0])
+
+    @property
+    def time(self) -> float:
+        """Simulated, since the start or the last start_again(). [s]"""
+        return float(self._columns["time"][0])
+
+    @property
+    def interval(self) -> float:
+        """One tick. [s]"""
+        return float(self._columns["interval"][0])
+
+    @property
+    def page(self) -> Optional[str]:
+        """The address of the page, if there is one."""
+        return next((line[10:] for line in self._log().splitlines() if line.startswith("web page: ")), None)
+
+    def step(self, ticks: int = 1) -> None:
+        """Carries out `actions` and `reset_mask`, which is all False afterwards, and goes on by so many ticks."""
+        self._ask(_STEP, ticks, 0)
+
+    def start_again(self, seed: int) -> None:
+        """The run begins again with this seed, every agent at a place of its own, drawn from those of the world file;
+        after one tick in which all stand there is something to see."""
+        self._ask(_START_AGAIN, 0, seed % _SEEDS)
+
+    def close(self) -> None:
+        """Ends the program; the columns stay as they were. A second call does nothing."""
+        self._socket = None
+        self._finalizer()
+
+    def __enter__(self) -> "Arena":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def _ask(self, verb: int, ticks: int, seed: int) -> None:
+        if self._socket is None:
+            raise ArenaError("the arena is closed")
+        try:
+            self._socket.sendall(_REQUEST.pack(verb, ticks, seed))
+        except OSError as error:
+            raise self._lost() from error
+        self._check(self._receive(_ANSWER.size))
+
+    def _check(self, answer: bytes) -> None:
+        failed, size = _ANSWER.unpack(answer)
+        why = self._receive(size).decode("utf-8", "replace") if size else ""
+        if failed:
+            raise ArenaError(why)
+
+    def _receive(self, size: int) -> bytes:
+        assert self._socket is not None
+        data = b""
+        while len(data) < size:
+            try:
+                more = self._socket.recv(size - len(data))
+            except socket.timeout:
+                self.close()
+                raise ArenaError("the program is silent") from None
+            except OSError as error:
+                raise self._lost() from error
+            if not more:
+                raise self._lost()
+            data += more
+        return data
+
+    def _receive_columns(self) -> Dict[str, np.ndarray]:
+        assert self._socket is not None
+        try:
+            data, descriptors = _receive_with_descriptor(self._socket, _ANSWER.size)
+        except OSError as error:
+            raise self._lost() from error
+        if not data:
+            raise self._lost()
+        try:
+            self._check(data + self._receive(_ANSWER.size - len(data)))
+            if not descriptors:
+                raise ArenaError("the program has sent no memory")
+            return _columns_in(mmap.mmap(descriptors[0], 0))
+        finally:
+            for descriptor in descriptors:
+                os.close(descriptor)
+
+    def _log(self) -> str:
+        if self._said.closed:
+            return ""
+        self._said.seek(0)
+        return self._said.read().decode("utf-8", "replace")
+
+    def _lost(self) -> ArenaError:
+        code = self._process.wait()
+        lines = self._log().strip().splitlines()
+        said = next((line for line in reversed(lines) if "error" in line), lines[-1] if lines else "")
+        self.close()
+        return ArenaError(f"the program has ended with code {code}: {said}")
+
+
+def _receive_with_descriptor(source: socket.socket, size: int) -> Any:
+    room = array.array("i", [0])
+    data, control, _, _ = source.recvmsg(size, socket.CMSG_SPACE(room.itemsize))
+    descriptors = array.array("i")
+    for level, kind, body in control:
+        if (level, kind) == (socket.SOL_SOCKET, socket.SCM_RIGHTS):
+            descriptors.frombytes(body[: len(body) - len(body) % descriptors.itemsize])
+    return data, list(descriptors)
+
+
+def _columns_in(memory: mmap.mmap) -> Dict[str, np.ndarray]:
+    magic, version, count, size = _HEAD.unpack_from(memory, 0)
+    if magic != _MAGIC or version != _VERSION or size != len(memory):
+        raise ArenaError(f"the program shares memory of version {version}, and this package knows {_VERSION}")
+    columns = {}
+    for row in range(count):
+        name, dtype, rows, width, offset = _ENTRY.unpack_from(memory, _HEAD.size + row * _ENTRY.size)
+        shape = (rows, width) if width else (rows,)
+        values = np.ndarray(shape, np.dtype(dtype.rstrip(b"\0").decode()), memory, offset)
+        columns[name.rstrip(b"\0").decode()] = values
+    return columns
+
+
+def _end(link: socket.socket, process: "subprocess.Popen[bytes]", said: Any) -> None:
+    """The program ends by itself when nobody is at the other end."""
+    link.close()
+    try:
+        process.wait(10)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        process.wait()
+    said.close()

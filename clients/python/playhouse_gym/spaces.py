@@ -1,0 +1,83 @@
+"""What actions and observations can be: Gymnasium's spaces where that is installed, else the part of them that programs
+use."""
+
+from typing import Any, Optional
+
+import numpy as np
+
+try:
+    from gymnasium.spaces import Box, Discrete
+except ImportError:
+
+    class _Space:
+        """Values of one shape and dtype."""
+
+        def __init__(self, shape: Any, dtype: Any) -> None:
+            self.shape = tuple(shape)
+            self.dtype = np.dtype(dtype)
+            self._random: Optional[np.random.Generator] = None
+
+        @property
+        def np_random(self) -> np.random.Generator:
+            if self._random is None:
+                self._random = np.random.default_rng()
+            return self._random
+
+        def seed(self, seed: Optional[int] = None) -> Optional[int]:
+            self._random = np.random.default_rng(seed)
+            return seed
+
+        def contains(self, x: Any) -> bool:
+            raise NotImplementedError
+
+        def __contains__(self, x: Any) -> bool:
+            return self.contains(x)
+
+    class Box(_Space):  # type: ignore[no-redef]
+        """Arrays between two bounds, which are arrays of the shape, or numbers for all of it."""
+
+        def __init__(self, low: Any, high: Any, shape: Any = None, dtype: Any = np.float32) -> None:
+            super().__init__(np.shape(low) if shape is None else shape, dtype)
+            self.low = np.broadcast_to(np.asarray(low, self.dtype), self.shape)
+            self.high = np.broadcast_to(np.asarray(high, self.dtype), self.shape)
+
+        def sample(self) -> np.ndarray:
+            return self.np_random.uniform(self.low, self.high, self.shape).astype(self.dtype)
+
+        def contains(self, x: Any) -> bool:
+            x = np.asarray(x)
+            return (x.shape == self.shape and np.can_cast(x.dtype, self.dtype)
+                    and bool(np.all(x >= self.low) and np.all(x <= self.high)))
+
+        def __eq__(self, other: object) -> bool:
+            return (isinstance(other, Box) and self.shape == other.shape and self.dtype == other.dtype
+                    and np.array_equal(self.low, other.low) and np.array_equal(self.high, other.high))
+
+        def __repr__(self) -> str:
+            return f"Box({self.low.min()}, {self.high.max()}, {self.shape}, {self.dtype})"
+
+    class Discrete(_Space):  # type: ignore[no-redef]
+        """Whole numbers from `start`, `n` of them."""
+
+        def __init__(self, n: int, start: int = 0) -> None:
+            super().__init__((), np.int64)
+            self.n, self.start = int(n), int(start)
+
+        def sample(self) -> np.int64:
+            return np.int64(self.start + self.np_random.integers(self.n))
+
+        def contains(self, x: Any) -> bool:
+            x = np.asarray(x)
+            return x.shape == () and np.issubdtype(x.dtype, np.integer) and bool(0 <= x - self.start < self.n)
+
+        def __eq__(self, other: object) -> bool:
+            return isinstance(other, Discrete) and (self.n, self.start) == (other.n, other.start)
+
+        def __repr__(self) -> str:
+            return f"Discrete({self.n}, start={self.start})"
+
+
+def batch(space: "Box", count: int) -> "Box":
+    """The space of `count` values of this one at once."""
+    low, high = (np.repeat(bound[np.newaxis], count, axis=0) for bound in (space.low, space.high))
+    return Box(low, high, dtype=space.dtype)

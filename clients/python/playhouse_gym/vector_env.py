@@ -1,0 +1,96 @@
+"""All robots of a world as the sub-environments of one of Gymnasium's vector environments."""
+
+import os
+from typing import Any, Dict, Optional, Tuple, Union
+
+import numpy as np
+
+from .arena import Arena
+from .episodes import Episodes, Observe, Reward, Terminated, collided, progress, ranges
+from .spaces import batch
+
+try:
+    from gymnasium.vector import AutoresetMode, VectorEnv as _Base
+
+    _NEXT_STEP: Any = AutoresetMode.NEXT_STEP
+except ImportError:
+    _Base, _NEXT_STEP = object, "NextStep"
+
+
+class VectorEnv(_Base):  # type: ignore[misc]
+    """One sub-environment per robot; they share a world, and are in each other's way.
+
+    Where a robot's episode is over, by `terminated` or after `max_steps` steps, the next step() leaves out its action and
+    puts it to a free place (autoreset of the next step): its observation is the first of the new episode, its reward 0.
+
+    `observe(arena)`, `reward(arena, poses_before)` and `terminated(arena)` are functions from the columns of all robots
+    (Arena) to an array with a row for each. `ticks`: of the world, per step. `copy`: False hands out views that the
+    next step() changes.
+    """
+
+    metadata: Dict[str, Any] = {"render_modes": [], "autoreset_mode": _NEXT_STEP}
+    render_mode = None
+    spec = None
+    closed = False
+
+    def __init__(
+        self,
+        world: Union[str, "os.PathLike[str]"],
+        *,
+        max_steps: Optional[int] = 500,
+        ticks: int = 1,
+        max_action: Tuple[float, float, float] = (1.0, 0.0, 1.5),
+        observe: Observe = ranges,
+        reward: Reward = progress,
+        terminated: Terminated = collided,
+        copy: bool = True,
+        **arena: Any,
+    ) -> None:
+        """Further arguments are those of Arena."""
+        self.arena = Arena(world, **arena)
+        self._episodes = Episodes(self.arena, max_steps, ticks, max_action, observe, reward, terminated)
+        self._copy = copy
+        self.num_envs = self.arena.agents
+        self.single_observation_space = self._episodes.observation_space
+        self.single_action_space = self._episodes.action_space
+        self.observation_space = batch(self.single_observation_space, self.num_envs)
+        self.action_space = batch(self.single_action_space, self.num_envs)
+        self._over = np.zeros(self.num_envs, np.bool_)
+
+    @property
+    def unwrapped(self) -> "VectorEnv":
+        return self
+
+    def reset(
+        self, *, seed: Optional[int] = None, options: Optional[Dict[str, Any]] = None
+    ) -> Tuple[np.ndarray, Dict[str, Any]]:
+        """All robots begin, each at a place of its own. The same seed and the same actions give the same observations, to
+        the bit. There are no options."""
+        observations = self._episodes.reset(seed)
+        self._over[:] = False
+        return self._handed_out(observations), {}
+
+    def step(self, actions: Any) -> Tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, Dict[str, Any]]:
+        """Velocities of all robots, a row each, within the action space or cut to it."""
+        self._episodes.act(actions)
+        np.copyto(self.arena.reset_mask, self._over)
+        observations, rewards, terminations, truncations = self._episodes.step()
+        np.logical_or(terminations, truncations, out=self._over)
+        return self._handed_out(observations), rewards, terminations, truncations, {}
+
+    def render(self) -> Optional[str]:
+        """The address of the page that shows the world, if `web` was given."""
+        return self.arena.page
+
+    def close(self, **_: Any) -> None:
+        self.closed = True
+        self.arena.close()
+
+    def __enter__(self) -> "VectorEnv":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def _handed_out(self, observations: np.ndarray) -> np.ndarray:
+        return observations.copy() if self._copy else observations

@@ -1,0 +1,292 @@
+"""playhouse_gym against the real program: both interfaces as their documentation has them, and the same bits twice."""
+
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+from package import ROOT
+from server_program import PROGRAM, needed
+
+try:
+    import numpy as np
+except ImportError:  # ctest runs this file once more with a Python that has it
+    raise unittest.SkipTest("there is no numpy") from None
+from playhouse_gym import Arena, ArenaError, Box, Discrete, ParallelEnv, VectorEnv  # noqa: E402
+
+sys.path.insert(0, str(ROOT / "examples" / "gym"))
+from swarm import swarm  # noqa: E402
+
+ROBOTS, BEAMS = 12, 20
+
+
+class WithWorld(unittest.TestCase):
+    def setUp(self) -> None:
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.world = str(pathlib.Path(folder.name) / "test.world")
+        pathlib.Path(self.world).write_text(swarm(ROBOTS, BEAMS))
+
+    def vector_env(self, **more: object) -> VectorEnv:
+        env = VectorEnv(self.world, program=PROGRAM, **more)
+        self.addCleanup(env.close)
+        return env
+
+
+def is_there(process: int) -> bool:
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return False
+    return True
+
+
+@needed
+class TheArena(WithWorld):
+    def test_columns_have_a_row_per_robot_and_change_with_a_step(self) -> None:
+        with Arena(self.world, program=PROGRAM) as arena:
+            self.assertEqual((arena.agents, arena.beams, arena.interval), (ROBOTS, BEAMS, 0.1))
+            self.assertEqual(arena.ranges.dtype, np.float32)
+            self.assertTrue((arena.range_max == 8).all())
+            before = arena.pose.copy()
+            arena.actions[:] = (0.5, 0.0, 0.2)
+            arena.step(3)
+            self.assertEqual(arena.tick, 3)
+            self.assertAlmostEqual(arena.time, 0.3)
+            moved = np.hypot(*(arena.pose - before)[:, :2].T)
+            np.testing.assert_allclose(moved, 0.15, atol=0.01)
+            self.assertTrue(np.allclose(arena.velocity, (0.5, 0.0, 0.2), atol=1e-6))
+            self.assertTrue((arena.ranges > 0).all() and (arena.ranges <= 8).all())
+
+    def test_an_agent_that_is_reset_stands_at_a_place_of_the_start_that_nobody_is_at(self) -> None:
+        with Arena(self.world, program=PROGRAM) as arena:
+            starts = arena.pose.copy()
+            for _ in range(30):
+                arena.actions[:] = (0.3, 0.0, 0.3)
+                arena.step()
+            arena.reset_mask[3] = True
+            arena.step()
+            self.assertIn(tuple(arena.pose[3]), set(map(tuple, starts)))
+            self.assertEqual(tuple(arena.velocity[3]), (0, 0, 0))
+            self.assertFalse(arena.reset_mask.any())
+            others = np.delete(arena.pose, 3, axis=0)
+            self.assertGreater(np.hypot(*(others - arena.pose[3])[:, :2].T).min(), 0.4)
+
+    def test_a_start_has_everybody_at_another_place_by_the_seed(self) -> None:
+        with Arena(self.world, program=PROGRAM) as arena:
+            arena.start_again(7)
+            first = arena.pose.copy()
+            self.assertEqual(len(set(map(tuple, first))), ROBOTS)
+            arena.step(5)
+            arena.start_again(8)
+            self.assertFalse(np.array_equal(arena.pose, first))
+            arena.start_again(7)
+            np.testing.assert_array_equal(arena.pose, first)
+            self.assertEqual(arena.tick, 1)
+
+    def test_what_is_wrong_is_told_in_a_line(self) -> None:
+        pathlib.Path(self.world).write_text('position( name "r0" )')
+        with self.assertRaisesRegex(ArenaError, "no robot of this world has a range finder"):
+            Arena(self.world, program=PROGRAM)
+        with self.assertRaisesRegex(ArenaError, "nowhere.world"):
+            Arena("nowhere.world", program=PROGRAM)
+        with self.assertRaisesRegex(ArenaError, "cannot start"):
+            Arena(self.world, program="/no/such/program")
+
+    def test_the_end_of_the_program_is_noticed(self) -> None:
+        arena = Arena(self.world, program=PROGRAM)
+        arena._process.send_signal(signal.SIGKILL)
+        with self.assertRaisesRegex(ArenaError, "ended with code -9"):
+            arena.step()
+        with self.assertRaisesRegex(ArenaError, "closed"):
+            arena.step()
+
+    def test_the_program_ends_with_whoever_started_it_and_leaves_no_memory_behind(self) -> None:
+        before = set(os.listdir("/dev/shm"))
+        script = (
+            f"import sys; sys.path.insert(0, {str(ROOT / 'clients/python')!r})\n"
+            "from playhouse_gym import Arena\n"
+            f"arena = Arena({self.world!r}, program={PROGRAM!r})\n"
+            "print(arena._process.pid, flush=True)\n"
+            "import time\ntime.sleep(60)\n"
+        )
+        child = subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True)
+        assert child.stdout is not None
+        program = int(child.stdout.readline())
+        child.kill()
+        child.communicate()
+        deadline = time.monotonic() + 30
+        while is_there(program) and time.monotonic() < deadline:
+            time.sleep(0.02)
+        self.assertFalse(is_there(program))
+        self.assertEqual(set(os.listdir("/dev/shm")), before)
+
+
+@needed
+class OfGymnasium(WithWorld):
+    """What https://gymnasium.farama.org/api/vector/ says of VectorEnv, with autoreset of the next step."""
+
+    def test_spaces_are_those_of_one_and_of_all(self) -> None:
+        env = self.vector_env()
+        self.assertEqual(env.num_envs, ROBOTS)
+        self.assertEqual(env.single_observation_space.shape, (BEAMS,))
+        self.assertEqual(env.observation_space.shape, (ROBOTS, BEAMS))
+        self.assertEqual(env.single_action_space.shape, (3,))
+        self.assertEqual(env.action_space.shape, (ROBOTS, 3))
+        self.assertIn("autoreset_mode", env.metadata)
+        self.assertIs(env.unwrapped, env)
+
+    def test_reset_and_step_give_arrays_of_all_within_their_spaces(self) -> None:
+        env = self.vector_env()
+        observations, infos = env.reset(seed=3)
+        self.assertIn(observations, env.observation_space)
+        self.assertIsInstance(infos, dict)
+        env.action_space.seed(3)
+        for _ in range(20):
+            observations, rewards, terminations, truncations, infos = env.step(env.action_space.sample())
+            self.assertIn(observations, env.observation_space)
+            for values in (rewards, terminations, truncations):
+                self.assertEqual(values.shape, (ROBOTS,))
+            self.assertEqual((terminations.dtype, truncations.dtype), (np.bool_, np.bool_))
+            self.assertIsInstance(infos, dict)
+
+    def test_who_is_through_begins_with_the_next_step_whatever_its_action_is(self) -> None:
+        env = self.vector_env(max_steps=4, terminated=lambda arena: np.arange(ROBOTS) == 2 if arena.tick == 3 else
+                              np.zeros(ROBOTS, bool))
+        env.reset(seed=1)
+        action = np.tile(np.float32((0.2, 0, 0)), (ROBOTS, 1))
+        told = [env.step(action) for _ in range(6)]
+        self.assertEqual([bool(step[2][2]) for step in told], [False, True, False, False, False, False])
+        self.assertEqual([bool(step[3][2]) for step in told], [False, False, False, False, False, False])
+        self.assertEqual([bool(step[3][0]) for step in told], [False, False, False, True, False, False])
+        self.assertEqual((told[2][1][2], told[4][1][0]), (0, 0), "the reward of a reset")
+        self.assertNotEqual(told[3][1][2], 0)
+
+    def test_the_same_seed_and_actions_give_the_same_bits_with_any_number_of_workers(self) -> None:
+        def episode(workers: int):
+            env = self.vector_env(workers=workers, max_steps=15)
+            seen = [env.reset(seed=5)[0]]
+            random = np.random.default_rng(1)
+            for _ in range(60):
+                actions = random.uniform(-1, 1, (ROBOTS, 3)).astype(np.float32)
+                observations, rewards, terminations, truncations, _ = env.step(actions)
+                seen += [observations, rewards, terminations, truncations, env.arena.pose.copy()]
+            seen.append(env.reset(seed=6)[0])
+            seen.append(env.reset()[0])
+            return seen
+
+        first = episode(1)
+        for again in (episode(1), episode(2)):
+            for one, other in zip(first, again):
+                self.assertEqual(one.tobytes(), other.tobytes())
+
+    def test_copies_stay_and_views_change(self) -> None:
+        for copy in (True, False):
+            env = self.vector_env(copy=copy)
+            env.reset(seed=1)
+            action = np.tile(np.float32((0.5, 0, 0)), (ROBOTS, 1))
+            seen = env.step(action)[0]
+            before = seen.copy()
+            env.step(action)
+            self.assertEqual(np.array_equal(seen, before), copy)
+
+    def test_a_step_before_a_reset_and_after_the_close_is_an_error(self) -> None:
+        env = self.vector_env()
+        with self.assertRaisesRegex(RuntimeError, "reset"):
+            env.step(np.zeros((ROBOTS, 3)))
+        env.reset()
+        env.close()
+        env.close()
+        with self.assertRaises(ArenaError):
+            env.step(np.zeros((ROBOTS, 3)))
+
+
+@needed
+class OfPettingZoo(WithWorld):
+    """What https://pettingzoo.farama.org/api/parallel/ and the facts that its parallel_api_test checks say."""
+
+    def env(self, **more: object) -> ParallelEnv:
+        env = ParallelEnv(self.world, program=PROGRAM, **more)
+        self.addCleanup(env.close)
+        return env
+
+    def test_agents_have_spaces_of_their_own_that_stay(self) -> None:
+        env = self.env()
+        self.assertEqual(len(env.possible_agents), ROBOTS)
+        self.assertEqual(env.max_num_agents, ROBOTS)
+        for agent in env.possible_agents:
+            self.assertIs(env.observation_space(agent), env.observation_space(agent))
+            self.assertIs(env.action_space(agent), env.action_space(agent))
+        self.assertIn("name", env.metadata)
+        self.assertIn("render_modes", env.metadata)
+
+    def test_a_cycle_of_episodes(self) -> None:
+        env = self.env(max_steps=12)
+        for agent in env.possible_agents:
+            env.action_space(agent).seed(1)
+        for _ in range(3):
+            observations, infos = env.reset(seed=2)
+            self.assertEqual(env.agents, env.possible_agents)
+            self.assertEqual(set(observations), set(env.agents))
+            self.assertEqual(set(infos), set(env.agents))
+            gone: set = set()
+            while env.agents:
+                live = list(env.agents)
+                told = env.step({agent: env.action_space(agent).sample() for agent in live})
+                for values in told:
+                    self.assertEqual(set(values), set(live))
+                observations, rewards, terminations, truncations, infos = told
+                for agent in live:
+                    self.assertIn(observations[agent], env.observation_space(agent))
+                    self.assertIsInstance(rewards[agent], float)
+                over = {agent for agent in live if terminations[agent] or truncations[agent]}
+                self.assertEqual(set(env.agents), set(live) - over)
+                gone |= over
+                self.assertFalse(gone & set(env.agents))
+            self.assertEqual(gone, set(env.possible_agents))
+        self.assertEqual(env.state().shape, env.state_space.shape)
+
+    def test_the_same_seed_is_the_same_episode(self) -> None:
+        def episode():
+            env = self.env(max_steps=20)
+            seen = [env.reset(seed=9)[0]]
+            while env.agents:
+                seen.append(env.step({agent: np.float32((0.6, 0, 0.4)) for agent in env.agents})[0])
+            return [{agent: values.tobytes() for agent, values in each.items()} for each in seen]
+
+        self.assertEqual(episode(), episode())
+
+    def test_their_own_test(self) -> None:
+        try:
+            from pettingzoo.test import parallel_api_test
+        except ImportError:
+            self.skipTest("there is no pettingzoo")
+        parallel_api_test(self.env(max_steps=50), num_cycles=200)
+
+
+class Spaces(unittest.TestCase):
+    def test_samples_are_inside_and_other_shapes_are_not(self) -> None:
+        box = Box(np.float32((-1, 0)), np.float32((1, 2)), dtype=np.float32)
+        box.seed(4)
+        for _ in range(50):
+            self.assertIn(box.sample(), box)
+        self.assertNotIn(np.float32((0, 3)), box)
+        self.assertNotIn(np.float32((0, 1, 1)), box)
+        few = Discrete(3)
+        few.seed(1)
+        self.assertEqual({int(few.sample()) for _ in range(100)}, {0, 1, 2})
+        self.assertNotIn(np.int64(3), few)
+
+    def test_the_same_seed_gives_the_same_samples(self) -> None:
+        boxes = [Box(0.0, 1.0, (4,)) for _ in range(2)]
+        for box in boxes:
+            box.seed(11)
+        np.testing.assert_array_equal(boxes[0].sample(), boxes[1].sample())
+
+
+if __name__ == "__main__":
+    unittest.main()

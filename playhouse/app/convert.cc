@@ -1,0 +1,144 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "playhouse/app/commands.h"
+#include "playhouse/app/fail.h"
+#include "playhouse/app/plan_of_world.h"
+#include "playhouse/app/whole_file.h"
+#include "playhouse/base/in_quotes.h"
+#include "playhouse/base/log.h"
+#include "playhouse/scene/ros_map.h"
+#include "playhouse/scene/world_loader.h"
+#include "playhouse/scene/write_world.h"
+
+namespace playhouse::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 6> kImages = {".png", ".pgm", ".ppm", ".pbm", ".pnm", ".bmp"};
+constexpr double kWallHeight = 0.6, kLookHeight = 0.2, kMapResolution = 0.05;  // m
+
+bool is_same_file(const std::string& a, const std::string& b) {
+  std::error_code ignored;
+  return fs::equivalent(a, b, ignored);
+}
+
+bool is_image(const std::string& path) {
+  return std::ranges::find(kImages, fs::path(path).extension()) != kImages.end();
+}
+bool is_map(const std::string& path) {
+  const fs::path ending = fs::path(path).extension();
+  return ending == ".yaml" || ending == ".yml";
+}
+
+int write_text(const std::string& path, const std::string& text) {
+  if (path.empty()) {
+    fmt::print("{}", text);
+    return kDone;
+  }
+  const Result<void> written = write_file(path, std::as_bytes(std::span(text)));
+  return written ? int{kDone} : fail(written.error());
+}
+
+/// A file as one in the folder of `beside` names it, or in full where that is nowhere.
+std::string named_from(const std::string& beside, const fs::path& file) {
+  std::error_code ignored;
+  if (beside.empty()) return fs::absolute(file, ignored).lexically_normal().string();
+  const fs::path folder = fs::absolute(beside, ignored).parent_path();
+  return fs::absolute(file, ignored).lexically_proximate(folder).string();
+}
+
+int write_plan(const ConvertOptions& options, const scene::Plan& plan, const std::string& bitmap) {
+  const Result<std::string> text = scene::world_of_plan(plan, bitmap, options.height.value_or(kWallHeight));
+  if (!text) return fail({escaped(options.input), text.error().text});
+  return write_text(options.output, *text);
+}
+
+int convert_image(const ConvertOptions& options) {
+  if (!options.scale)
+    return fail({escaped(options.input), "is an image: --scale says how many metres a pixel measures"},
+                kUsage);
+  const Result<std::string> bytes = read_file(options.input);
+  if (!bytes) return fail(bytes.error());
+  const Result<scene::Plan> plan =
+      scene::plan_of_image(*bytes, fs::path(options.input).stem().string(), *options.scale);
+  if (!plan) return fail({escaped(options.input), plan.error().text});
+  return write_plan(options, *plan, named_from(options.output, options.input));
+}
+
+/// A map whose thresholds are not those of bitmaps has its walls in an image of its own, beside the world.
+int convert_map(const ConvertOptions& options) {
+  const Result<std::string> text = read_file(options.input);
+  if (!text) return fail(text.error());
+  const Result<scene::RosMap> map = scene::read_ros_map(*text);
+  if (!map) {
+    const std::string line = map.error().where.empty() ? "" : ":" + map.error().where;
+    return fail({escaped(options.input) + line, map.error().text});
+  }
+  const fs::path image =
+      fs::path(options.input).parent_path() / map->image;  // that of an absolute path alone
+  const Result<std::string> bytes = read_file(image.string());
+  if (!bytes) return fail(bytes.error());
+  const Result<scene::Plan> plan =
+      scene::plan_of_ros_map(*map, *bytes, fs::path(options.input).stem().string());
+  if (!plan) return fail({escaped(image.string()), plan.error().text});
+  if (scene::is_plain(*plan, *bytes)) return write_plan(options, *plan, named_from(options.output, image));
+  if (options.output.empty())
+    return fail({escaped(options.input),
+                 "has thresholds of its own, so its walls become an image beside the world: -o says where"},
+                kUsage);
+  const fs::path walls = fs::path(options.output).replace_extension(".pgm");
+  if (is_same_file(walls.string(), image.string()))
+    return fail({escaped(walls.string()), "is the image of the map: give the world another name"}, kUsage);
+  if (const int failed = write_text(walls.string(), scene::pgm_of(plan->solid)); failed != kDone)
+    return failed;
+  return write_plan(options, *plan, walls.filename().string());
+}
+
+Result<scene::SceneDesc> load(const ConvertOptions& options, std::vector<Error>& others) {
+  Result<scene::SceneDesc> scene = scene::load_world(options.input, scene::NamedBy::kPerson, &others);
+  if (scene)
+    for (const std::string& warning : scene->warnings) warn(warning);
+  return scene;
+}
+
+/// The image is beside the map and has its name.
+int write_map(const ConvertOptions& options, const scene::SceneDesc& scene) {
+  const Result<scene::Plan> plan =
+      plan_of_world(scene, options.scale.value_or(kMapResolution), options.height.value_or(kLookHeight));
+  if (!plan) return fail({escaped(options.input), plan.error().text});
+  const fs::path image = fs::path(options.output).replace_extension(".pgm");
+  if (const int failed = write_text(image.string(), scene::pgm_of(plan->solid)); failed != kDone)
+    return failed;
+  return write_text(options.output, scene::ros_map_of(*plan, image.filename().string()));
+}
+
+int convert_world(const ConvertOptions& options) {
+  std::vector<Error> others;
+  const Result<scene::SceneDesc> scene = load(options, others);
+  if (!scene) return fail_in_file(scene.error(), others);
+  if (is_map(options.output)) return write_map(options, *scene);
+  if (options.scale || options.height)
+    return fail({"", "--scale and --height are for images and maps"}, kUsage);
+  // Bitmaps of a text that goes anywhere are named in full.
+  const Result<std::string> text = scene::write_world(*scene, options.output);
+  if (!text) return fail({escaped(options.input), "not converted: " + text.error().text});
+  return write_text(options.output, *text);
+}
+
+}  // namespace
+
+int convert(const ConvertOptions& options) {
+  log::open(0);
+  if (is_same_file(options.input, options.output))
+    return fail({escaped(options.output), "is what is read: give another name"}, kUsage);
+  if (is_image(options.input)) return convert_image(options);
+  return is_map(options.input) ? convert_map(options) : convert_world(options);
+}
+
+}  // namespace playhouse::app

@@ -1,0 +1,122 @@
+#include "playhouse/app/plan_of_world.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <vector>
+
+#include "playhouse/base/limits.h"
+#include "playhouse/stage/bodies.h"
+
+namespace playhouse::app {
+namespace {
+
+using geom::Vec2;
+using Outline = std::span<const Vec2>;
+
+/// Draws outlines into a plan that has its size.
+class Canvas {
+ public:
+  explicit Canvas(scene::Plan& plan) : plan_(plan) {}
+
+  /// What is within an odd number of the outlines, row by row (even-odd rule).
+  void fill(std::span<const Outline> outlines) {
+    std::vector<double> cuts;
+    for (int row = 0; row < plan_.solid.height; ++row) {
+      const double y = plan_.X_WI.y + (plan_.solid.height - row - 0.5) * plan_.resolution;
+      cuts.clear();
+      for (const Outline outline : outlines)
+        for (std::size_t i = 0; i < outline.size(); ++i) {
+          const Vec2 a = outline[i], b = outline[(i + 1) % outline.size()];
+          if ((a.y > y) != (b.y > y)) cuts.push_back(a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y)));
+        }
+      std::ranges::sort(cuts);
+      for (std::size_t i = 0; i + 1 < cuts.size(); i += 2) {
+        const int first = column_after(cuts[i]), last = column_after(cuts[i + 1]);
+        for (int x = std::max(first, 0); x < std::min(last, plan_.solid.width); ++x) mark(x, row);
+      }
+    }
+  }
+
+  /// The pixels that an outline goes through.
+  void draw(Outline outline) {
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const Vec2 a = outline[i], e = outline[(i + 1) % outline.size()] - a;
+      const auto steps = static_cast<int>(2 * std::sqrt(geom::dot(e, e)) / plan_.resolution) + 1;
+      for (int k = 0; k <= steps; ++k) {
+        const Vec2 p = a + (static_cast<double>(k) / steps) * e;
+        const int x = static_cast<int>(std::floor((p.x - plan_.X_WI.x) / plan_.resolution));
+        const int y = static_cast<int>(std::floor((p.y - plan_.X_WI.y) / plan_.resolution));
+        if (x >= 0 && x < plan_.solid.width && y >= 0 && y < plan_.solid.height)
+          mark(x, plan_.solid.height - 1 - y);
+      }
+    }
+  }
+
+ private:
+  /// The first column whose middle is right of x.
+  int column_after(double x) const {
+    return static_cast<int>(std::ceil((x - plan_.X_WI.x) / plan_.resolution - 0.5));
+  }
+  void mark(int x, int row) {
+    plan_.solid.solid[static_cast<std::size_t>(row) * static_cast<std::size_t>(plan_.solid.width) +
+                      static_cast<std::size_t>(x)] = 1;
+  }
+
+  scene::Plan& plan_;
+};
+
+/// Room for everything, with a pixel more on each side; where it begins is a multiple of the resolution.
+Result<scene::Plan> empty_plan(const geom::Box& walls, double resolution) {
+  const double x0 = std::floor(walls.x_min / resolution) - 1, y0 = std::floor(walls.y_min / resolution) - 1;
+  const double width = std::ceil(walls.x_max / resolution) + 1 - x0,
+               height = std::ceil(walls.y_max / resolution) + 1 - y0;
+  if (width * height > static_cast<double>(limits::kBitmapPixels))
+    return Error{
+        "",
+        fmt::format("would be {:.0f} x {:.0f} pixels, and an image has at most {}: choose a larger --scale",
+                    width, height, limits::kBitmapPixels)};
+  scene::Plan plan;
+  plan.resolution = resolution;
+  plan.solid = {static_cast<int>(width), static_cast<int>(height), {}};
+  plan.solid.solid.resize(static_cast<std::size_t>(width * height));
+  plan.X_WI = {x0 * resolution, y0 * resolution, 0, 0};
+  return plan;
+}
+
+}  // namespace
+
+Result<scene::Plan> plan_of_world(const scene::SceneDesc& scene, double resolution, double height) {
+  const world::World world(scene, 1);
+  stage::Shapes shapes(scene);
+  const stage::Solids solids = stage::make_fixed_solids(world, shapes);
+  // Outlines of one model's bitmap hold each other's holes; a block is whole by itself.
+  std::map<std::uint32_t, std::vector<Outline>> of_bitmaps;
+  std::vector<Outline> blocks, thin;
+  geom::Box all;
+  for (std::size_t row = 0; row < solids.size(); ++row) {
+    if (height < solids.z_min[row] || solids.z_max[row] < height) continue;
+    const Outline outline = solids.polygon(row);
+    for (const Vec2 p : outline) all.add(p);
+    if (solids.full[row] != 0)
+      blocks.push_back(outline);
+    else
+      of_bitmaps[solids.model[row]].push_back(outline);
+    if (solids.width[row] < resolution) thin.push_back(outline);
+  }
+  if (blocks.empty() && of_bitmaps.empty())
+    return Error{
+        "",
+        fmt::format("nothing stands still {} m above the floor (--height says where else to look)", height)};
+  Result<scene::Plan> plan = empty_plan(all, resolution);
+  if (!plan) return plan;
+  Canvas canvas(*plan);
+  for (const auto& [model, outlines] : of_bitmaps) canvas.fill(outlines);
+  for (const Outline& block : blocks) canvas.fill({&block, 1});
+  for (const Outline outline : thin) canvas.draw(outline);
+  return plan;
+}
+
+}  // namespace playhouse::app

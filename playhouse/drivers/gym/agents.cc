@@ -1,0 +1,199 @@
+#include "playhouse/drivers/gym/agents.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "playhouse/base/in_quotes.h"
+#include "playhouse/base/rng.h"
+
+namespace playhouse::drivers::gym {
+namespace {
+
+/// The columns, in the order of the table.
+enum : std::size_t {
+  kActions,
+  kReset,
+  kRanges,
+  kPose,
+  kOdometry,
+  kVelocity,
+  kStalled,
+  kRangeMost,
+  kTick,
+  kTime,
+  kInterval
+};
+
+void put(double* row, const geom::Pose& pose) {
+  row[0] = pose.x, row[1] = pose.y, row[2] = pose.a;
+}
+
+/// The largest that one of its sensors tells.
+float range_most(const world::World& world, world::ModelRow ranger) {
+  double most = 0;
+  for (const scene::RangerSensorDesc& sensor : world.desc(ranger).sensors)
+    most = std::max(most, sensor.range_max);
+  return static_cast<float>(most);
+}
+
+double radius_of(const scene::ModelDesc& desc) {
+  return std::hypot(std::fabs(desc.X_MB.x) + desc.size.x / 2, std::fabs(desc.X_MB.y) + desc.size.y / 2);
+}
+
+}  // namespace
+
+Result<void> Agents::begin() {
+  find();
+  if (agents_.empty()) return Error{"", "no robot of this world has a range finder"};
+  beams_ = beams_of(agents_.front());
+  const world::World& world = simulation_.world();
+  for (const Agent& agent : agents_) {
+    if (beams_of(agent) == beams_) continue;
+    return Error{"", fmt::format("the range finders of robots differ: {} has {} beams, and {} has {}",
+                                 in_quotes(world.name(world.row(agents_.front().model))), beams_,
+                                 in_quotes(world.name(world.row(agent.model))), beams_of(agent))};
+  }
+  const auto count = static_cast<std::uint32_t>(agents_.size());
+  const SharedColumns::Column columns[] = {
+      {"actions", "<f4", count, 3, 4}, {"reset", "|u1", count, 0, 1},     {"ranges", "<f4", count, beams_, 4},
+      {"pose", "<f8", count, 3, 8},    {"odometry", "<f8", count, 3, 8},  {"velocity", "<f8", count, 3, 8},
+      {"stalled", "|u1", count, 0, 1}, {"range_max", "<f4", count, 0, 4}, {"tick", "<u8", 1, 0, 8},
+      {"time", "<f8", 1, 0, 8},        {"interval", "<f8", 1, 0, 8},
+  };
+  if (const Result<void> made = columns_.make(columns); !made) return made;
+  for (std::size_t i = 0; i < agents_.size(); ++i)
+    columns_.values<float>(kRangeMost)[i] = range_most(world, world.row(agents_[i].ranger));
+  *columns_.values<double>(kInterval) = world.scene().interval;
+  world::World& changing = simulation_.engine().world();
+  for (Agent& agent : agents_) {
+    agent.wheels.begin(changing, simulation_, agent.model);
+    agent.sensor.begin(changing, simulation_, agent.ranger);
+  }
+  observe();
+  return {};
+}
+
+void Agents::find() {
+  const world::World& world = simulation_.world();
+  std::vector<world::ModelRow> ranger_of(world.models.size());  // the first in each tree, by its top
+  for (const world::ModelRow ranger : world.rangers.model) {
+    world::ModelRow& first = ranger_of[world.models.root[ranger.index]];
+    if (!first) first = ranger;
+  }
+  for (const world::ModelRow model : world.positions.model) {
+    if (world.models.root[model.index] != model.index || !ranger_of[model.index]) continue;
+    agents_.push_back({.model = world.id(model),
+                       .ranger = world.id(ranger_of[model.index]),
+                       .start = world.models.X_PM[model.index],
+                       .radius = radius_of(world.desc(model)),
+                       .wheels = {},
+                       .sensor = {}});
+  }
+}
+
+std::uint32_t Agents::beams_of(const Agent& agent) const {
+  const world::World& world = simulation_.world();
+  const std::uint32_t ranger = world.models.part[world.row(agent.ranger).index];
+  const std::uint32_t first = world.rangers.first_sensor[ranger];
+  std::uint32_t beams = 0;
+  for (std::uint32_t sensor = first; sensor < first + world.rangers.sensor_count[ranger]; ++sensor)
+    beams += world.sensors.beam_count[sensor];
+  return beams;
+}
+
+void Agents::reset_all() {
+  world::World& world = simulation_.engine().world();
+  std::vector<std::size_t> place_of(agents_.size());
+  for (std::size_t i = 0; i < place_of.size(); ++i) place_of[i] = i;
+  Rng rng(world.seed(), world.tick(), {Purpose::kAgentPlace});
+  for (std::size_t i = place_of.size(); i > 1; --i) {
+    const auto other = static_cast<std::size_t>(rng.uniform() * static_cast<double>(i));
+    // A place that holds one holds its like.
+    if (agents_[place_of[other]].radius == agents_[place_of[i - 1]].radius)
+      std::swap(place_of[other], place_of[i - 1]);
+  }
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    const world::ModelRow row = world.row(agents_[i].model);
+    if (!row) continue;
+    agents_[i].placed = 0;
+    world::set_pose(world, row, agents_[place_of[i]].start);
+    stand(i);
+  }
+  std::memset(columns_.values<std::uint8_t>(kReset), 0, agents_.size());
+}
+
+void Agents::act() {
+  world::World& world = simulation_.engine().world();
+  const float* action = columns_.values<float>(kActions);
+  auto* reset = columns_.values<std::uint8_t>(kReset);
+  for (std::size_t i = 0; i < agents_.size(); ++i, action += 3) {
+    const world::PositionRow robot = world.position(agents_[i].model);
+    if (!robot) continue;  // somebody took it out
+    if (reset[i] != 0) {
+      place(i);
+    } else {
+      world::command_velocity(world, robot, {action[0], action[1], 0, action[2]});
+    }
+  }
+  std::memset(reset, 0, agents_.size());
+}
+
+void Agents::place(std::size_t i) {
+  world::World& world = simulation_.engine().world();
+  Agent& agent = agents_[i];
+  Rng rng(world.seed(), world.tick(), {Purpose::kAgentPlace, agent.model.value, 0, ++agent.placed});
+  const std::size_t first = static_cast<std::size_t>(rng.uniform() * static_cast<double>(agents_.size()));
+  for (std::size_t tried = 0; tried < agents_.size(); ++tried) {
+    const geom::Pose& at = agents_[(first + tried) % agents_.size()].start;
+    if (!is_free(at, i)) continue;
+    world::set_pose(world, world.row(agent.model), at);
+    break;  // where all are taken it stays
+  }
+  stand(i);
+}
+
+void Agents::stand(std::size_t i) {
+  world::World& world = simulation_.engine().world();
+  const world::PositionRow robot = world.position(agents_[i].model);
+  world::command_velocity(world, robot, {});
+  world.positions.velocity[robot.index] = {};
+  world.positions.stall[robot.index] = 0;
+}
+
+bool Agents::is_free(const geom::Pose& at, std::size_t i) const {
+  const world::World& world = simulation_.world();
+  for (std::size_t other = 0; other < agents_.size(); ++other) {
+    const world::ModelRow row = world.row(agents_[other].model);
+    if (other == i || !row) continue;
+    const geom::Pose& X_WM = world.models.X_WM[row.index];
+    const double room = agents_[i].radius + agents_[other].radius;
+    const double dx = X_WM.x - at.x, dy = X_WM.y - at.y;
+    if (dx * dx + dy * dy < room * room) return false;
+  }
+  return true;
+}
+
+void Agents::observe() {
+  const world::World& world = simulation_.world();
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    const world::ModelRow model = world.row(agents_[i].model), ranger = world.row(agents_[i].ranger);
+    if (!model || !ranger) continue;
+    const std::uint32_t robot = world.models.part[model.index];
+    const std::uint32_t sensor = world.rangers.first_sensor[world.models.part[ranger.index]];
+    std::copy_n(world.sensors.ranges.begin() + world.sensors.first_beam[sensor], beams_,
+                columns_.values<float>(kRanges) + i * beams_);
+    put(columns_.values<double>(kPose) + 3 * i, world.models.X_WM[model.index]);
+    put(columns_.values<double>(kOdometry) + 3 * i, world.positions.X_OM[robot]);
+    const geom::Twist& velocity = world.positions.velocity[robot];
+    double* const row = columns_.values<double>(kVelocity) + 3 * i;
+    row[0] = velocity.x, row[1] = velocity.y, row[2] = velocity.a;
+    columns_.values<std::uint8_t>(kStalled)[i] = world.positions.stall[robot];
+  }
+  *columns_.values<std::uint64_t>(kTick) = world.tick();
+  *columns_.values<double>(kTime) = world.time();
+}
+
+}  // namespace playhouse::drivers::gym

@@ -1,0 +1,137 @@
+#include "playhouse/scene/plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "playhouse/base/in_quotes.h"
+
+namespace playhouse::scene {
+namespace {
+
+/// Pixels from the left and from the bottom, the end not included.
+struct Extent {
+  int x0, y0, x1, y1;
+};
+
+std::optional<Extent> extent_of(const Bitmap& solid) {
+  Extent all{solid.width, solid.height, 0, 0};
+  for (int row = 0; row < solid.height; ++row)
+    for (int x = 0; x < solid.width; ++x) {
+      if (!solid.at(x, row)) continue;
+      const int y = solid.height - 1 - row;
+      all = {std::min(all.x0, x), std::min(all.y0, y), std::max(all.x1, x + 1), std::max(all.y1, y + 1)};
+    }
+  if (all.x1 == 0) return std::nullopt;
+  return all;
+}
+
+/// How many pixels are free about each pixel, in the largest square with it in the middle: 0 where it is not
+/// free itself. Two passes of the chessboard distance.
+std::vector<int> room_of(const Bitmap& free) {
+  const int w = free.width, h = free.height;
+  std::vector<int> room(static_cast<std::size_t>(w) * static_cast<std::size_t>(h));
+  const auto at = [&](int x, int y) {
+    return x < 0 || y < 0 || x >= w || y >= h
+               ? 0
+               : room[static_cast<std::size_t>(y) * static_cast<std::size_t>(w) +
+                      static_cast<std::size_t>(x)];
+  };
+  const auto pass = [&](int x, int y, int side) {
+    if (!free.at(x, y)) return;
+    int& here = room[static_cast<std::size_t>(y) * static_cast<std::size_t>(w) + static_cast<std::size_t>(x)];
+    const int near = std::min(std::min(at(x - side, y), at(x, y - side)),
+                              std::min(at(x - 1, y - side), at(x + 1, y - side)));
+    here = side > 0 ? near + 1 : std::min(here, near + 1);
+  };
+  for (int y = 0; y < h; ++y)
+    for (int x = 0; x < w; ++x) pass(x, y, 1);
+  for (int y = h - 1; y >= 0; --y)
+    for (int x = w - 1; x >= 0; --x) pass(x, y, -1);
+  return room;
+}
+
+constexpr double kRobotSize = 0.4;  // m
+
+/// The middle of a free pixel, in metres from the lower left corner: the one nearest to the middle of the
+/// walls about which a robot has room, or else the one with most room.
+std::optional<geom::Vec2> place_for_robot(const Plan& plan, const Extent& walls) {
+  const std::vector<int> room = room_of(plan.free);
+  const int most = *std::max_element(room.begin(), room.end());
+  if (most == 0) return std::nullopt;
+  const int enough = std::min(most, static_cast<int>(kRobotSize / plan.resolution) + 2);
+  const double middle_x = 0.5 * (walls.x0 + walls.x1), middle_y = 0.5 * (walls.y0 + walls.y1);
+  std::optional<geom::Vec2> best;
+  double nearest = 0;
+  for (int row = 0, i = 0; row < plan.free.height; ++row)
+    for (int x = 0; x < plan.free.width; ++x, ++i) {
+      if (room[static_cast<std::size_t>(i)] < enough) continue;
+      const geom::Vec2 p{x + 0.5, plan.free.height - row - 0.5};
+      const double away = (p.x - middle_x) * (p.x - middle_x) + (p.y - middle_y) * (p.y - middle_y);
+      if (best && away >= nearest) continue;
+      best = p;
+      nearest = away;
+    }
+  return plan.resolution * *best;
+}
+
+/// As a person writes it: no digits below a micrometre.
+double rounded(double value) {
+  const double whole = std::round(value * 1e6) / 1e6;
+  return whole == 0 ? 0 : whole;
+}
+
+bool can_be_quoted(const std::string& text) {
+  return std::ranges::none_of(text, [](char c) { return c == '"' || c == '\n' || c == '\r' || c == '\0'; });
+}
+
+}  // namespace
+
+Result<Plan> plan_of_image(std::string_view bytes, std::string name, double resolution) {
+  Result<Bitmap> solid = decode_bitmap(bytes);
+  if (!solid) return solid.error();
+  Plan plan{std::move(name), std::move(*solid), {}, resolution, {}};
+  plan.free = plan.solid;
+  for (std::uint8_t& pixel : plan.free.solid) pixel = pixel == 0;
+  plan.X_WI = {-0.5 * plan.solid.width * resolution, -0.5 * plan.solid.height * resolution, 0, 0};
+  return plan;
+}
+
+Result<std::string> world_of_plan(const Plan& plan, const std::string& bitmap, double height) {
+  const std::optional<Extent> walls = extent_of(plan.solid);
+  if (!walls) return Error{"", "has no dark pixel, so it has no walls"};
+  if (!can_be_quoted(plan.name) || !can_be_quoted(bitmap))
+    return Error{"", "has a name that a world file cannot hold: " + in_quotes(bitmap)};
+  // A bitmap fills the size of its model with its dark pixels; what is about them does not count.
+  const geom::Vec2 size{(walls->x1 - walls->x0) * plan.resolution, (walls->y1 - walls->y0) * plan.resolution};
+  const geom::Vec2 middle = geom::transform(plan.X_WI, {0.5 * (walls->x0 + walls->x1) * plan.resolution,
+                                                        0.5 * (walls->y0 + walls->y1) * plan.resolution});
+  const double turn = rounded(geom::degrees(plan.X_WI.a));
+  std::string text = fmt::format(
+      "# The floor plan {}, at {} m a pixel.\n\nname \"{}\"\nwindow( center [{} {}] scale {} show_data 1 "
+      ")\n\n"
+      "model( name \"walls\" bitmap \"{}\" size [{} {} {}] pose [{} {} 0 {}] color \"gray30\" gui_move 0 )\n",
+      bitmap, plan.resolution, plan.name, rounded(middle.x), rounded(middle.y),
+      rounded(700 / std::max(size.x, size.y)), bitmap, rounded(size.x), rounded(size.y), height,
+      rounded(middle.x), rounded(middle.y), turn);
+  if (const std::optional<geom::Vec2> place = place_for_robot(plan, *walls)) {
+    const geom::Vec2 p = geom::transform(plan.X_WI, *place);
+    text += fmt::format(
+        "\nposition( name \"guest\" pose [{} {} 0 {}] size [{} {} 0.3] color \"DodgerBlue\" localization "
+        "\"gps\"\n"
+        "  ranger( size [0.1 0.1 0.1] sensor( range [0 8] fov 180 samples 181 ) ) )\n",
+        rounded(p.x), rounded(p.y), turn, kRobotSize, kRobotSize);
+  }
+  return text;
+}
+
+std::string pgm_of(const Bitmap& solid) {
+  std::string image = fmt::format("P5\n{} {}\n255\n", solid.width, solid.height);
+  for (const std::uint8_t pixel : solid.solid) image += pixel != 0 ? '\0' : '\xff';
+  return image;
+}
+
+}  // namespace playhouse::scene

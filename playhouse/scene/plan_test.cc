@@ -1,0 +1,160 @@
+#include "playhouse/scene/plan.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "playhouse/scene/ros_map.h"
+#include "playhouse/scene/world_loader.h"
+
+namespace playhouse::scene {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Walls of one pixel about a room of 8 x 4, with a margin of two pixels on the left and one on top.
+constexpr const char* kRoom =
+    "P1 12 7\n"
+    "000000000000\n"
+    "001111111111\n"
+    "001000000001\n"
+    "001000000001\n"
+    "001000000001\n"
+    "001000000001\n"
+    "001111111111\n";
+
+/// The box about all corners of the walls of a world, in the world.
+geom::Box walls_of(const std::string& world, const char* image = kRoom) {
+  MemoryFiles files({{"room.pbm", image}});
+  const auto scene = load_world_text(world, "w.world", files);
+  EXPECT_TRUE(scene) << scene.error().line();
+  geom::Box all;
+  const ModelDesc& walls = scene->models.at(0);
+  for (const auto& loop : walls.bitmaps.at(0).loops)
+    for (const geom::Vec2 p : loop) all.add(geom::transform(geom::compose(walls.X_PM, walls.X_MB), p));
+  return all;
+}
+
+TEST(Plan, has_its_walls_where_the_pixels_are_whatever_the_margin) {
+  const auto plan = plan_of_image(kRoom, "room", 0.5);
+  ASSERT_TRUE(plan);
+  const auto world = world_of_plan(*plan, "room.pbm", 1.5);
+  ASSERT_TRUE(world);
+  const geom::Box walls = walls_of(*world);
+  EXPECT_NEAR(walls.x_min, -2, 1e-6);  // of an image from -3 to 3
+  EXPECT_NEAR(walls.x_max, 3, 1e-6);
+  EXPECT_NEAR(walls.y_min, -1.75, 1e-6);  // from -1.75 to 1.75
+  EXPECT_NEAR(walls.y_max, 1.25, 1e-6);
+  EXPECT_THAT(*world, HasSubstr("1.5]"));
+}
+
+TEST(Plan, puts_the_robot_where_it_has_room) {
+  const auto plan = plan_of_image(kRoom, "room", 0.5);
+  const auto world = world_of_plan(*plan, "room.pbm", 1);
+  MemoryFiles files({{"room.pbm", kRoom}});
+  const auto scene = load_world_text(*world, "w.world", files);
+  ASSERT_TRUE(scene);
+  const ModelDesc& robot = scene->models.at(1);
+  EXPECT_EQ(robot.kind, ModelKind::kPosition);
+  EXPECT_GT(robot.X_PM.x, -1);
+  EXPECT_LT(robot.X_PM.x, 2);
+  EXPECT_GT(robot.X_PM.y, -1);
+  EXPECT_LT(robot.X_PM.y, 0.5);
+}
+
+std::vector<std::string> warnings_of(const std::string& size) {
+  MemoryFiles files({{"room.pbm", kRoom}});
+  const auto scene = load_world_text("model( bitmap \"room.pbm\" size [" + size + " 1] )", "w.world", files);
+  EXPECT_TRUE(scene);
+  return scene->warnings;
+}
+
+TEST(Plan, with_a_margin_that_somebody_measured_is_told_with_the_numbers) {
+  EXPECT_THAT(warnings_of("10 6"), ::testing::IsEmpty()) << "the size of the walls";
+  const std::vector<std::string> warnings = warnings_of("12 7");
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0],
+            "w.world:1: bitmap \"room.pbm\" has a margin: the size is that of its 10 x 6 dark "
+            "pixels, not of "
+            "all 12 x 7, so a pixel is 1.2 x 1.167 m");
+}
+
+TEST(Plan, without_walls_is_no_world) {
+  const auto plan = plan_of_image("P1 2 2 0 0 0 0", "empty", 1);
+  ASSERT_TRUE(plan);
+  EXPECT_THAT(world_of_plan(*plan, "empty.pbm", 1).error().text, HasSubstr("no dark pixel"));
+  const auto quoted = plan_of_image(kRoom, "a\"b", 1);
+  EXPECT_FALSE(world_of_plan(*quoted, "room.pbm", 1));
+}
+
+TEST(RosMap, is_read_with_everything_that_it_says) {
+  const auto map = read_ros_map(
+      "image: maps/lab.pgm\nresolution: 0.05\norigin: [-10.0, 2.5, 1.5]\nnegate: 1\noccupied_thresh: 0.7\n"
+      "free_thresh: 0.1\nmode: scale\n");
+  ASSERT_TRUE(map);
+  EXPECT_EQ(map->image, "maps/lab.pgm");
+  EXPECT_EQ(map->resolution, 0.05);
+  EXPECT_EQ(map->origin.x, -10);
+  EXPECT_EQ(map->origin.a, 1.5);
+  EXPECT_TRUE(map->negate);
+  EXPECT_EQ(map->occupied, 0.7);
+  EXPECT_EQ(map->free, 0.1);
+}
+
+std::string fault(const std::string& text) {
+  const auto map = read_ros_map(text);
+  return map ? "" : map.error().line();
+}
+
+TEST(RosMap, with_a_fault_is_told_with_its_line) {
+  EXPECT_EQ(fault("image: a.pgm\nresolution: fine\n"), "2: \"resolution\" wants a number");
+  EXPECT_EQ(fault("image: a.pgm\nresolution: 0\n"), "2: \"resolution\" wants a number above 0");
+  EXPECT_EQ(fault("image: a.pgm\nresolution: .nan\n"), "2: \"resolution\" wants a number");
+  EXPECT_EQ(fault("image: a.pgm\nresoluton: 1\n"),
+            "2: there is no key \"resoluton\" (did you mean \"resolution\"?)");
+  EXPECT_EQ(fault("resolution: 1\n"), "lacks \"image\"");
+  EXPECT_EQ(fault("image: a.pgm\nresolution: 1\norigin: [1]\n"), "3: \"origin\" wants [x, y, yaw]");
+  EXPECT_EQ(fault("image: a.pgm\nresolution: 1\nmode: rawe\n"),
+            "3: there is no mode \"rawe\" (did you mean \"raw\"?)");
+  EXPECT_THAT(fault("image: a.pgm\nresolution: 1\nfree_thresh: 0.9\n"), HasSubstr("might be both"));
+  EXPECT_THAT(fault("just a line"), HasSubstr("no map of ROS"));
+  EXPECT_THAT(fault("image: ["), HasSubstr("1: "));
+}
+
+TEST(RosMap, takes_a_pixel_by_its_thresholds) {
+  const std::string image = std::string("P5 4 1 255 ") + '\x00' + '\x5a' + '\x59' + '\xff';  // 0, 90, 89, 255
+  const auto map = read_ros_map("image: a.pgm\nresolution: 1\norigin: [0, 0, 0]\n");
+  const auto plan = plan_of_ros_map(*map, image, "a");
+  ASSERT_TRUE(plan);
+  EXPECT_EQ(plan->solid.solid, (std::vector<std::uint8_t>{1, 0, 1, 0}));  // 0.647 and 0.651 of 0.65
+  EXPECT_EQ(plan->free.solid, (std::vector<std::uint8_t>{0, 0, 0, 1}));
+  EXPECT_FALSE(is_plain(*plan, image));
+  EXPECT_TRUE(is_plain(*plan, pgm_of(plan->solid)));
+}
+
+TEST(RosMap, has_its_walls_where_its_origin_says_also_when_it_is_turned) {
+  const auto map = read_ros_map("image: room.pbm\nresolution: 0.5\norigin: [10, 20, 1.5707963267948966]\n");
+  const auto plan = plan_of_ros_map(*map, kRoom, "room");
+  ASSERT_TRUE(plan);
+  const auto world = world_of_plan(*plan, "room.pbm", 1);
+  ASSERT_TRUE(world);
+  const geom::Box walls = walls_of(*world);
+  EXPECT_NEAR(walls.x_min, 10 - 3, 1e-5);  // y of the image goes to the left: 0 to 6 of 7 pixels
+  EXPECT_NEAR(walls.x_max, 10, 1e-5);
+  EXPECT_NEAR(walls.y_min, 20 + 1, 1e-5);  // 2 to 12 pixels
+  EXPECT_NEAR(walls.y_max, 20 + 6, 1e-5);
+}
+
+TEST(RosMap, is_written_as_it_is_read) {
+  auto plan = plan_of_image(kRoom, "room", 0.25);
+  plan->X_WI = {-1.25, 3, 0, 0.5};
+  const auto map = read_ros_map(ros_map_of(*plan, "room.pgm"));
+  ASSERT_TRUE(map);
+  const auto again = plan_of_ros_map(*map, pgm_of(plan->solid), "room");
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->solid.solid, plan->solid.solid);
+  EXPECT_EQ(again->resolution, plan->resolution);
+  EXPECT_EQ(again->X_WI, plan->X_WI);
+}
+
+}  // namespace
+}  // namespace playhouse::scene
