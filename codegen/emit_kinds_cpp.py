@@ -300,7 +300,8 @@ def _read_tuple(word: Word) -> list[str]:
         good = " && ".join(f"{a} <= {b}" for a, b in zip(chain, chain[1:]))
         lines.append(f"require({good}, properties, {_text(word.name)}, {_text('needs ' + limits_text(word))});")
     if word.max is not None:
-        good = " && ".join(f"{word.name}[{i}] >= {word.min} && {word.name}[{i}] <= {word.max}" for i in range(len(word.parts)))
+        bounds = [[f"geom::radians({v})" if p.scale == "A" else f"{v}" for v in (word.min, word.max)] for p in word.parts]
+        good = " && ".join(f"{word.name}[{i}] >= {least} && {word.name}[{i}] <= {most}" for i, (least, most) in enumerate(bounds))
         lines.append(f"require({good}, properties, {_text(word.name)}, {_text('needs numbers ' + limits_text(word))});")
     for i, part in enumerate(word.parts):
         value = f"{word.name}[{i}]"

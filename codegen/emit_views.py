@@ -151,8 +151,8 @@ def _state(kinds: Kinds) -> list[str]:
 
 
 def _sensing(kinds: Kinds) -> list[str]:
-    lines = ["bool only_measures(scene::ModelKind kind) {", "  switch (kind) {"]
-    lines += [f"    case scene::ModelKind::{enumerator(k.kind)}:" for k in kinds.simulated() if k.measures and not k.acts]
+    lines = ["bool may_be_watched(scene::ModelKind kind) {", "  switch (kind) {"]
+    lines += [f"    case scene::ModelKind::{enumerator(k.kind)}:" for k in kinds.simulated() if k.may_be_watched]
     return [*lines, "      return true;", "    default:", "      return false;", "  }", "}", ""]
 
 

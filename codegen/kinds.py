@@ -28,7 +28,7 @@ INDICES = ("one", "robot", "count")
 NEEDS = ("scanner", "several sensors", "robot")
 
 KEY_TYPES = {key: str for key in ("name", "entity", "doc", "kind", "inside", "table", "index", "when", "listed_when", "form")}
-KEY_TYPES |= {"number": int, "watts": (int, float), "body": dict, "old": dict, "old_types": dict, "silent_why": dict, "size": list, "color": list, "solid": bool, "shared": bool}
+KEY_TYPES |= {"number": int, "watts": (int, float), "body": dict, "old": dict, "old_types": dict, "silent_why": dict, "size": list, "color": list, "solid": bool, "shared": bool, "watchable": bool}
 KEY_TYPES |= {key: list for key in ("given_by", "silent", "word", "interface", "record", "column", "viewer")}
 
 
@@ -64,6 +64,7 @@ class Kind:
     table: str              # of the world's state, "" for none
     watts: float | None     # that it draws while it is subscribed; of parts each; None: what the word `watts` says
     given_by: list[str]     # of traits: the words that give a model one
+    watchable: bool         # what acts and measures: it acts for others than watchers alone
     body: Body | None
     words: list[Word] = field(default_factory=list)
     silent: list[str] = field(default_factory=list)
@@ -81,6 +82,11 @@ class Kind:
     def measures(self) -> bool:
         """It measures, when it is due."""
         return any(c.name == "measured_tick" for c in self.state.columns)
+
+    @property
+    def may_be_watched(self) -> bool:
+        """It measures for those who only look, and then does nothing else."""
+        return self.measures and (self.watchable or not self.acts)
 
     @property
     def acts(self) -> bool:
@@ -180,7 +186,7 @@ def build_kinds(parsed: list[tuple[str, dict]], schema: Schema) -> Kinds:
 
 def _check_head(source: str, table: dict) -> None:
     keys(source, table, {"name", "entity", "doc"}, {
-        "kind", "number", "inside", "table", "watts", "given_by", "body", "silent", "silent_why", "old", "old_types", "word", "interface",
+        "kind", "number", "inside", "table", "watts", "given_by", "watchable", "body", "silent", "silent_why", "old", "old_types", "word", "interface",
         "record", "column", "viewer"})
     typed(source, table, KEY_TYPES)
     if not WORD.match(table["name"]):
@@ -199,7 +205,7 @@ def _kind(source: str, table: dict, schema: Schema) -> Kind:
         if (key in table) != (entity == wanted):
             raise SchemaError(f"{source}: a {wanted}, and only a {wanted}, has {key}")
     out = Kind(table["name"], entity, table["doc"], source, table.get("kind", table["name"] if number is not None else ""),
-               number, table.get("inside", ""), table.get("table", ""), table.get("watts"), table.get("given_by", []),
+               number, table.get("inside", ""), table.get("table", ""), table.get("watts"), table.get("given_by", []), table.get("watchable", False),
                _body(f"{source}: body", table.get("body")))
     if "kind" in table and number is None:
         raise SchemaError(f"{source}: kind names a number of ModelKind, and there is none")

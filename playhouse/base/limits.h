@@ -86,7 +86,7 @@ inline constexpr std::size_t kSensors = 1u << 21;                 // of all rang
 inline constexpr std::size_t kOldParts = 1u << 18;                // of rangers and bodies, that worlds of Stage 2 tell of by numbered words
 inline constexpr std::size_t kOldPartsOfOne = 1024;               // the same of one model
 inline constexpr int kRangerSamples = 1 << 16;                    // beams of one sensor
-inline constexpr std::size_t kBeams = 1u << 26;                   // of all sensors of a world
+inline constexpr std::size_t kBeams = 1u << 26;                   // of all sensors of a world, and pixels of its cameras
 
 static_assert(kBodyBytes + kHeaderBytes == kMessageBytes);
 static_assert(kViewers + kHttpConnectionsPerAddress <= kHttpConnections, "viewers alone must not fill the server");

@@ -30,6 +30,7 @@ enum class Purpose : std::uint64_t {
   kTestScene = 9,      // entity: robot
   kFading = 10,        // entity: id of a radio; part: id of the one that it hears
   kAgentPlace = 11,    // entity: id of a model; detail: how often it has been placed
+  kPixel = 12,         // entity: id of a camera
   kCount
 };
 

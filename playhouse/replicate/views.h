@@ -40,9 +40,9 @@ std::span<const View> views();
 std::uint8_t state_bits(const world::World& world, std::uint32_t model);
 inline constexpr std::uint8_t kSubscribed = 1;  // somebody reads or drives it
 
-/// Whether models of the kind measure while somebody subscribes, and do nothing else then: whoever looks at
-/// them changes nothing.
-bool only_measures(scene::ModelKind kind);
+/// Whether models of the kind measure while somebody subscribes, and do nothing else for those who only look:
+/// they change nothing.
+bool may_be_watched(scene::ModelKind kind);
 
 /// Appends what a kind tells of its prototypes, as fields of a JSON object: `,"trail":20`.
 void tell_kind(const scene::ModelDesc& model, std::string& text);

@@ -9,6 +9,7 @@
 
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/scene/actuator.h"
+#include "playhouse/scene/camera.h"
 #include "playhouse/scene/bitmap.h"
 #include "playhouse/scene/body.h"
 #include "playhouse/scene/expand.h"
@@ -53,7 +54,7 @@ class WorldLoader {
         pixels_{limits.pixels, limits.pixels, "pixels of bitmaps"},
         outlines_{limits.corners, limits.corners, "corners of bitmaps"},
         corners_{limits.corners, limits.corners, "corners of bodies"},
-        beams_{limits.beams, limits.beams, "beams of rangers"},
+        beams_{limits.beams, limits.beams, "beams of rangers and pixels of cameras"},
         text_bytes_{limits.text_bytes, limits.text_bytes, "bytes of names and texts"} {}
 
   Result<SceneDesc> load();
@@ -136,7 +137,6 @@ class WorldLoader {
   SceneDesc scene_;
   TokenNames names_{scene_, state_};
   std::map<std::string, Loops> bitmaps_;
-  std::set<std::string_view> plain_types_;                           // warned of
   std::set<std::pair<std::uint32_t, std::uint32_t>> unknown_types_;  // files and lines told
   std::map<std::string, Repeat, std::less<>> repeats_;               // by repeat_key()
   std::map<std::string_view, std::uint32_t> latest_;  // row of the latest tree that a word made
@@ -340,11 +340,6 @@ const Kind* WorldLoader::kind_of(const Instance& entity) {
   } else if (kind->entity != EntityForm::kModel) {
     state_.fail(entity.where, in_quotes(kind->name) + " belongs into " + place_of(*kind));
     return nullptr;
-  } else if (!kind->simulated && plain_types_.insert(kind->name).second) {
-    state_.warnings.add(Warning::kNoEffect, entity.where,
-                        "model type " + in_quotes(kind->name) +
-                            " is not simulated yet and loads as a plain " +
-                            (kind->solid ? "body" : "model without a body"));
   }
   return kind;
 }
@@ -355,6 +350,10 @@ void WorldLoader::read_words(const Properties& properties, const Kind& kind, Mod
   model.update_interval = std::max(model.update_interval, scene_.interval);
   read_kind(properties, kind.kind, model);
   if (model.actuator) check_actuator(properties, *model.actuator);
+  if (model.camera) {
+    check_camera(properties, *model.camera);
+    spend(beams_, pixels_of(*model.camera), properties.where("resolution"));
+  }
   // Where nothing had a height, what a laser stood on was no higher than the walls that it sees.
   model.stacks_children = properties.flag("stack_children", !properties.has_flat_size());
   model.kept = kept_words(kind, properties);

@@ -293,7 +293,7 @@ TEST(WorldMacros, a_few_lines_cannot_make_texts_and_sensors_without_bound) {
   EXPECT_EQ(fault(sonars + "r( )", {.sensors = 4}), "w/t.world:3: the world holds more than 4 sensors");
 }
 
-TEST(WorldMacros, a_few_lines_cannot_make_bodies_and_beams_without_bound) {
+TEST(WorldMacros, a_few_lines_cannot_make_bodies_beams_and_pixels_without_bound) {
   const WorldLimits limits{.corners = 100, .beams = 1000};
   const auto fault = [&limits](const std::string& text) {
     const Result<SceneDesc> scene = load(text, {{"w/plan", "P1 4 4 1010 0101 1010 0101"}}, limits);
@@ -307,7 +307,7 @@ TEST(WorldMacros, a_few_lines_cannot_make_bodies_and_beams_without_bound) {
             "w/t.world:1: the world holds more than 100 corners of bodies");
   EXPECT_EQ(fault("define r ranger( sensor( samples 300 ) )\nr( ) r( ) r( )"), "none");
   EXPECT_EQ(fault("define r ranger( sensor( samples 300 ) )\nr( ) r( ) r( )\nr( )"),
-            "w/t.world:1: the world holds more than 1000 beams of rangers");
+            "w/t.world:1: the world holds more than 1000 beams of rangers and pixels of cameras");
 }
 
 // ---- names
@@ -829,24 +829,29 @@ TEST(WorldModels, an_actuator_has_its_way_and_what_cannot_be_is_a_warning) {
   EXPECT_THAT(error_of("actuator( type \"hydraulic\" )"), HasSubstr("linear"));
 }
 
-TEST(WorldModels, types_that_are_not_simulated_load_as_plain_bodies_with_one_warning_each) {
-  for (const Kind& kind : kinds()) {
-    if (kind.simulated) continue;
-    const std::string name(kind.name);
-    const SceneDesc scene = loaded(name + "( )\n" + name + "( mass 1 )");
-    ASSERT_EQ(scene.models.size(), 2u);
-    for (const ModelDesc& model : scene.models) {
-      EXPECT_EQ(model.kind, ModelKind::kPlain);
-      EXPECT_EQ(model.type, name);
-      EXPECT_EQ(model.size, kind.size);
-      EXPECT_EQ(model.blocks.size(), kind.solid ? 1u : 0u);
-    }
-    EXPECT_THAT(scene.warnings, ElementsAre("w/t.world:1: model type \"" + name +
-                                            "\" is not simulated yet and loads as a plain " +
-                                            (kind.solid ? "body" : "model without a body")));
-  }
-  EXPECT_THAT(loaded("camera( resolution [80 60] )").warnings, testing::SizeIs(testing::Le(1u)))
-      << "its words are known";
+TEST(WorldModels, every_type_is_simulated) {
+  for (const Kind& kind : kinds()) EXPECT_TRUE(kind.simulated) << kind.name;
+}
+
+TEST(WorldModels, cameras_have_lenses_limits_and_an_image_that_counts) {
+  const SceneDesc scene = loaded(
+      "camera( resolution [80 60] fov [60 40] pantilt [10 -20] range [0.1 5] image \"depth\" noise [0 0.02] )");
+  const CameraDesc& camera = *scene.models[0].camera;
+  EXPECT_EQ(camera.width, 80);
+  EXPECT_EQ(camera.height, 60);
+  EXPECT_DOUBLE_EQ(camera.fov_horizontal, geom::radians(60));
+  EXPECT_DOUBLE_EQ(camera.tilt, geom::radians(-20));
+  EXPECT_EQ(camera.image, ImageKind::kDepth);
+  EXPECT_EQ(camera.noise_depth, 0.02);
+  EXPECT_THAT(scene.warnings, testing::IsEmpty());
+  EXPECT_THAT(loaded("camera( image \"depth\" compression \"jpeg\" )").warnings,
+              ElementsAre("w/t.world:1: images of distances are sent raw; \"compression\" has no effect"));
+  EXPECT_THAT(error_of("camera( resolution [0 10] )"), HasSubstr("resolution"));
+  EXPECT_THAT(error_of("camera( fov [180 40] )"), HasSubstr("fov"));
+  EXPECT_THAT(error_of("camera( image \"colour\" )"), HasSubstr("\"color\""));
+}
+
+TEST(WorldModels, words_of_older_blobfinders_say_what_to_write) {
   EXPECT_THAT(
       loaded("blobfinder( channels_count 1 )").warnings,
       testing::Contains(HasSubstr("\"channels_count\" of blobfinder is of older versions: write colors_count")));

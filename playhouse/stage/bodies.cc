@@ -89,7 +89,7 @@ Shape make_shape(std::span<const Vec2> points_B, double z_min, double z_max, con
 }
 
 void add_solid(Solids& solids, const Shape& shape, const scene::ModelDesc& desc, std::uint32_t model,
-               std::uint32_t root, std::uint32_t tree) {
+               std::uint32_t root, std::uint32_t tree, std::uint32_t first) {
   solids.model.push_back(model);
   solids.root.push_back(root);
   solids.tree.push_back(tree);
@@ -100,6 +100,8 @@ void add_solid(Solids& solids, const Shape& shape, const scene::ModelDesc& desc,
   solids.width.push_back(shape.width);
   solids.convex.push_back(shape.convex);
   solids.full.push_back(shape.full);
+  solids.hole.push_back(shape.hole);
+  solids.body.push_back(first + shape.body);
   solids.seen_by.push_back(observers_of(desc));
   solids.p_M.insert(solids.p_M.end(), shape.p_M.begin(), shape.p_M.end());
   solids.first_vertex.push_back(static_cast<std::uint32_t>(solids.p_M.size()));
@@ -108,8 +110,9 @@ void add_solid(Solids& solids, const Shape& shape, const scene::ModelDesc& desc,
 void add_model_solids(Solids& solids, const world::World& world, Shapes& shapes, std::uint32_t model,
                       std::uint32_t tree) {
   const scene::ModelDesc& desc = world.desc({model});
+  const auto first = static_cast<std::uint32_t>(solids.size());
   for (const Shape& shape : shapes.of(world.models.desc[model]))
-    add_solid(solids, shape, desc, model, world.models.root[model], tree);
+    add_solid(solids, shape, desc, model, world.models.root[model], tree, first);
 }
 
 /// Room for where solids are, and where they are from row `first` on.
@@ -139,15 +142,26 @@ const std::vector<Shape>& Shapes::of(std::uint32_t row) {
   const auto [entry, is_new] = made_.try_emplace(row);
   if (!is_new) return entry->second;
   const scene::ModelDesc& desc = scene_.models[row];
-  for (const scene::Block& block : desc.blocks)
-    if (block.points.size() >= 3) {
-      entry->second.push_back(make_shape(block.points, block.z_min, block.z_max, desc));
-      entry->second.back().full = true;
+  std::vector<Shape>& shapes = entry->second;
+  const auto next = [&shapes] { return static_cast<std::uint32_t>(shapes.size()); };
+  for (const scene::Block& block : desc.blocks) {
+    if (block.points.size() < 3) continue;
+    Shape shape = make_shape(block.points, block.z_min, block.z_max, desc);
+    shape.full = true;
+    shape.body = next();
+    shapes.push_back(std::move(shape));
+  }
+  for (const scene::Contours& bitmap : desc.bitmaps) {
+    const std::uint32_t body = next();
+    for (const std::vector<Vec2>& loop : bitmap.loops) {
+      if (loop.size() < 3) continue;
+      Shape shape = make_shape(loop, bitmap.z_min, bitmap.z_max, desc);
+      shape.hole = signed_area(loop) < 0;
+      shape.body = body;
+      shapes.push_back(std::move(shape));
     }
-  for (const scene::Contours& bitmap : desc.bitmaps)
-    for (const std::vector<Vec2>& loop : bitmap.loops)
-      if (loop.size() >= 3) entry->second.push_back(make_shape(loop, bitmap.z_min, bitmap.z_max, desc));
-  return entry->second;
+  }
+  return shapes;
 }
 
 Trees make_trees(const world::World& world) {
@@ -180,11 +194,10 @@ Solids make_fixed_solids(const world::World& world, Shapes& shapes) {
 
 void replace_moving_solids(Solids& solids, const world::World& world, Shapes& shapes, Trees& trees) {
   const std::size_t fixed = solids.fixed, vertices = solids.first_vertex[fixed];
-  for (auto* column : {&solids.model, &solids.root, &solids.tree}) column->resize(fixed);
+  for (auto* column : {&solids.model, &solids.root, &solids.tree, &solids.body}) column->resize(fixed);
   for (auto* column : {&solids.z_min_M, &solids.z_max_M, &solids.radius, &solids.width})
     column->resize(fixed);
-  solids.convex.resize(fixed);
-  solids.full.resize(fixed);
+  for (auto* column : {&solids.convex, &solids.full, &solids.hole}) column->resize(fixed);
   solids.seen_by.resize(fixed);
   solids.center_M.resize(fixed);
   solids.first_vertex.resize(fixed + 1);

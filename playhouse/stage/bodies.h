@@ -50,6 +50,8 @@ struct Shape {
   double width = 0;                 // smallest extent                                         [m]
   bool convex = false;
   bool full = false;      // what is inside of it is solid: a block, not a line of a bitmap
+  bool hole = false;      // what is inside of it is free: an inner contour of a bitmap
+  std::uint32_t body = 0; // the first of the shapes that are one body with it: those of a bitmap
   std::vector<Vec2> p_M;  // counter-clockwise vertices, the first again at the end  [m]
 };
 
@@ -73,6 +75,8 @@ struct Solids {
   std::vector<double> width;                // smallest extent                                         [m]
   std::vector<std::uint8_t> convex;         // 1: a convex polygon
   std::vector<std::uint8_t> full;           // 1: what is inside of it is solid, not only its outline
+  std::vector<std::uint8_t> hole;           // 1: what is inside of it is free, in the body of a bitmap
+  std::vector<std::uint32_t> body;          // row of the first of the solids that are one body with it
   std::vector<Observers> seen_by;           // bits of those who see it, or are stopped by it
   std::vector<std::uint32_t> first_vertex;  // (n + 1)
   // Counter-clockwise vertices, the first of each polygon again at its end.                            [m]

@@ -13,7 +13,7 @@ enum class Observer : std::uint8_t {
   kMotion,  // what drives: it is an obstacle
   kRanger,
   kFiducial,  // a finder's line of sight ends there
-  kBlob,      // the camera of a blobfinder
+  kImage,     // cameras, that of a blobfinder too
   kGripper,   // it can be lifted
   kBumper,    // it presses the switches of a bumper
   kLight,     // light ends there
@@ -29,7 +29,7 @@ constexpr Observers bit(Observer observer) {
 
 /// Who sees the solids of a model.
 inline Observers observers_of(const scene::ModelDesc& model) {
-  unsigned all = bit(Observer::kFiducial) | bit(Observer::kBlob) | bit(Observer::kBumper) |
+  unsigned all = bit(Observer::kFiducial) | bit(Observer::kImage) | bit(Observer::kBumper) |
                  bit(Observer::kLight) | bit(Observer::kRadio);
   if (model.obstacle_return) all |= bit(Observer::kMotion);
   if (model.ranger_return >= 0) all |= bit(Observer::kRanger);

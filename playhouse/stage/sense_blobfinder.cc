@@ -77,7 +77,7 @@ class BlobfinderSense final : public SensePhase {
     for (std::uint32_t k = 0; k < count; ++k) {
       const Rotation ahead = Rotation::of(rightmost + k * step);
       const Hit hit = cast(
-          space, {X_WB.xy(), {ahead.c, ahead.s}, -1e300, 1e300, camera.range, bit(Observer::kBlob), root});
+          space, {X_WB.xy(), {ahead.c, ahead.s}, -1e300, 1e300, camera.range, bit(Observer::kImage), root});
       const bool seen = hit.solid != world::ModelRow::kNone;
       const scene::Color color = seen ? world.models.color[space.solids.model[hit.solid]] : scene::Color{};
       if (run.columns > 0 && !(seen && same(color, run.color))) finish(camera, count, run, blobs);

@@ -82,7 +82,7 @@ void watch_sensors(world::World& world, const world::Control& control, world::Mo
   const world::ModelRow top = world.row(robot);
   if (!top) return;
   for (std::uint32_t row = 0; row < world.models.size(); ++row) {
-    if (world.models.root[row] != top.index || !replicate::only_measures(world.models.kind[row])) continue;
+    if (world.models.root[row] != top.index || !replicate::may_be_watched(world.models.kind[row])) continue;
     measuring.emplace_back().watch(world, control, world.id({row}));
   }
 }

@@ -9,6 +9,7 @@
 #include "playhouse/base/assert.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/limits.h"
+#include "playhouse/scene/camera.h"
 #include "playhouse/world/columns.h"
 #include "playhouse/world/generated/worded.h"
 #include "playhouse/world/rows.h"
@@ -61,6 +62,10 @@ std::size_t corners_of(const scene::ModelDesc& desc) {
   return corners;
 }
 
+std::size_t pixels_of(const scene::ModelDesc& desc) {
+  return desc.camera ? scene::pixels_of(*desc.camera) : 0;
+}
+
 /// What the models [begin, end) have of a table; nothing if they have nothing.
 template <typename Table>
 Range range_of_run(const Tables& tables, std::uint32_t begin, std::uint32_t end, Per per) {
@@ -100,7 +105,7 @@ Error no_model() {
 void Population::clear() {
   each_column([](const auto&, auto& values) { values.clear(); }, world_);
   world_.next_id_ = 0;
-  world_.corners_ = 0;
+  world_.corners_ = world_.pixels_ = 0;
   world_.given_.clear();
   world_.names_known_ = false;
 }
@@ -181,6 +186,7 @@ ModelRow Population::append(ModelId id, std::uint32_t desc_row, ModelRow parent,
   if (top || moves(desc.kind)) models.X_PM.own(row.index);
   if (!desc.ctrl.empty()) models.say.own(row.index);
   world_.corners_ += corners_of(desc);
+  world_.pixels_ += pixels_of(desc);
   add_part(row);
   return row;
 }
@@ -218,6 +224,7 @@ void Population::erase(std::span<const Rows> runs) {
   for (const Rows& run : runs)
     for (std::uint32_t row = run.begin; row < run.end; ++row) {
       world_.corners_ -= corners_of(world_.desc({row}));
+      world_.pixels_ -= pixels_of(world_.desc({row}));
       world_.remove_names({row});
     }
   std::vector<Range> rows, beams;
@@ -241,12 +248,13 @@ void Population::erase(std::span<const Rows> runs) {
 
 Result<void> Population::check_room(std::span<const std::uint32_t> descs) const {
   std::size_t models = world_.models.size(), sensors = world_.sensors.size(),
-              beams = world_.sensors.ranges.size(), corners = world_.corners_;
+              beams = world_.sensors.ranges.size() + world_.pixels_, corners = world_.corners_;
   for (const std::uint32_t row : descs) {
     const scene::ModelDesc& desc = world_.scene().models[row];
     ++models;
     sensors += desc.sensors.size();
     for (const scene::RangerSensorDesc& sensor : desc.sensors) beams += sensor.samples;
+    beams += pixels_of(desc);
     corners += corners_of(desc);
     const bool has_room = models <= limits::kModels && sensors <= limits::kSensors &&
                           beams <= limits::kBeams && corners <= limits::kCorners;

@@ -2,6 +2,7 @@
 
 #include "playhouse/base/rng.h"
 #include "playhouse/scene/actuator.h"
+#include "playhouse/scene/camera.h"
 #include "playhouse/scene/charge.h"
 #include "playhouse/world/columns.h"
 #include "playhouse/world/generated/worded.h"
@@ -84,6 +85,13 @@ void fill_row(World&, Grippers& grippers, const scene::ModelDesc& model, ModelRo
   grippers.close_limit.back() = 1;
 }
 
+void fill_row(World&, Cameras& cameras, const scene::ModelDesc& model, ModelRow) {
+  cameras.mode.back() = ControlMode::kPosition;
+  cameras.pan.back() = cameras.goal_pan.back() = model.camera->pan;
+  cameras.tilt.back() = cameras.goal_tilt.back() = model.camera->tilt;
+  cameras.zoom.back() = cameras.goal_zoom.back() = model.camera->fov_horizontal;
+}
+
 bool say_row(const Packs& packs, std::uint32_t row, const scene::ModelDesc& model, scene::ModelDesc* said) {
   const scene::Charge charge = scene::charge_of(model);
   if (charge.stored == packs.stored[row] && charge.capacity == packs.capacity[row]) return false;
@@ -105,6 +113,18 @@ bool say_row(const Grippers& grippers, std::uint32_t row, const scene::ModelDesc
   if (lift_rests && grippers.lift[row] >= 1) standing.lift = scene::Lift::kUp;
   if (standing == *model.gripper) return false;
   if (said) said->gripper = standing;
+  return true;
+}
+
+bool say_row(const Cameras& cameras, std::uint32_t row, const scene::ModelDesc& model,
+             scene::ModelDesc* said) {
+  scene::CameraDesc looking = *model.camera;
+  looking.pan = cameras.pan[row];
+  looking.tilt = cameras.tilt[row];
+  looking.fov_vertical = scene::vertical_fov(*model.camera, cameras.zoom[row]);
+  looking.fov_horizontal = cameras.zoom[row];
+  if (looking == *model.camera) return false;
+  if (said) said->camera = looking;
   return true;
 }
 

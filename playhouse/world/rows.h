@@ -20,6 +20,7 @@ void fill_row(World& world, Packs& packs, const scene::ModelDesc& model, ModelRo
 void fill_row(World& world, Blinkenlights& lamps, const scene::ModelDesc& model, ModelRow row);
 void fill_row(World& world, Actuators& actuators, const scene::ModelDesc& model, ModelRow row);
 void fill_row(World& world, Grippers& grippers, const scene::ModelDesc& model, ModelRow row);
+void fill_row(World& world, Cameras& cameras, const scene::ModelDesc& model, ModelRow row);
 
 /// Whether a description says other than what the row stands for; then `said`, a copy of it or null, is made
 /// to say that.
@@ -30,6 +31,8 @@ bool say_row(const Table&, std::uint32_t, const scene::ModelDesc&, scene::ModelD
 bool say_row(const Packs& packs, std::uint32_t row, const scene::ModelDesc& model, scene::ModelDesc* said);
 /// Paddles or a lift on their way are as the file has them.
 bool say_row(const Grippers& grippers, std::uint32_t row, const scene::ModelDesc& model,
+             scene::ModelDesc* said);
+bool say_row(const Cameras& cameras, std::uint32_t row, const scene::ModelDesc& model,
              scene::ModelDesc* said);
 
 /// The same of all rows that a model has.

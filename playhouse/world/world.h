@@ -116,6 +116,7 @@ class World : public Tables {
   std::uint64_t seed_;
   std::uint32_t next_id_ = 0;
   std::size_t corners_ = 0;  // of all bodies
+  std::size_t pixels_ = 0;   // of the images of all cameras
   std::uint64_t population_ = 0;
   std::map<ModelId, Given> given_;
   /// Tops by a token, in the order of tokens and then of ids.

@@ -13,12 +13,14 @@ std::unique_ptr<ActPhase> make_position_act();
 std::unique_ptr<ActPhase> make_blinkenlight_act();
 std::unique_ptr<ActPhase> make_gripper_act();
 std::unique_ptr<ActPhase> make_actuator_act();
+std::unique_ptr<ActPhase> make_camera_act();
 
 inline void add_acts(Acts& acts) {
   acts.add(make_position_act());
   acts.add(make_blinkenlight_act());
   acts.add(make_gripper_act());
   acts.add(make_actuator_act());
+  acts.add(make_camera_act());
 }
 
 }  // namespace playhouse::behaviour

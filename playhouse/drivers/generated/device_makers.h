@@ -23,6 +23,8 @@ std::unique_ptr<SimulatedDevice> make_blinkenlight_device(Simulation& simulation
 std::unique_ptr<SimulatedDevice> make_gripper_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_actarray_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_wifi_device(Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_camera_device(Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_ptz_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_power_device(Simulation& simulation, world::ModelRow model);
 
 struct DeviceMaker {
@@ -42,6 +44,8 @@ inline constexpr DeviceMaker kDeviceMakers[] = {
     {3, make_gripper_device},
     {53, make_actarray_device},
     {23, make_wifi_device},
+    {40, make_camera_device},
+    {8, make_ptz_device},
     {2, make_power_device},
 };
 

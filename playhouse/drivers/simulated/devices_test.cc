@@ -13,10 +13,12 @@
 #include "playhouse/drivers/testing/still_engine.h"
 #include "playhouse/wire/generated/blobfinder.h"
 #include "playhouse/wire/generated/bumper.h"
+#include "playhouse/wire/generated/camera.h"
 #include "playhouse/wire/generated/fiducial.h"
 #include "playhouse/wire/generated/gripper.h"
 #include "playhouse/wire/generated/laser.h"
 #include "playhouse/wire/generated/position2d.h"
+#include "playhouse/wire/generated/ptz.h"
 #include "playhouse/wire/generated/ranger.h"
 #include "playhouse/wire/generated/simulation.h"
 #include "playhouse/wire/generated/sonar.h"
@@ -42,6 +44,9 @@ position( name "r0" pose [1 2 0 90] size [0.44 0.38 0.22] origin [-0.04 0 0 0] f
   blobfinder( name "camera" colors_count 2 colors [ "blue" "red" ] image [100 40] )
   bumper( name "skirt" pose [0.1 0 -0.2 0] bcount 2 bpose[0] [0.2 0 0.05 0] bpose[1] [0 0.2 0 90] blength 0.3 blength[1] 0.1 )
   gripper( name "hand" pose [0.3 0 -0.22 0] )
+  camera( name "eye" pose [0.1 0 0 0] resolution [2 1] update_interval 100 )
+  camera( name "file" resolution [16 8] compression "jpeg" )
+  camera( name "depth" resolution [2 1] image "depth" )
   wifi( name "radio" mac "08:00:20:ae:fd:7e" bitrate 54000000 )
 )
 wifi( name "post" pose [5 0 0 0] essid "lab" ip "192.168.0.9" )
@@ -340,6 +345,70 @@ TEST_F(Device, a_blob_becomes_a_box_of_pixels_in_its_color) {
   EXPECT_EQ(blob.left, 10u);
   EXPECT_EQ(blob.bottom, 24u);
   EXPECT_EQ(blob.range, 2.5f);
+}
+
+TEST_F(Device, a_camera_tells_its_pixels_in_rows_of_three_bytes) {
+  open(wire::camera::kCode, "r0.eye");
+  EXPECT_FALSE(ask(wire::camera::kReqGetImage).ack) << "no image yet";
+  still_.world().cameras.pixels[0] = {{0x102030}, {0xfffefd}};
+  still_.run(1);
+  for (const auto& data : {last<wire::camera::Data>(wire::camera::kDataState),
+                           reply<wire::camera::Data>(ask(wire::camera::kReqGetImage))}) {
+    EXPECT_EQ(data.width, 2u);
+    EXPECT_EQ(data.height, 1u);
+    EXPECT_EQ(data.bpp, 24u);
+    EXPECT_EQ(data.format, static_cast<std::uint32_t>(wire::camera::kFormatRgb888));
+    EXPECT_EQ(data.compression, static_cast<std::uint32_t>(wire::camera::kCompressRaw));
+    EXPECT_THAT(data.image, ::testing::ElementsAre(0x10, 0x20, 0x30, 0xff, 0xfe, 0xfd));
+  }
+}
+
+TEST_F(Device, a_camera_of_distances_tells_millimetres_with_the_low_byte_first) {
+  open(wire::camera::kCode, "r0.depth");
+  still_.world().cameras.pixels[2] = {{0x1234}, {0}};
+  still_.run(1);
+  const auto data = last<wire::camera::Data>(wire::camera::kDataState);
+  EXPECT_EQ(data.format, static_cast<std::uint32_t>(wire::camera::kFormatMono16));
+  EXPECT_EQ(data.bpp, 16u);
+  EXPECT_THAT(data.image, ::testing::ElementsAre(0x34, 0x12, 0, 0));
+}
+
+TEST_F(Device, a_camera_sends_jpeg_files_if_its_file_says_so) {
+  open(wire::camera::kCode, "r0.file");
+  still_.world().cameras.pixels[1].assign(16 * 8, {0x2040c0});
+  still_.run(1);
+  const auto data = last<wire::camera::Data>(wire::camera::kDataState);
+  EXPECT_EQ(data.compression, static_cast<std::uint32_t>(wire::camera::kCompressJpeg));
+  EXPECT_EQ(data.width, 16u);
+  ASSERT_GT(data.image.size(), 100u);
+  EXPECT_EQ(data.image[0], 0xff);
+  EXPECT_EQ(data.image[1], 0xd8);
+  EXPECT_EQ(data.image.back(), 0xd9);
+}
+
+TEST_F(Device, a_camera_turns_to_a_place_or_at_a_velocity) {
+  open(wire::ptz::kCode, "r0.eye");
+  world::Cameras& cameras = still_.world().cameras;
+  command(wire::ptz::kCmdState, wire::ptz::Cmd{0.5f, -0.2f, 0, 9, 9});
+  EXPECT_FLOAT_EQ(static_cast<float>(cameras.goal_pan[0]), 0.5f);
+  EXPECT_FLOAT_EQ(static_cast<float>(cameras.goal_tilt[0]), -0.2f);
+  EXPECT_DOUBLE_EQ(cameras.goal_zoom[0], geom::radians(70));
+  EXPECT_TRUE(ask(wire::ptz::kReqControlMode,
+                  wire::encode(wire::ptz::ReqControlMode{
+                      static_cast<std::uint32_t>(wire::ptz::kVelocityControl)})).ack);
+  command(wire::ptz::kCmdState, wire::ptz::Cmd{1, 1, 1, -0.25f, 0.125f});
+  EXPECT_EQ(cameras.command_pan[0], -0.25);
+  EXPECT_EQ(cameras.command_tilt[0], 0.125);
+  EXPECT_FALSE(ask(wire::ptz::kReqControlMode, wire::encode(wire::ptz::ReqControlMode{7})).ack);
+  cameras.pan[0] = 0.75;
+  cameras.pan_speed[0] = -0.25;
+  still_.run(1);
+  const auto data = last<wire::ptz::Data>(wire::ptz::kDataState);
+  EXPECT_EQ(data.pan, 0.75f);
+  EXPECT_EQ(data.panspeed, -0.25f);
+  EXPECT_FLOAT_EQ(data.zoom, static_cast<float>(geom::radians(70)));
+  const auto geom = reply<wire::ptz::Geom>(ask(wire::ptz::kReqGeom));
+  EXPECT_NEAR(geom.pos.px, 0.1, 1e-9);
 }
 
 TEST_F(Device, a_radio_tells_whom_it_hears_by_address) {

@@ -16,17 +16,9 @@
 namespace playhouse::drivers {
 namespace {
 
-/// Interfaces that Stage's driver has for any model, and this one not yet.
-constexpr std::array<std::string_view, 2> kOfAnyModel = {"graphics2d", "graphics3d"};
-
-/// Those that it has besides are of kinds that are not simulated yet; such a device is left out with a warning.
-bool is_for_later(std::string_view interf) {
-  const auto has_it = [=](const scene::Kind& kind) {
-    return std::ranges::find(kind.interfaces, interf, &scene::KindInterface::name) != kind.interfaces.end();
-  };
-  return std::ranges::find(kOfAnyModel, interf) != kOfAnyModel.end() ||
-         std::ranges::any_of(scene::kinds(), has_it);
-}
+/// Interfaces that Stage's driver has for any model, and this one not yet: such a device is left out with a
+/// warning.
+constexpr std::array<std::string_view, 2> kForLater = {"graphics2d", "graphics3d"};
 
 Result<void> open_world(const scene::CfgSection& section, Site& site) {
   section.text("plugin",
@@ -85,7 +77,7 @@ Result<void> add_device(const scene::CfgSection& section, const scene::DeviceAdd
   const Result<device::Address> address = site.resolve(provided);
   if (!address) return Error{section.at("provides"), address.error().text};
   if (!is_simulated(address->interf)) {
-    if (!is_for_later(provided.interf)) {
+    if (std::ranges::find(kForLater, provided.interf) == kForLater.end()) {
       return Error{section.at("provides"),
                    fmt::format("driver \"stage\" has no interface {}", in_quotes(provided.interf))};
     }

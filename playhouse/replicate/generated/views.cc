@@ -121,6 +121,18 @@ bool capture_wifi(const world::World& world, std::uint32_t row, std::vector<std:
   return true;
 }
 
+std::uint32_t row_of_camera(const world::World& world, std::uint32_t model) {
+  return world.models.kind[model] == scene::ModelKind::kCamera ? world.models.part[model] : world::ModelRow::kNone;
+}
+
+bool capture_camera(const world::World& world, std::uint32_t row, std::vector<std::int32_t>& out) {
+  if (world.cameras.measured_tick[row] == 0) return false;
+  for (const auto& item : world.cameras.pixels[row]) {
+    out.push_back(static_cast<std::int32_t>(item.sample));
+  }
+  return true;
+}
+
 std::uint32_t row_of_pack(const world::World& world, std::uint32_t model) {
   return world::trait_row(world.packs, model);
 }
@@ -141,9 +153,10 @@ constexpr Code kCodesOfBlinkenlight[] = {Code::kVarint, Code::kVarint};
 constexpr Code kCodesOfGripper[] = {Code::kVarint, Code::kZigzag, Code::kVarint, Code::kZigzag, Code::kZigzag, Code::kVarint, Code::kVarint};
 constexpr Code kCodesOfActuator[] = {Code::kZigzag, Code::kZigzag};
 constexpr Code kCodesOfWifi[] = {Code::kVarint, Code::kZigzag, Code::kVarint};
+constexpr Code kCodesOfCamera[] = {Code::kVarint};
 constexpr Code kCodesOfPack[] = {Code::kZigzag, Code::kZigzag, Code::kZigzag, Code::kVarint};
 
-constexpr View kViews[9] = {
+constexpr View kViews[10] = {
     {When::kSelected, false, false, kCodesOfPosition, row_of_position, capture_position},
     {When::kShown, true, true, kCodesOfFiducial, row_of_fiducial, capture_fiducial},
     {When::kShown, true, true, kCodesOfBlobfinder, row_of_blobfinder, capture_blobfinder},
@@ -152,6 +165,7 @@ constexpr View kViews[9] = {
     {When::kChanged, true, false, kCodesOfGripper, row_of_gripper, capture_gripper},
     {When::kSelected, false, false, kCodesOfActuator, row_of_actuator, capture_actuator},
     {When::kShown, true, true, kCodesOfWifi, row_of_wifi, capture_wifi},
+    {When::kSelected, true, true, kCodesOfCamera, row_of_camera, capture_camera},
     {When::kSelected, false, false, kCodesOfPack, row_of_pack, capture_pack},
 };
 
@@ -185,13 +199,14 @@ std::uint8_t state_bits(const world::World& world, std::uint32_t model) {
   return static_cast<std::uint8_t>(bits);
 }
 
-bool only_measures(scene::ModelKind kind) {
+bool may_be_watched(scene::ModelKind kind) {
   switch (kind) {
     case scene::ModelKind::kRanger:
     case scene::ModelKind::kFiducial:
     case scene::ModelKind::kBlobfinder:
     case scene::ModelKind::kBumper:
     case scene::ModelKind::kWifi:
+    case scene::ModelKind::kCamera:
       return true;
     default:
       return false;
@@ -253,6 +268,14 @@ void tell_actuator(const scene::ModelDesc& model, std::string& text) {
   text += ",\"axis\":[" + number(model.actuator->axis_x) + ',' + number(model.actuator->axis_y) + ',' + number(model.actuator->axis_z) + "]";
 }
 
+void tell_camera(const scene::ModelDesc& model, std::string& text) {
+  if (!model.camera) return;
+  text += ",\"resolution\":[" + number(model.camera->width) + ',' + number(model.camera->height) + "]";
+  text += ",\"view\":[" + number(model.camera->fov_horizontal) + ',' + number(model.camera->fov_vertical) + "]";
+  static constexpr std::string_view kWordsOfImage[] = {"color", "gray", "depth"};
+  text += ",\"shows\":" + quoted(kWordsOfImage[static_cast<std::size_t>(model.camera->image)]);
+}
+
 }  // namespace
 
 void tell_kind(const scene::ModelDesc& model, std::string& text) {
@@ -277,6 +300,9 @@ void tell_kind(const scene::ModelDesc& model, std::string& text) {
       break;
     case scene::ModelKind::kActuator:
       tell_actuator(model, text);
+      break;
+    case scene::ModelKind::kCamera:
+      tell_camera(model, text);
       break;
     default:
       break;
@@ -310,6 +336,8 @@ std::string_view kind_name(scene::ModelKind kind) {
       return "actuator";
     case scene::ModelKind::kWifi:
       return "wifi";
+    case scene::ModelKind::kCamera:
+      return "camera";
   }
   return "";
 }

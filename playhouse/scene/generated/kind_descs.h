@@ -27,6 +27,7 @@ enum class ModelKind : std::uint8_t {
   kGripper = 8,
   kActuator = 9,
   kWifi = 10,
+  kCamera = 11,
 };
 
 /// A plain body; its words are those of every model, whatever its kind.
@@ -267,6 +268,52 @@ struct WifiDesc {
   friend bool operator==(const WifiDesc&, const WifiDesc&) = default;
 };
 
+/// What a pixel says.
+enum class ImageKind : std::uint8_t { kColor, kGray, kDepth };
+
+/// How images are sent; those of distances always raw.
+enum class ImageCompression : std::uint8_t { kRaw, kJpeg };
+
+/// A camera: takes images of the bodies, the floor and the sky, in colours, in grey, or of distances, and
+/// pans, tilts and zooms.
+struct CameraDesc {
+  /// The size of the image. [px]
+  double width = 32;
+  double height = 32;
+  /// The nearest and the farthest thing that it shows, along the way it looks. [m]
+  double range_min = 0.2;
+  double range_max = 8;
+  /// The field of view at the start. [rad]
+  double fov_horizontal = geom::radians(70);
+  double fov_vertical = geom::radians(40);
+  /// Where it looks at the start: to the left, and up. [rad]
+  double pan = 0;
+  double tilt = 0;
+  /// How far clients may turn it to the right and to the left. [rad]
+  double pan_min = geom::radians(-100);
+  double pan_max = geom::radians(100);
+  /// How far clients may turn it down and up. [rad]
+  double tilt_min = geom::radians(-25);
+  double tilt_max = geom::radians(25);
+  /// The smallest and the largest horizontal field of view that clients may ask for. [rad]
+  double zoom_min = geom::radians(5);
+  double zoom_max = geom::radians(70);
+  /// How fast it turns at most, and changes its field of view, in a second. [rad]
+  double pantilt_speed = geom::radians(90);
+  /// What a pixel says.
+  ImageKind image = ImageKind::kColor;
+  /// How images are sent; those of distances always raw.
+  ImageCompression compression = ImageCompression::kRaw;
+  /// That of JPEG files, in percent.
+  std::uint32_t quality = 85;
+  /// Errors of a pixel: the standard deviation of red, green and blue each, as a share of the brightest, and
+  /// that of distances, as a share of them.
+  double noise_value = 0;
+  double noise_depth = 0;
+
+  friend bool operator==(const CameraDesc&, const CameraDesc&) = default;
+};
+
 /// One transducer or scanner of a ranger.
 struct RangerSensorDesc {
   /// Where the sensor is in the ranger. [frame X_BS, m, m, m, rad]
@@ -338,6 +385,7 @@ struct KindDescs {
   std::optional<GripperDesc> gripper;  // kGripper
   std::optional<ActuatorDesc> actuator;  // kActuator
   std::optional<WifiDesc> wifi;  // kWifi
+  std::optional<CameraDesc> camera;  // kCamera
 
   friend bool operator==(const KindDescs&, const KindDescs&) = default;
 };

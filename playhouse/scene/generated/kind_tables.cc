@@ -260,15 +260,24 @@ constexpr KindInterface kInterfacesOfWifi[1] = {
     {"wifi", 23, Index::kCount, Need::kNothing, Need::kNothing, false},
 };
 
-constexpr Word kWordsOfCamera[4] = {
-    {.name = "resolution", .use = Use::kSilent, .type = "tuple", .form = "[width height]", .unit = "px", .otherwise = "[32 32]", .doc = "The size of the image."},
-    {.name = "range", .use = Use::kSilent, .type = "tuple", .form = "[min max]", .unit = "m", .otherwise = "[0.2 8]", .doc = "The nearest and the farthest thing that it shows."},
-    {.name = "fov", .use = Use::kSilent, .type = "tuple", .form = "[horizontal vertical]", .unit = "deg", .otherwise = "[70 40]", .doc = "The field of view."},
-    {.name = "pantilt", .use = Use::kSilent, .type = "tuple", .form = "[pan tilt]", .unit = "deg", .otherwise = "[0 0]", .doc = "Where it looks."},
+constexpr Word kWordsOfCamera[12] = {
+    {.name = "resolution", .use = Use::kRead, .type = "tuple", .form = "[width height]", .unit = "px", .otherwise = "[32 32]", .limits = "from 1 to 2048", .doc = "The size of the image."},
+    {.name = "range", .use = Use::kRead, .type = "tuple", .form = "[min max]", .unit = "m", .otherwise = "[0.2 8]", .limits = "0 <= min <= max", .doc = "The nearest and the farthest thing that it shows, along the way it looks."},
+    {.name = "fov", .use = Use::kRead, .type = "tuple", .form = "[horizontal vertical]", .unit = "deg", .otherwise = "[70 40]", .limits = "from 1 to 170", .doc = "The field of view at the start."},
+    {.name = "pantilt", .use = Use::kRead, .type = "tuple", .form = "[pan tilt]", .unit = "deg", .otherwise = "[0 0]", .doc = "Where it looks at the start: to the left, and up."},
+    {.name = "pan_limits", .use = Use::kRead, .type = "tuple", .form = "[min max]", .unit = "deg", .otherwise = "[-100 100]", .doc = "How far clients may turn it to the right and to the left."},
+    {.name = "tilt_limits", .use = Use::kRead, .type = "tuple", .form = "[min max]", .unit = "deg", .otherwise = "[-25 25]", .doc = "How far clients may turn it down and up."},
+    {.name = "zoom_limits", .use = Use::kRead, .type = "tuple", .form = "[min max]", .unit = "deg", .otherwise = "[5 70]", .limits = "from 1 to 170", .doc = "The smallest and the largest horizontal field of view that clients may ask for."},
+    {.name = "pantilt_speed", .use = Use::kRead, .type = "angle", .unit = "deg", .otherwise = "90", .limits = "not negative", .doc = "How fast it turns at most, and changes its field of view, in a second."},
+    {.name = "image", .use = Use::kRead, .type = "choice", .form = "\"color\" | \"gray\" | \"depth\"", .otherwise = "\"color\"", .doc = "What a pixel says. \"color\": red, green and blue; \"gray\": how bright it is; \"depth\": how far it is along the way that the camera looks, in mm; 0 where nothing is in range."},
+    {.name = "compression", .use = Use::kRead, .type = "choice", .form = "\"raw\" | \"jpeg\"", .otherwise = "\"raw\"", .doc = "How images are sent; those of distances always raw. \"raw\": as rows of pixels; \"jpeg\": as a JPEG file."},
+    {.name = "quality", .use = Use::kRead, .type = "count", .otherwise = "85", .limits = "from 1 to 100", .doc = "That of JPEG files, in percent."},
+    {.name = "noise", .use = Use::kRead, .type = "tuple", .form = "[value depth]", .otherwise = "[0 0]", .limits = "from 0 to 1", .doc = "Errors of a pixel: the standard deviation of red, green and blue each, as a share of the brightest, and that of distances, as a share of them."},
 };
 
-constexpr KindInterface kInterfacesOfCamera[1] = {
+constexpr KindInterface kInterfacesOfCamera[2] = {
     {"camera", 40, Index::kCount, Need::kNothing, Need::kNothing, false},
+    {"ptz", 8, Index::kCount, Need::kNothing, Need::kNothing, false},
 };
 
 constexpr std::string_view kOld_block_height_to[] = {"z.1"};
@@ -406,7 +415,7 @@ constexpr Kind kKinds[17] = {
     {.name = "gripper", .doc = "Two paddles that close around a thing and carry it.", .entity = EntityForm::kModel, .table = "grippers", .kind = ModelKind::kGripper, .simulated = true, .solid = true, .size = {0.2, 0.3, 0.2}, .color = {0.3f, 0.3f, 0.3f, 1}, .words = kWordsOfGripper, .interfaces = kInterfacesOfGripper},
     {.name = "actuator", .doc = "A joint that slides or turns, with what it carries.", .entity = EntityForm::kModel, .table = "actuators", .kind = ModelKind::kActuator, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfActuator, .interfaces = kInterfacesOfActuator},
     {.name = "wifi", .doc = "A radio: tells which others of its network it hears, and how well.", .entity = EntityForm::kModel, .table = "wifis", .kind = ModelKind::kWifi, .simulated = true, .solid = false, .size = {0, 0, 0}, .color = {0.2f, 0.6f, 0.9f, 1}, .words = kWordsOfWifi, .interfaces = kInterfacesOfWifi},
-    {.name = "camera", .doc = "A camera that takes images of the scene.", .entity = EntityForm::kModel, .simulated = false, .solid = true, .size = {0.1, 0.07, 0.05}, .color = {0, 0, 0, 1}, .words = kWordsOfCamera, .interfaces = kInterfacesOfCamera},
+    {.name = "camera", .doc = "A camera: takes images of the bodies, the floor and the sky, in colours, in grey, or of distances, and pans, tilts and zooms.", .entity = EntityForm::kModel, .table = "cameras", .kind = ModelKind::kCamera, .simulated = true, .solid = true, .size = {0.1, 0.07, 0.05}, .color = {0, 0, 0, 1}, .words = kWordsOfCamera, .interfaces = kInterfacesOfCamera},
     {.name = "block", .doc = "A prism, as a part of a model's body; all blocks together are stretched to fill the model's size.", .entity = EntityForm::kPart, .inside = "model", .simulated = true, .words = kWordsOfBlock},
     {.name = "sensor", .doc = "One transducer or scanner of a ranger.", .entity = EntityForm::kPart, .inside = "ranger", .table = "sensors", .simulated = true, .words = kWordsOfSensor},
     {.name = "pack", .doc = "A battery, from which a model draws, and what is inside it and has none of its own.", .entity = EntityForm::kTrait, .table = "packs", .simulated = true, .interfaces = kInterfacesOfPack, .has = has_pack},

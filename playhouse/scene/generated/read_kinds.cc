@@ -124,6 +124,53 @@ void read(const Properties& properties, WifiDesc& to) {
   require(to.fading >= 0, properties, "fading", "must not be negative");
 }
 
+void read(const Properties& properties, CameraDesc& to) {
+  double resolution[2] = {to.width, to.height};
+  properties.tuple("resolution", "NN", resolution, "[width height]");
+  require(resolution[0] >= 1 && resolution[0] <= 2048 && resolution[1] >= 1 && resolution[1] <= 2048, properties, "resolution", "needs numbers from 1 to 2048");
+  to.width = resolution[0];
+  to.height = resolution[1];
+  double range[2] = {to.range_min, to.range_max};
+  properties.tuple("range", "LL", range, "[min max]");
+  require(0 <= range[0] && range[0] <= range[1], properties, "range", "needs 0 <= min <= max");
+  to.range_min = range[0];
+  to.range_max = range[1];
+  double fov[2] = {to.fov_horizontal, to.fov_vertical};
+  properties.tuple("fov", "AA", fov, "[horizontal vertical]");
+  require(fov[0] >= geom::radians(1) && fov[0] <= geom::radians(170) && fov[1] >= geom::radians(1) && fov[1] <= geom::radians(170), properties, "fov", "needs numbers from 1 to 170");
+  to.fov_horizontal = fov[0];
+  to.fov_vertical = fov[1];
+  double pantilt[2] = {to.pan, to.tilt};
+  properties.tuple("pantilt", "AA", pantilt, "[pan tilt]");
+  to.pan = pantilt[0];
+  to.tilt = pantilt[1];
+  double pan_limits[2] = {to.pan_min, to.pan_max};
+  properties.tuple("pan_limits", "AA", pan_limits, "[min max]");
+  to.pan_min = pan_limits[0];
+  to.pan_max = pan_limits[1];
+  double tilt_limits[2] = {to.tilt_min, to.tilt_max};
+  properties.tuple("tilt_limits", "AA", tilt_limits, "[min max]");
+  to.tilt_min = tilt_limits[0];
+  to.tilt_max = tilt_limits[1];
+  double zoom_limits[2] = {to.zoom_min, to.zoom_max};
+  properties.tuple("zoom_limits", "AA", zoom_limits, "[min max]");
+  require(zoom_limits[0] >= geom::radians(1) && zoom_limits[0] <= geom::radians(170) && zoom_limits[1] >= geom::radians(1) && zoom_limits[1] <= geom::radians(170), properties, "zoom_limits", "needs numbers from 1 to 170");
+  to.zoom_min = zoom_limits[0];
+  to.zoom_max = zoom_limits[1];
+  to.pantilt_speed = properties.angle("pantilt_speed", to.pantilt_speed);
+  require(to.pantilt_speed >= 0, properties, "pantilt_speed", "must not be negative");
+  static constexpr std::string_view kWordsOfImage[] = {"color", "gray", "depth"};
+  to.image = static_cast<ImageKind>(read_choice(properties, "image", kWordsOfImage, static_cast<std::size_t>(to.image)));
+  static constexpr std::string_view kWordsOfCompression[] = {"raw", "jpeg"};
+  to.compression = static_cast<ImageCompression>(read_choice(properties, "compression", kWordsOfCompression, static_cast<std::size_t>(to.compression)));
+  to.quality = read_count(properties, "quality", to.quality, 1, 100);
+  double noise[2] = {to.noise_value, to.noise_depth};
+  properties.tuple("noise", "NN", noise, "[value depth]");
+  require(noise[0] >= 0 && noise[0] <= 1 && noise[1] >= 0 && noise[1] <= 1, properties, "noise", "needs numbers from 0 to 1");
+  to.noise_value = noise[0];
+  to.noise_depth = noise[1];
+}
+
 }  // namespace
 
 void read(const Properties& properties, std::size_t row, PlainDesc& to) {
@@ -235,6 +282,9 @@ void read_kind(const Properties& properties, ModelKind kind, KindDescs& to) {
     case ModelKind::kWifi:
       read(properties, to.wifi.emplace());
       break;
+    case ModelKind::kCamera:
+      read(properties, to.camera.emplace());
+      break;
     case ModelKind::kPlain:
     case ModelKind::kRanger:
     case ModelKind::kLightindicator:
@@ -260,6 +310,8 @@ bool is_described(ModelKind kind, const KindDescs& by) {
       return by.actuator.has_value();
     case ModelKind::kWifi:
       return by.wifi.has_value();
+    case ModelKind::kCamera:
+      return by.camera.has_value();
     default:
       return true;
   }

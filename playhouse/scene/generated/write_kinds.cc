@@ -88,6 +88,31 @@ void write(const WifiDesc& from, const WifiDesc& unsaid, Words& to) {
   if (from.fading != unsaid.fading) to.number("fading", from.fading);
 }
 
+void write(const CameraDesc& from, const CameraDesc& unsaid, Words& to) {
+  const double resolution[] = {from.width, from.height};
+  if (from.width != unsaid.width || from.height != unsaid.height) to.tuple("resolution", "NN", resolution);
+  const double range[] = {from.range_min, from.range_max};
+  if (from.range_min != unsaid.range_min || from.range_max != unsaid.range_max) to.tuple("range", "LL", range);
+  const double fov[] = {from.fov_horizontal, from.fov_vertical};
+  if (from.fov_horizontal != unsaid.fov_horizontal || from.fov_vertical != unsaid.fov_vertical) to.tuple("fov", "AA", fov);
+  const double pantilt[] = {from.pan, from.tilt};
+  if (from.pan != unsaid.pan || from.tilt != unsaid.tilt) to.tuple("pantilt", "AA", pantilt);
+  const double pan_limits[] = {from.pan_min, from.pan_max};
+  if (from.pan_min != unsaid.pan_min || from.pan_max != unsaid.pan_max) to.tuple("pan_limits", "AA", pan_limits);
+  const double tilt_limits[] = {from.tilt_min, from.tilt_max};
+  if (from.tilt_min != unsaid.tilt_min || from.tilt_max != unsaid.tilt_max) to.tuple("tilt_limits", "AA", tilt_limits);
+  const double zoom_limits[] = {from.zoom_min, from.zoom_max};
+  if (from.zoom_min != unsaid.zoom_min || from.zoom_max != unsaid.zoom_max) to.tuple("zoom_limits", "AA", zoom_limits);
+  if (from.pantilt_speed != unsaid.pantilt_speed) to.angle("pantilt_speed", from.pantilt_speed);
+  static constexpr std::string_view kWordsOfImage[] = {"color", "gray", "depth"};
+  if (from.image != unsaid.image) to.text("image", kWordsOfImage[static_cast<std::size_t>(from.image)]);
+  static constexpr std::string_view kWordsOfCompression[] = {"raw", "jpeg"};
+  if (from.compression != unsaid.compression) to.text("compression", kWordsOfCompression[static_cast<std::size_t>(from.compression)]);
+  if (from.quality != unsaid.quality) to.integer("quality", from.quality);
+  const double noise[] = {from.noise_value, from.noise_depth};
+  if (from.noise_value != unsaid.noise_value || from.noise_depth != unsaid.noise_depth) to.tuple("noise", "NN", noise);
+}
+
 void write(const RangerSensorDesc& from, const RangerSensorDesc& unsaid, Words& to) {
   if (from.X_BS != unsaid.X_BS) to.pose("pose", from.X_BS);
   if (from.size != unsaid.size) to.size("size", from.size);
@@ -160,6 +185,7 @@ void write_kind(const KindDescs& from, const Units& units, Entity& to) {
   if (from.gripper) write(*from.gripper, {}, words);
   if (from.actuator) write(*from.actuator, {}, words);
   if (from.wifi) write(*from.wifi, {}, words);
+  if (from.camera) write(*from.camera, {}, words);
   for (const RangerSensorDesc& part : from.sensors) {
     Words words_of_part(units, to.parts.emplace_back(Entity{"sensor", {}, {}}).words);
     write(part, {}, words_of_part);

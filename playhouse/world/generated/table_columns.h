@@ -110,6 +110,24 @@ inline constexpr auto kColumns<Wifis> = std::tuple{
 };
 
 template <>
+inline constexpr auto kColumns<Cameras> = std::tuple{
+    Column{"cameras.model", Role::kDerived, "", "", "", &Cameras::model},
+    Column{"cameras.mode", Role::kMotion, "", "", "devices", &Cameras::mode},
+    Column{"cameras.goal_pan", Role::kMotion, "rad", "", "commands", &Cameras::goal_pan},
+    Column{"cameras.goal_tilt", Role::kMotion, "rad", "", "commands", &Cameras::goal_tilt},
+    Column{"cameras.goal_zoom", Role::kMotion, "rad", "", "commands", &Cameras::goal_zoom},
+    Column{"cameras.command_pan", Role::kMotion, "rad/s", "", "commands", &Cameras::command_pan},
+    Column{"cameras.command_tilt", Role::kMotion, "rad/s", "", "commands", &Cameras::command_tilt},
+    Column{"cameras.pan", Role::kMotion, "rad", "", "act", &Cameras::pan},
+    Column{"cameras.tilt", Role::kMotion, "rad", "", "act", &Cameras::tilt},
+    Column{"cameras.zoom", Role::kMotion, "rad", "", "act", &Cameras::zoom},
+    Column{"cameras.pan_speed", Role::kMotion, "rad/s", "", "act", &Cameras::pan_speed},
+    Column{"cameras.tilt_speed", Role::kMotion, "rad/s", "", "act", &Cameras::tilt_speed},
+    Column{"cameras.pixels", Role::kSensed, "", "", "sense", &Cameras::pixels},
+    Column{"cameras.measured_tick", Role::kSensed, "", "", "sense", &Cameras::measured_tick},
+};
+
+template <>
 inline constexpr auto kColumns<Packs> = std::tuple{
     Column{"packs.model", Role::kDerived, "", "", "", &Packs::model},
     Column{"packs.stored", Role::kMotion, "J", "", "energy", &Packs::stored},
@@ -144,6 +162,8 @@ template <>
 inline constexpr scene::ModelKind kKindOf<Actuators> = scene::ModelKind::kActuator;
 template <>
 inline constexpr scene::ModelKind kKindOf<Wifis> = scene::ModelKind::kWifi;
+template <>
+inline constexpr scene::ModelKind kKindOf<Cameras> = scene::ModelKind::kCamera;
 
 /// The trait whose models have a row each; of other tables there is none.
 template <typename Table>
@@ -155,10 +175,10 @@ inline constexpr auto kTraitTable = nullptr;
 template <>
 inline constexpr auto kTraitTable<Packs> = &Tables::packs;
 
-inline constexpr std::tuple kTables{&Tables::models, &Tables::positions, &Tables::rangers, &Tables::sensors, &Tables::fiducials, &Tables::blobfinders, &Tables::bumpers, &Tables::blinkenlights, &Tables::lightindicators, &Tables::grippers, &Tables::actuators, &Tables::wifis, &Tables::packs};
+inline constexpr std::tuple kTables{&Tables::models, &Tables::positions, &Tables::rangers, &Tables::sensors, &Tables::fiducials, &Tables::blobfinders, &Tables::bumpers, &Tables::blinkenlights, &Tables::lightindicators, &Tables::grippers, &Tables::actuators, &Tables::wifis, &Tables::cameras, &Tables::packs};
 
 /// Those of kinds: a row for each model of the kind, in the order of the models.
-inline constexpr std::tuple kKindTables{&Tables::positions, &Tables::rangers, &Tables::fiducials, &Tables::blobfinders, &Tables::bumpers, &Tables::blinkenlights, &Tables::lightindicators, &Tables::grippers, &Tables::actuators, &Tables::wifis};
+inline constexpr std::tuple kKindTables{&Tables::positions, &Tables::rangers, &Tables::fiducials, &Tables::blobfinders, &Tables::bumpers, &Tables::blinkenlights, &Tables::lightindicators, &Tables::grippers, &Tables::actuators, &Tables::wifis, &Tables::cameras};
 
 /// Those of traits: a row for each model that has it, in the order of the models.
 inline constexpr std::tuple kTraitTables{&Tables::packs};

@@ -23,6 +23,7 @@ using LightindicatorRow = Row<struct LightindicatorTable>;
 using GripperRow = Row<struct GripperTable>;
 using ActuatorRow = Row<struct ActuatorTable>;
 using WifiRow = Row<struct WifiTable>;
+using CameraRow = Row<struct CameraTable>;
 using PackRow = Row<struct PackTable>;
 
 /// A robot that drives in the plane.
@@ -207,6 +208,44 @@ struct Wifis {
   std::size_t size() const { return model.size(); }
 };
 
+/// A pixel of an image.
+struct Pixel {
+  std::uint32_t sample = 0;  // 0xRRGGBB, brightness from 0 to 255, or mm; 0 where nothing is in range.
+  friend bool operator==(const Pixel&, const Pixel&) = default;
+};
+
+/// Calls visit(part) for every part.
+template <typename Visit>
+void each_part(Pixel& value, const Visit& visit) {
+  auto& [sample] = value;
+  visit(sample);
+}
+template <typename Visit>
+void each_part(const Pixel& value, const Visit& visit) {
+  const auto& [sample] = value;
+  visit(sample);
+}
+
+/// A camera: takes images of the bodies, the floor and the sky, in colours, in grey, or of distances, and
+/// pans, tilts and zooms.
+struct Cameras {
+  std::vector<ModelRow> model;  // The model that sees.
+  std::vector<ControlMode> mode;  // What commands mean: a velocity, or a position.
+  std::vector<double> goal_pan;  // Where it shall look, to the left. [rad]
+  std::vector<double> goal_tilt;  // Where it shall look, up. [rad]
+  std::vector<double> goal_zoom;  // The field of view that it shall have. [rad]
+  std::vector<double> command_pan;  // Wanted velocity to the left. [rad/s]
+  std::vector<double> command_tilt;  // Wanted velocity upwards. [rad/s]
+  std::vector<double> pan;  // Where it looks, to the left. [rad]
+  std::vector<double> tilt;  // Where it looks, up. [rad]
+  std::vector<double> zoom;  // Its horizontal field of view. [rad]
+  std::vector<double> pan_speed;  // How fast it turns to the left. [rad/s]
+  std::vector<double> tilt_speed;  // How fast it turns upwards. [rad/s]
+  std::vector<std::vector<Pixel>> pixels;  // The image, row by row from the top, from left to right.
+  std::vector<std::uint64_t> measured_tick;  // Tick of the newest image; 0: none yet.
+  std::size_t size() const { return model.size(); }
+};
+
 /// A battery, from which a model draws, and what is inside it and has none of its own.
 struct Packs {
   std::vector<ModelRow> model;  // The model that has it.
@@ -245,6 +284,7 @@ struct Tables {
   Grippers grippers;
   Actuators actuators;
   Wifis wifis;
+  Cameras cameras;
   Packs packs;
 };
 

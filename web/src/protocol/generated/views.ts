@@ -2,7 +2,7 @@
 import type { Pose, Rgba } from '../scene';
 
 /** What a model is. */
-export type Kind = 'plain' | 'position' | 'ranger' | 'fiducial' | 'blobfinder' | 'bumper' | 'blinkenlight' | 'lightindicator' | 'gripper' | 'actuator' | 'wifi';
+export type Kind = 'plain' | 'position' | 'ranger' | 'fiducial' | 'blobfinder' | 'bumper' | 'blinkenlight' | 'lightindicator' | 'gripper' | 'actuator' | 'wifi' | 'camera';
 
 /** What models of any kind may have. */
 export type Trait = 'pack';
@@ -78,6 +78,11 @@ export interface WifiView {
   quality: number;
 }
 
+/** A camera: takes images of the bodies, the floor and the sky, in colours, in grey, or of distances, and pans, tilts and zooms. SI units and radians. */
+export interface CameraView {
+  sample: number;
+}
+
 /** A battery, from which a model draws, and what is inside it and has none of its own. SI units and radians. */
 export interface PackView {
   stored: number; // J
@@ -96,6 +101,7 @@ export interface Views {
   gripper: GripperView;
   actuator: ActuatorView;
   wifi: WifiView[];
+  camera: CameraView[];
   pack: PackView;
 }
 
@@ -117,6 +123,7 @@ export const kViews: readonly ViewFormat[] = [
   { kind: 'gripper', list: false, fields: [['paddles', 'varint', 0.001], ['closing', 'zigzag', 1], ['lift', 'varint', 0.001], ['rising', 'zigzag', 1], ['held', 'zigzag', 1], ['beams', 'varint', 1], ['contacts', 'varint', 1]] },
   { kind: 'actuator', list: false, fields: [['position', 'zigzag', 0.001], ['velocity', 'zigzag', 0.001]] },
   { kind: 'wifi', list: true, fields: [['station', 'varint', 1], ['level', 'zigzag', 1], ['quality', 'varint', 1]] },
+  { kind: 'camera', list: true, fields: [['sample', 'varint', 1]] },
   { kind: 'pack', list: false, fields: [['stored', 'zigzag', 1], ['capacity', 'zigzag', 1], ['watts', 'zigzag', 0.001], ['charging', 'varint', 1]] },
 ];
 
@@ -145,5 +152,8 @@ export interface KindStart {
   lowest?: number; // m or rad
   highest?: number; // m or rad
   axis?: [number, number, number]; // 1
+  resolution?: [number, number]; // px
+  view?: [number, number]; // rad
+  shows?: 'color' | 'gray' | 'depth';
   traits?: Trait[];
 }

@@ -1,0 +1,213 @@
+/// CameraSense: the phase that takes the images of cameras that are subscribed and due. A pixel shows the first
+/// body, or the floor, that the straight line through its middle enters; from within a body, what is behind it.
+///
+/// In: poses, bodies, colours of models; where each camera looks, its lens.
+/// Out: its pixels.
+/// Cost: for each slice of the lens the walls along it and the bodies near it (slice.h), and for each of its
+///   pixels a few operations for each stretch of a body, four pixels at a time.
+/// Source: a ray in an upright prism is where it is between the ends of the stretch and between its heights
+///   (slab test); brightness by ITU-R BT.601.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <unordered_map>
+
+#include "playhouse/base/rng.h"
+#include "playhouse/scene/colors.h"
+#include "playhouse/stage/generated/senses.h"
+#include "playhouse/stage/lens.h"
+#include "playhouse/stage/slice.h"
+#include "playhouse/stage/vectors.h"
+
+namespace playhouse::stage {
+namespace {
+
+using scene::CameraDesc;
+using scene::ImageKind;
+
+constexpr std::uint32_t kSkyColor = 0x9fc4e8, kFloorColor = 0xd9d9d2;  // 0xRRGGBB
+constexpr double kNothing = 1e300;                                     // m, to what a pixel does not show
+constexpr double kDepthMost = 65535;                                   // mm, that a pixel can say
+static_assert(Lens::kSpare >= kFour);
+
+/// What pixels of a slice see: how far away on the floor, and which of its things.
+struct Seen {
+  double* distance;  // m
+  double* thing;     // a whole number
+};
+
+/// A thing that a slice may show.
+struct Thing {
+  double from, to, low, high;  // see Stretch
+  double number;
+};
+
+/// Keeps the nearest of what pixels see already and a thing, where that is not nearer than `least`. Works on up
+/// to kFour - 1 pixels behind the last one.
+PLAYHOUSE_INLINE void show(const Thing& thing, const double* run, const double* least, std::size_t pixels,
+                           const Seen& seen) {
+  for (std::size_t i = 0; i < pixels; i += kFour) {
+    Four per_rise, nearest, distance, number;
+    load(per_rise, run + i);
+    load(nearest, least + i);
+    load(distance, seen.distance + i);
+    load(number, seen.thing + i);
+    const Four a = thing.low * per_rise, b = thing.high * per_rise;
+    const Four first = a < b ? a : b, last = a < b ? b : a;
+    const Four enters = first > thing.from ? first : Four{} + thing.from;
+    const Four leaves = last < thing.to ? last : Four{} + thing.to;
+    const auto shows = (enters < leaves) & (enters >= nearest) & (enters > 0) & (enters < distance);
+    store<Four>(seen.distance + i, shows ? enters : distance);
+    store<Four>(seen.thing + i, shows ? Four{} + thing.number : number);
+  }
+}
+
+std::uint32_t rgb(const scene::Color& color) {
+  return scene::rgba8(color) >> 8;
+}
+
+std::uint32_t brightness(std::uint32_t rgb) {
+  return (299 * (rgb >> 16) + 587 * (rgb >> 8 & 0xff) + 114 * (rgb & 0xff) + 500) / 1000;
+}
+
+/// The value and an error, within 0 .. most.
+std::uint32_t with_noise(double value, double deviation, double most, Rng& rng) {
+  return static_cast<std::uint32_t>(std::lround(std::clamp(value + deviation * rng.gaussian(), 0.0, most)));
+}
+
+class CameraSense final : public SensePhase {
+ public:
+  explicit CameraSense(unsigned workers) : scratch_(workers) {}
+
+  SensorTable table(world::World& world) const override {
+    return {world.cameras.model, world.cameras.measured_tick};
+  }
+  void populate(const world::World&, const Space&) override {}
+
+  std::uint64_t sense(world::World& world, const Space& space, std::span<const std::uint32_t> due,
+                      std::uint64_t tick, world::Workers& workers) override {
+    workers.run(due.size(), 1, [&](std::size_t begin, std::size_t end) {
+      Scratch& scratch = scratch_[workers.current()];
+      for (std::size_t i = begin; i < end; ++i) look(world, space, due[i], tick, scratch);
+    });
+    std::uint64_t rays = 0;
+    for (const std::uint32_t row : due) rays += world.cameras.pixels[row].size();
+    return rays;
+  }
+
+ private:
+  /// The lens of a description, as some camera of it had it last.
+  struct Fitted {
+    double tilt = 0, zoom = 0;  // rad
+    Lens lens;
+  };
+  /// Scratch memory of one worker.
+  struct Scratch {
+    std::unordered_map<std::uint32_t, Fitted> lenses;  // by row of SceneDesc::models
+    Slicer slicer;
+    std::vector<double> distance, thing, least;  // of the pixels of a slice
+    std::vector<double> far;                     // m along the way it looks                    (image)
+    std::vector<std::uint32_t> color;            // 0xRRGGBB                                    (image)
+  };
+
+  static const Lens& fit(const world::World& world, std::uint32_t row, Scratch& scratch) {
+    const world::ModelRow model = world.cameras.model[row];
+    const double tilt = world.cameras.tilt[row], zoom = world.cameras.zoom[row];
+    Fitted& fitted = scratch.lenses[world.models.desc[model.index]];
+    if (fitted.lens.place.empty() || fitted.tilt != tilt || fitted.zoom != zoom)
+      fitted = {tilt, zoom, make_lens(*world.desc(model).camera, tilt, zoom)};
+    return fitted.lens;
+  }
+
+  static void look(world::World& world, const Space& space, std::uint32_t row, std::uint64_t tick,
+                   Scratch& scratch) {
+    const world::ModelRow model = world.cameras.model[row];
+    const scene::ModelDesc& desc = world.desc(model);
+    const CameraDesc& camera = *desc.camera;
+    const Lens& lens = fit(world, row, scratch);
+    const Pose X_WB = geom::compose(world.models.X_WM[model.index], desc.X_MB);
+    const Rotation heading = Rotation::of(X_WB.a + world.cameras.pan[row]);
+    const double eye = X_WB.z + 0.5 * desc.size.z;
+    scratch.slicer.stand(space, X_WB.xy(), eye, std::ranges::max(lens.reach), bit(Observer::kImage),
+                         world.models.root[model.index]);
+    scratch.far.resize(lens.place.size());
+    scratch.color.resize(lens.place.size());
+    for (std::size_t s = 0; s < lens.ahead.size(); ++s) {
+      if (lens.first[s] == lens.first[s + 1]) continue;
+      const Vec2 d = heading * Vec2{lens.ahead[s].c, lens.ahead[s].s};
+      show_slice(world, space, scratch.slicer.along(space, d, lens.reach[s]), lens, s, camera, eye, scratch);
+    }
+    Rng rng(world.seed(), tick, {Purpose::kPixel, world.id(model).value});
+    expose(camera, rng, scratch, world.cameras.pixels[row]);
+  }
+
+  /// What the pixels of a slice see.
+  static void show_slice(const world::World& world, const Space& space, const std::vector<Stretch>& stretches,
+                         const Lens& lens, std::size_t slice, const CameraDesc& camera, double eye,
+                         Scratch& scratch) {
+    const std::size_t first = lens.first[slice], pixels = lens.first[slice + 1] - first;
+    scratch.distance.assign(pixels + kFour, kNothing);
+    scratch.thing.assign(pixels + kFour, 0);
+    scratch.least.resize(pixels + kFour);
+    for (std::size_t i = 0; i < pixels; ++i) scratch.least[i] = camera.range_min / lens.depth[first + i];
+    const Seen seen{scratch.distance.data(), scratch.thing.data()};
+    const auto meet = [&](const Thing& thing) {
+      in_vectors<show>(thing, lens.run.data() + first, scratch.least.data(), pixels, seen);
+    };
+    meet({0, kNothing, -kNothing, -eye, 0});
+    for (std::size_t k = 0; k < stretches.size(); ++k) {
+      const Stretch& stretch = stretches[k];
+      if (world.models.color[space.solids.model[stretch.solid]].a > 0)
+        meet({stretch.from, stretch.to, stretch.low, stretch.high, static_cast<double>(k + 1)});
+    }
+    for (std::size_t i = 0; i < pixels; ++i) {
+      const std::uint32_t at = lens.place[first + i];
+      const double depth = seen.distance[i] * lens.depth[first + i];
+      const bool shown = depth <= camera.range_max;
+      const auto thing = static_cast<std::size_t>(seen.thing[i]);
+      scratch.far[at] = shown ? depth : 0;
+      scratch.color[at] =
+          !shown ? kSkyColor
+          : thing == 0
+              ? kFloorColor
+              : rgb(world.models.color[space.solids.model[stretches[thing - 1].solid]]);
+    }
+  }
+
+  /// Pixels as the camera tells them, with its errors.
+  static void expose(const CameraDesc& camera, Rng& rng, const Scratch& scratch,
+                     std::vector<world::Pixel>& pixels) {
+    const std::size_t count = scratch.far.size();
+    const double deviation = 255 * camera.noise_value;
+    pixels.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      std::uint32_t& sample = pixels[i].sample;
+      if (camera.image == ImageKind::kDepth) {
+        const double depth = 1000 * scratch.far[i];
+        sample = camera.noise_depth > 0 && depth > 0
+                     ? with_noise(depth, depth * camera.noise_depth, kDepthMost, rng)
+                     : static_cast<std::uint32_t>(std::lround(std::min(depth, kDepthMost)));
+        continue;
+      }
+      sample = scratch.color[i];
+      if (deviation > 0) {
+        std::uint32_t noisy = 0;
+        for (const int shift : {16, 8, 0})
+          noisy |= with_noise(sample >> shift & 0xff, deviation, 255, rng) << shift;
+        sample = noisy;
+      }
+      if (camera.image == ImageKind::kGray) sample = brightness(sample);
+    }
+  }
+
+  std::vector<Scratch> scratch_;  // (workers)
+};
+
+}  // namespace
+
+std::unique_ptr<SensePhase> make_camera_sense(unsigned workers) {
+  return std::make_unique<CameraSense>(workers);
+}
+
+}  // namespace playhouse::stage

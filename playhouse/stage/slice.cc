@@ -1,0 +1,116 @@
+#include "playhouse/stage/slice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "playhouse/stage/ray_edge.h"
+
+namespace playhouse::stage {
+namespace {
+
+constexpr double kEndless = 1e300;  // m
+
+}  // namespace
+
+bool Slicer::shows(const Solids& solids, std::uint32_t solid) const {
+  return (solids.seen_by[solid] & by_) != 0 && solids.root[solid] != root_;
+}
+
+void Slicer::stand(const Space& space, Vec2 p, double z, double reach, Observers by, std::uint32_t root) {
+  p_ = p;
+  z_ = z;
+  by_ = by;
+  root_ = root;
+  near_.clear();
+  space.index.near(p, reach, -kEndless, kEndless, [&](const DiscIndex::Disc& disc) {
+    const Vec2 w = disc.center - p;
+    const double least = disc.radius + reach;
+    if (geom::dot(w, w) <= least * least && shows(space.solids, disc.row)) near_.push_back(disc.row);
+  });
+  // What holds p is what a line to the edge of the world leaves first.
+  beneath_.clear();
+  crossings_.clear();
+  cross_walls(space, {1, 0}, kEndless);
+  pair_crossings(space.solids);
+  for (const Stretch& stretch : stretches_)
+    if (stretch.from == 0) beneath_.push_back(space.solids.body[stretch.solid]);
+  std::ranges::sort(beneath_);
+  beneath_.erase(std::unique(beneath_.begin(), beneath_.end()), beneath_.end());
+}
+
+void Slicer::cross(std::uint32_t body, Vec2 w0, Vec2 w1, bool hole, double reach, Vec2 d,
+                   std::uint32_t number) {
+  const stage::Crossing<double> ends({d.x, d.y, w0.x, w0.y}, {d.x, d.y, w1.x, w1.y});
+  if (!ends.crosses) return;
+  const double t = edge_hit(w0, w1, d);
+  if (t <= reach) crossings_.push_back({body, t, ends.enters != hole, number});
+}
+
+void Slicer::cross_walls(const Space& space, Vec2 d, double reach) {
+  const Solids& solids = space.solids;
+  const auto meet = [&](const Walls::Edge& edge) {
+    if (shows(solids, edge.solid))
+      cross(solids.body[edge.solid], edge.a - p_, edge.b - p_, solids.hole[edge.solid] != 0, reach, d,
+            edge.number);
+  };
+  if (!space.walls.few().empty()) {
+    for (const Walls::Edge& edge : space.walls.few()) meet(edge);
+    return;
+  }
+  const std::size_t before = crossings_.size();
+  space.walls.along(p_, d, &reach, meet);
+  // An edge comes once for each of its cells.
+  const auto begin = crossings_.begin() + static_cast<std::ptrdiff_t>(before);
+  std::ranges::sort(begin, crossings_.end(), {}, &Crossing::number);
+  const auto same = [](const Crossing& a, const Crossing& b) { return a.number == b.number; };
+  crossings_.erase(std::unique(begin, crossings_.end(), same), crossings_.end());
+}
+
+void Slicer::cross_bodies(const Space& space, Vec2 d, double reach) {
+  const Solids& solids = space.solids;
+  for (const std::uint32_t solid : near_) {
+    const Vec2 to = solids.center[solid] - p_;
+    const double radius = solids.radius[solid] + kMargin;
+    if (std::fabs(geom::cross(d, to)) > radius || geom::dot(d, to) < -radius) continue;
+    const Vec2* const corner = solids.p.data() + solids.first_vertex[solid];
+    const std::uint32_t edges = solids.first_vertex[solid + 1] - solids.first_vertex[solid] - 1;
+    for (std::uint32_t i = 0; i < edges; ++i)
+      cross(solids.body[solid], corner[i] - p_, corner[i + 1] - p_, solids.hole[solid] != 0, reach, d, 0);
+  }
+}
+
+void Slicer::add(const Solids& solids, std::uint32_t body, double from, double to) {
+  stretches_.push_back({from, to, solids.z_min[body] - z_, solids.z_max[body] - z_, body});
+}
+
+void Slicer::pair_crossings(const Solids& solids) {
+  std::ranges::sort(crossings_, [](const Crossing& a, const Crossing& b) {
+    return std::tuple(a.body, a.t, !a.enters) < std::tuple(b.body, b.t, !b.enters);
+  });
+  stretches_.clear();
+  for (std::size_t i = 0; i < crossings_.size();) {
+    const std::uint32_t body = crossings_[i].body;
+    int depth = crossings_[i].enters ? 0 : 1;
+    double from = 0;
+    for (; i < crossings_.size() && crossings_[i].body == body; ++i) {
+      const Crossing& crossing = crossings_[i];
+      if (crossing.enters && depth++ == 0) from = crossing.t;
+      if (!crossing.enters && depth > 0 && --depth == 0) add(solids, body, from, crossing.t);
+    }
+    if (depth > 0) add(solids, body, from, kEndless);
+  }
+}
+
+const std::vector<Stretch>& Slicer::along(const Space& space, Vec2 d, double reach) {
+  crossings_.clear();
+  cross_walls(space, d, reach);
+  cross_bodies(space, d, reach);
+  pair_crossings(space.solids);
+  for (const std::uint32_t body : beneath_)  // whose end is beyond the reach
+    if (!std::ranges::binary_search(crossings_, body, {}, &Crossing::body))
+      add(space.solids, body, 0, kEndless);
+  return stretches_;
+}
+
+}  // namespace playhouse::stage
