@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <unordered_map>
+#include <map>
 
 #include "playhouse/base/rng.h"
 #include "playhouse/scene/colors.h"
@@ -104,7 +104,7 @@ class CameraSense final : public SensePhase {
   };
   /// Scratch memory of one worker.
   struct Scratch {
-    std::unordered_map<std::uint32_t, Fitted> lenses;  // by row of SceneDesc::models
+    std::map<std::uint32_t, Fitted> lenses;  // by row of SceneDesc::models
     Slicer slicer;
     std::vector<double> distance, thing, least;  // of the pixels of a slice
     std::vector<double> far;                     // m along the way it looks                    (image)
