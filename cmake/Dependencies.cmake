@@ -5,6 +5,7 @@ find_package(fmt REQUIRED)
 find_package(spdlog REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(PNG REQUIRED)
+find_library(ZSTD_LIBRARY zstd REQUIRED)  # its package has no find module
 find_package(yaml-cpp REQUIRED)
 find_package(libjpeg-turbo REQUIRED)
 find_package(TBB REQUIRED)

@@ -61,6 +61,13 @@ inline constexpr double kHistorySeconds = 600;                    // simulated, 
 inline constexpr double kHistoryPeriodSeconds = 1;                // simulated, from one instant to the next
 inline constexpr std::size_t kHistoryBytes = 128u << 20;          // of all states
 
+// Recordings (playhouse/record).
+inline constexpr std::size_t kRecordChunkBytes = 1u << 20;        // a chunk that has so many is written, else twice a second
+inline constexpr std::size_t kRecordQueueBytes = 64u << 20;       // waiting for the disk; the run waits then
+inline constexpr std::size_t kRecordChannels = 65535;             // of a file; the rest is left out
+inline constexpr std::size_t kReadChunkBytes = 256u << 20;        // of a chunk that is read, unpacked
+inline constexpr std::size_t kReadRecordBytes = 1u << 30;         // of any other record that is read
+
 // Stage engine.
 inline constexpr unsigned kMotionSteps = 1024;                    // collision tests along one robot's way in one tick
 

@@ -1,0 +1,77 @@
+#pragma once
+
+/// McapWriter: an MCAP file as it is written: chunks, each packed with zstd and behind it the index of its
+/// messages; at the end a summary, with which readers find what they look for. Until then the file has what
+/// was flushed, and readers that go through it from the front find that. Memory does not grow with the
+/// file's length: the summary is made from the heads of the chunks in the file. Thread: one.
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "playhouse/base/result.h"
+#include "playhouse/record/mcap.h"
+
+namespace playhouse::record {
+
+class McapWriter {
+ public:
+  /// Makes the file, or empties it. The error names it.
+  static Result<std::unique_ptr<McapWriter>> create(const std::string& path, const std::string& profile);
+  ~McapWriter();
+  McapWriter(const McapWriter&) = delete;
+  McapWriter& operator=(const McapWriter&) = delete;
+
+  /// Schema, Channel and Message records, whole, as the functions put() of mcap.h make them; a schema before
+  /// its channels, a channel before its messages. They go to the file with the next flush().
+  void add(std::span<const std::byte> records);
+  /// Bytes that the next flush() would write, before they are packed.
+  std::size_t waiting() const { return chunk_.size(); }
+  /// Writes what waits as a chunk. After a failure the file ends with the last whole chunk, and every further
+  /// call fails.
+  Result<void> flush();
+  /// Writes an Attachment record, whole; what waits is flushed before it.
+  Result<void> attach(const Attachment& attachment);
+  /// Flushes and writes the summary. Nothing may follow.
+  Result<void> finish();
+
+ private:
+  struct Entry {
+    std::uint64_t time = 0, offset = 0;
+  };
+  struct AttachmentEntry {
+    std::uint64_t offset = 0, length = 0, time = 0, data_size = 0;
+    std::string name, media_type;
+  };
+  struct Written;  // a chunk of the file
+
+  McapWriter(std::string path, int file);
+  Result<void> write(std::span<const std::byte> bytes);
+  Result<void> write_summary();
+  Result<std::uint64_t> write_chunk_indices();
+  Result<bool> read_chunk(std::uint64_t& offset, Written& chunk) const;
+  bool read_at(std::uint64_t offset, std::span<std::byte> out) const;
+  Bytes statistics(std::uint64_t chunks) const;
+  Error fault(int code) const;
+
+  const std::string path_;
+  const int file_;
+  std::uint64_t size_ = 0;  // of what was written whole
+  bool failed_ = false;
+
+  Bytes chunk_;                                      // records that wait
+  std::map<std::uint16_t, std::vector<Entry>> index_;  // of their messages
+  std::uint64_t chunk_from_ = 0, chunk_to_ = 0;      // their times [ns]
+
+  // For the summary.
+  Bytes schemas_, channels_;  // records
+  std::vector<AttachmentEntry> attachments_;
+  std::map<std::uint16_t, std::uint64_t> counts_;  // messages by channel
+  std::uint64_t messages_ = 0, from_ = 0, to_ = 0;
+  std::uint16_t schema_count_ = 0;
+  std::uint32_t channel_count_ = 0;
+};
+
+}  // namespace playhouse::record
