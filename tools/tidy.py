@@ -16,7 +16,7 @@ SOURCE = ROOT / "playhouse"
 
 # A module may include itself and every module of a lower rank (ARCHITECTURE.md).
 RANKS = [
-    {"base"}, {"geom"}, {"wire", "net", "scene"}, {"device", "world"}, {"record", "replicate", "controllers", "behaviour"}, {"stage"},
+    {"base"}, {"geom"}, {"wire", "net", "scene"}, {"device", "world"}, {"replicate", "controllers", "behaviour"}, {"record", "stage"},
     {"scenarios"}, {"drivers", "server", "web_server"}, {"app"},
 ]
 RANK = {module: rank for rank, modules in enumerate(RANKS) for module in modules}

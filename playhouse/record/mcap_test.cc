@@ -113,7 +113,8 @@ TEST_F(Mcap, with_a_changed_byte_in_a_chunk_is_refused) {
   ASSERT_TRUE(writer_->flush().ok());
   Bytes bytes = file();
   std::size_t refused = 0;
-  const std::size_t chunk = kMagic.size() + kRecordHeadBytes + 4 + 4 + 4 + std::string("playhouse " PLAYHOUSE_VERSION).size();
+  const std::size_t chunk =
+      kMagic.size() + kRecordHeadBytes + 4 + 4 + 4 + std::string("playhouse " PLAYHOUSE_VERSION).size();
   for (std::size_t at = chunk + 30; at < chunk + 80; ++at) {
     Bytes changed = bytes;
     changed[at] ^= std::byte{0x10};
@@ -146,8 +147,9 @@ TEST_F(Mcap, ends_with_the_listener_s_error) {
   const Bytes bytes = file();
   const MemorySource source(bytes);
   McapReader reader(source);
-  const auto end =
-      reader.read({.message = [](const Channel&, const Message&) -> Result<void> { return Error{{}, "no"}; }});
+  const auto end = reader.read({.message = [](const Channel&, const Message&) -> Result<void> {
+    return Error{{}, "no"};
+  }});
   ASSERT_FALSE(end.ok());
   EXPECT_EQ(end.error().text, "no");
 }

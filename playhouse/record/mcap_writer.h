@@ -61,9 +61,9 @@ class McapWriter {
   std::uint64_t size_ = 0;  // of what was written whole
   bool failed_ = false;
 
-  Bytes chunk_;                                      // records that wait
+  Bytes chunk_;                                        // records that wait
   std::map<std::uint16_t, std::vector<Entry>> index_;  // of their messages
-  std::uint64_t chunk_from_ = 0, chunk_to_ = 0;      // their times [ns]
+  std::uint64_t chunk_from_ = 0, chunk_to_ = 0;        // their times [ns]
 
   // For the summary.
   Bytes schemas_, channels_;  // records

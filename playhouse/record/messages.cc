@@ -1,0 +1,270 @@
+#include "playhouse/record/messages.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <string_view>
+
+#include "playhouse/base/assert.h"
+#include "playhouse/replicate/views.h"
+#include "playhouse/world/columns.h"
+#include "playhouse/world/values.h"
+
+namespace playhouse::record {
+namespace {
+
+const std::string kRule = std::string(80, '=') + "\n";
+const std::string kTime = kRule + "MSG: builtin_interfaces/Time\nint32 sec\nuint32 nanosec\n";
+const std::string kHeader =
+    kRule + "MSG: std_msgs/Header\nbuiltin_interfaces/Time stamp\nstring frame_id\n" + kTime;
+
+const std::map<std::string, std::string>& fixed_schemas() {
+  static const std::map<std::string, std::string> kTexts{
+      {kTransforms, "geometry_msgs/TransformStamped[] transforms\n" + kRule +
+                        "MSG: geometry_msgs/TransformStamped\nstd_msgs/Header header\nstring child_frame_id\n"
+                        "geometry_msgs/Transform transform\n" +
+                        kRule +
+                        "MSG: geometry_msgs/Transform\ngeometry_msgs/Vector3 translation\n"
+                        "geometry_msgs/Quaternion rotation\n" +
+                        kRule + "MSG: geometry_msgs/Vector3\nfloat64 x\nfloat64 y\nfloat64 z\n" + kRule +
+                        "MSG: geometry_msgs/Quaternion\nfloat64 x\nfloat64 y\nfloat64 z\nfloat64 w\n" +
+                        kHeader},
+      {kLaserScan,
+       "std_msgs/Header header\nfloat32 angle_min\nfloat32 angle_max\nfloat32 angle_increment\n"
+       "float32 time_increment\nfloat32 scan_time\nfloat32 range_min\nfloat32 range_max\n"
+       "float32[] ranges\nfloat32[] intensities\n" +
+           kHeader},
+      {kRanges, "builtin_interfaces/Time stamp\nfloat32[] ranges  # m\nfloat32[] intensities\n" + kTime},
+      {kWorldChange,
+       "builtin_interfaces/Time stamp\nstring change\nstring model\nuint32 id\nstring other\n" + kTime},
+      {kState, "uint64 tick\nuint8[] state\n"},
+      {kEdit, "uint64 tick\nuint64 before\nuint8[] difference\n"},
+      {kCheck, "uint64 tick\nuint64 hash\nuint64 sensed_hash\n"},
+  };
+  return kTexts;
+}
+
+template <typename Number>
+const char* number_type() {
+  if constexpr (std::is_same_v<Number, double>) return "float64";
+  if constexpr (std::is_same_v<Number, float>) return "float32";
+  if constexpr (std::is_same_v<Number, std::uint64_t>) return "uint64";
+  if constexpr (std::is_same_v<Number, std::int32_t>) return "int32";
+  return sizeof(Number) == 4 ? "uint32" : "uint8";
+}
+
+template <typename Number>
+void put_number(CdrWriter& out, Number number) {
+  if constexpr (std::is_enum_v<Number>) {
+    out.number(static_cast<std::uint8_t>(number));
+  } else {
+    out.number(number);
+  }
+}
+
+/// How many numbers a value has, and the type of them if they have one.
+template <typename T>
+struct Shape {
+  std::size_t count = 0;
+  std::string type;
+  Shape() {
+    T value{};
+    world::each_number(value, [&](auto number) {
+      const std::string found = number_type<decltype(number)>();
+      type = count == 0 || found == type ? found : "float64";
+      ++count;
+    });
+  }
+};
+
+template <typename T>
+std::string field_type() {
+  if constexpr (std::is_same_v<T, std::string>) {
+    return "string";
+  } else if constexpr (world::kIsList<T>) {
+    return Shape<typename T::value_type>().type + "[]";
+  } else {
+    const Shape<T> shape;
+    return shape.count == 1 ? shape.type : shape.type + "[" + std::to_string(shape.count) + "]";
+  }
+}
+
+/// The numbers of a value, in the type that Shape says.
+template <typename T>
+void put_numbers(CdrWriter& out, const T& value, bool as_doubles) {
+  world::each_number(value, [&](auto number) {
+    if constexpr (std::is_arithmetic_v<decltype(number)>) {
+      if (as_doubles) return out.number(static_cast<double>(number));
+    }
+    put_number(out, number);
+  });
+}
+
+template <typename T>
+void put_field(CdrWriter& out, const T& value) {
+  if constexpr (std::is_same_v<T, std::string>) {
+    out.text(value);
+  } else if constexpr (world::kIsList<T>) {
+    using Element = typename T::value_type;
+    static const Shape<Element> kShape;
+    out.count(value.size() * kShape.count);
+    for (const Element& element : value) put_numbers(out, element, kShape.type == "float64");
+  } else {
+    static const Shape<T> kShape;
+    put_numbers(out, value, kShape.type == "float64");
+  }
+}
+
+template <typename Column>
+bool is_told(const Column& column) {
+  return world::is_saved(column.role) && !std::string_view(column.name).ends_with(".measured_tick");
+}
+
+/// "positions.X_OM" is x_om: names of fields are in lower case.
+std::string field_name(std::string_view column) {
+  std::string name(column.substr(column.find('.') + 1));
+  std::ranges::transform(name, name.begin(), [](unsigned char letter) { return std::tolower(letter); });
+  return name;
+}
+
+template <typename Table>
+std::string table_schema() {
+  std::string text = "builtin_interfaces/Time stamp\n";
+  world::each_column_of<Table>([&](const auto& column) {
+    if (!is_told(column)) return;
+    using Value = typename std::remove_cvref_t<decltype(column)>::Values::value_type;
+    text += field_type<Value>() + " " + field_name(column.name);
+    std::string note = column.unit;
+    if (column.frame[0] != '\0') note += (note.empty() ? "" : "; ") + std::string(column.frame);
+    if constexpr (world::kIsList<Value> && !std::is_same_v<Value, std::string>)
+      if (const std::size_t count = Shape<typename Value::value_type>().count; count > 1)
+        note += (note.empty() ? "" : "; ") + std::to_string(count) + " numbers each";
+    text += note.empty() ? "\n" : "  # " + note + "\n";
+  });
+  return text + kTime;
+}
+
+template <typename Table>
+world::Range rows_of(const world::World& world, world::ModelRow model) {
+  return world::range_of<Table>(world, model.index, world::Per::kRow);
+}
+
+template <typename Table, Table world::Tables::*kTable>
+TableMessages messages_of(const std::string& word) {
+  std::string name = word;
+  name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+  return {.schema = "playhouse/msg/" + name,
+          .topic = word,
+          .text = table_schema<Table>(),
+          .measures = requires(Table rows){rows.measured_tick;
+}
+,
+    .has =
+        [](const world::World& world, world::ModelRow model) {
+          const world::Range rows = rows_of<Table>(world, model);
+          return rows.begin != rows.end;
+        },
+    .is_fresh =
+        [](const world::World& world, world::ModelRow model) {
+          if constexpr (requires(Table rows) { rows.measured_tick; })
+            return (world.*kTable).measured_tick[rows_of<Table>(world, model).begin] == world.tick();
+          return false;
+        },
+    .message = [](std::uint64_t ns, const world::World& world, world::ModelRow model) {
+      const std::uint32_t row = rows_of<Table>(world, model).begin;
+      CdrWriter out;
+      out.time(ns);
+      world::each_column_of<Table>([&](const auto& column) {
+        if (is_told(column)) put_field(out, (world.*kTable.*column.values)[row]);
+      });
+      return out.message();
+    },
+};  // namespace
+}  // namespace playhouse::record
+
+template <std::size_t kNth>
+void add_kind(std::vector<TableMessages>& all) {
+  constexpr auto kTable = std::get<kNth>(world::kKindTables);
+  using Table = std::remove_cvref_t<decltype(std::declval<world::World>().*kTable)>;
+  if constexpr (!std::is_same_v<Table, world::Rangers>)
+    all.push_back(messages_of<Table, kTable>(std::string(replicate::kind_name(world::kKindOf<Table>))));
+}
+
+template <std::size_t kNth>
+void add_trait(std::vector<TableMessages>& all) {
+  constexpr auto kTable = std::get<kNth>(world::kTraitTables);
+  using Table = std::remove_cvref_t<decltype(std::declval<world::World>().*kTable)>;
+  const std::string name = std::get<0>(world::kColumns<Table>).name;
+  all.push_back(messages_of<Table, kTable>(name.substr(0, name.find('.') - 1)));  // "packs.model": pack
+}
+
+void put_header(CdrWriter& out, std::uint64_t ns, const std::string& frame) {
+  out.time(ns);
+  out.text(frame);
+}
+
+}  // namespace
+
+std::string schema_text(const std::string& name) {
+  const auto found = fixed_schemas().find(name);
+  if (found != fixed_schemas().end()) return found->second;
+  const auto table = std::ranges::find(table_messages(), name, &TableMessages::schema);
+  PLAYHOUSE_ASSERT(table != table_messages().end());
+  return table->text;
+}
+
+const std::vector<TableMessages>& table_messages() {
+  static const std::vector<TableMessages> kAll = [] {
+    std::vector<TableMessages> all;
+    [&]<std::size_t... kNth>(std::index_sequence<kNth...>) {
+      (add_kind<kNth>(all), ...);
+    }
+    (std::make_index_sequence<std::tuple_size_v<decltype(world::kKindTables)>>());
+    [&]<std::size_t... kNth>(std::index_sequence<kNth...>) {
+      (add_trait<kNth>(all), ...);
+    }
+    (std::make_index_sequence<std::tuple_size_v<decltype(world::kTraitTables)>>());
+    return all;
+  }();
+  return kAll;
+}
+
+Bytes transforms_message(std::uint64_t ns, std::span<const Transform> transforms) {
+  CdrWriter out;
+  out.count(transforms.size());
+  for (const Transform& each : transforms) {
+    put_header(out, ns, each.parent);
+    out.text(each.child);
+    const geom::Quaternion q = geom::orientation(each.X.X.a, each.X.tilt);
+    for (const double number : {each.X.X.x, each.X.X.y, each.X.X.z, q.x, q.y, q.z, q.w}) out.number(number);
+  }
+  return out.message();
+}
+
+Bytes scan_message(std::uint64_t ns, const std::string& frame, const world::World& world,
+                   world::ModelRow model, world::SensorRow sensor) {
+  const std::uint32_t ranger = world.models.part[model.index];
+  const std::uint32_t nth = sensor.index - world.rangers.first_sensor[ranger];
+  const scene::RangerSensorDesc& desc = world.desc(model).sensors[nth];
+  const double step = desc.samples > 1 ? desc.fov / (desc.samples - 1) : 0;
+  const std::size_t first = world.sensors.first_beam[sensor.index],
+                    count = world.sensors.beam_count[sensor.index];
+  CdrWriter out;
+  put_header(out, ns, frame);
+  for (const double number : {-desc.fov / 2, desc.fov / 2, step, 0.0, 0.0, desc.range_min, desc.range_max})
+    out.number(static_cast<float>(number));
+  out.floats(std::span(world.sensors.ranges).subspan(first, count));
+  out.floats(std::span(world.sensors.intensities).subspan(first, count));
+  return out.message();
+}
+
+Bytes ranges_message(std::uint64_t ns, const world::World& world, world::ModelRow model) {
+  const world::Range beams = world::range_of<world::Sensors>(world, model.index, world::Per::kBeam);
+  CdrWriter out;
+  out.time(ns);
+  out.floats(std::span(world.sensors.ranges).subspan(beams.begin, beams.end - beams.begin));
+  out.floats(std::span(world.sensors.intensities).subspan(beams.begin, beams.end - beams.begin));
+  return out.message();
+}
+
+}  // namespace playhouse::record

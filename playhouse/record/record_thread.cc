@@ -1,0 +1,88 @@
+#include "playhouse/record/record_thread.h"
+
+#include <chrono>
+
+#include "playhouse/base/limits.h"
+#include "playhouse/base/log.h"
+
+namespace playhouse::record {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// From the first record of a chunk until it is written: with the way to the disk, well below a second.
+constexpr std::chrono::milliseconds kChunkTime{500};
+
+}  // namespace
+
+RecordThread::RecordThread(std::unique_ptr<McapWriter> writer) : writer_(std::move(writer)) {}
+
+void RecordThread::hand_over(Bytes records) {
+  if (records.empty()) return;
+  bool tells = false;
+  {
+    std::unique_lock lock(mutex_);
+    const auto has_room = [this] { return failed_ || waiting_bytes_ < limits::kRecordQueueBytes; };
+    if (!has_room()) tells = !std::exchange(told_slow_, true);
+    changed_.wait(lock, has_room);
+    if (failed_) return;
+    waiting_bytes_ += records.size();
+    waiting_.push_back(std::move(records));
+  }
+  changed_.notify_all();
+  if (tells) log::warn("the disk is slower than the run: the run waits for its recording");
+  if (!thread_.joinable()) thread_ = std::thread([this] { run(); });
+}
+
+bool RecordThread::finish() {
+  if (std::exchange(finished_, true)) return !failed_;
+  {
+    const std::lock_guard lock(mutex_);
+    ending_ = true;
+  }
+  changed_.notify_all();
+  if (thread_.joinable()) {
+    thread_.join();
+  } else {
+    write(End::kFile);
+  }
+  return !failed_;
+}
+
+void RecordThread::write(End end) {
+  const Result<void> written = end == End::kFile ? writer_->finish() : writer_->flush();
+  if (written) return;
+  {
+    const std::lock_guard lock(mutex_);
+    if (std::exchange(failed_, true)) return;
+  }
+  changed_.notify_all();
+  log::error("{}; the run goes on and is recorded no more", written.error().line());
+}
+
+void RecordThread::run() {
+  Clock::time_point due = Clock::now() + kChunkTime;
+  for (;;) {
+    std::deque<Bytes> records;
+    bool last = false;
+    {
+      std::unique_lock lock(mutex_);
+      changed_.wait_until(lock, due, [this] { return ending_ || !waiting_.empty(); });
+      records.swap(waiting_);
+      waiting_bytes_ = 0;
+      last = ending_;
+    }
+    changed_.notify_all();
+    if (writer_->waiting() == 0 && !records.empty()) due = Clock::now() + kChunkTime;
+    for (const Bytes& each : records) {
+      writer_->add(each);
+      if (writer_->waiting() >= limits::kRecordChunkBytes) write(End::kChunk);
+    }
+    if (last) return write(End::kFile);
+    if (Clock::now() < due) continue;
+    write(End::kChunk);
+    due = Clock::now() + kChunkTime;
+  }
+}
+
+}  // namespace playhouse::record

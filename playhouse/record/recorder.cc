@@ -1,0 +1,316 @@
+#include "playhouse/record/recorder.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <string_view>
+
+#include "playhouse/base/limits.h"
+#include "playhouse/base/log.h"
+#include "playhouse/base/packing.h"
+#include "playhouse/record/whole_state.h"
+#include "playhouse/replicate/views.h"
+#include "playhouse/world/periods.h"
+#include "playhouse/world/saved_run.h"
+#include "playhouse/world/state.h"
+
+namespace playhouse::record {
+namespace {
+
+constexpr const char* kWorldFrame = "world";
+
+const char* word_of(world::Change::Kind kind) {
+  switch (kind) {
+    case world::Change::Kind::kSpawn:
+      return "came";
+    case world::Change::Kind::kDespawn:
+      return "went";
+    case world::Change::Kind::kAttach:
+      return "attached";
+    case world::Change::Kind::kDetach:
+      return "detached";
+    case world::Change::Kind::kPlace:
+      return "placed";
+    case world::Change::Kind::kSet:
+      return "set";
+    case world::Change::Kind::kReload:
+      return "taken back";
+  }
+  return "";
+}
+
+/// A name as part of a topic: letters, digits, and _ for the rest; what is in something stands behind a /.
+std::string as_topic(std::string name) {
+  for (char& letter : name)
+    if (std::isalnum(static_cast<unsigned char>(letter)) == 0) letter = letter == '.' ? '/' : '_';
+  return name;
+}
+
+/// Where a model or the sensor of one stands in another frame.
+geom::SpatialPose pose_in(const world::World& world, world::ModelRow parent, const geom::SpatialPose& X_WF) {
+  if (!parent) return X_WF;
+  // Whoever is in a robot stands as it does: tilts are those of the whole.
+  return {geom::compose(geom::inverse(world.models.X_WM[parent.index]), X_WF.X), X_WF.tilt};
+}
+
+}  // namespace
+
+Recorder::Recorder(RecordThread& file, Selection selection, world::Control& control)
+    : file_(file), selection_(std::move(selection)), control_(control) {}
+
+Result<void> Recorder::begin(const world::World& world, const scene::SourceFiles& sources) {
+  interval_ = world.scene().interval;
+  second_ = world::ticks_of(1, interval_);
+  state_ticks_ = world::ticks_of(kStatePeriod, interval_);
+  steps_ = world.tick();
+  for (const std::string& name : selection_.unknown_names(world))
+    log::warn("--record-only: no model is called {} yet", name);
+  world::SavedRun run{sources, world.seed(), {}};
+  if (const Result<void> saved = world::save_state(world, run.state); !saved) {
+    give_up(saved.error());
+    run.state.clear();
+  }
+  const Attachment start{ns(), kStartName, "application/octet-stream", world::encode(run)};
+  if (const Result<void> attached = file_.attach(start); !attached) return attached;
+  look_around(world);
+  record_state(world);
+  record_poses(world, true);
+  record_check(world);
+  hand_over();
+  return {};
+}
+
+void Recorder::give_up(const Error& why) {
+  if (!std::exchange(runs_again_, false)) return;
+  log::warn("the recording has data alone, and cannot be run again or replayed: {}", why.line());
+}
+
+std::uint64_t Recorder::ns() const {
+  return static_cast<std::uint64_t>(std::llround(static_cast<double>(steps_) * interval_ * 1e9));
+}
+
+void Recorder::put_message(const world::World& world, const std::string& topic, const std::string& schema,
+                           const Bytes& body) {
+  const auto [kind, is_new_kind] = schemas_.try_emplace(schema, schemas_.size() + 1);
+  if (is_new_kind) put(out_, Schema{kind->second, schema, kSchemaEncoding, schema_text(schema)});
+  auto channel = channels_.find({topic, schema});
+  if (channel == channels_.end()) {
+    if (channels_.size() >= limits::kRecordChannels) {
+      if (!std::exchange(full_, true))
+        log::warn("a recording has {} channels at most: {} and what comes later is left out",
+                  limits::kRecordChannels, topic);
+      return;
+    }
+    const auto id = static_cast<std::uint16_t>(channels_.size());
+    channel = channels_.emplace(std::pair(topic, schema), id).first;
+    put(out_, Channel{id, kind->second, topic, kMessageEncoding});
+    sequence_.push_back(0);
+  }
+  const auto published = static_cast<std::uint64_t>(std::llround(world.time() * 1e9));
+  put(out_, Message{channel->second, sequence_[channel->second]++, ns(), published, body});
+}
+
+void Recorder::hand_over() {
+  file_.hand_over(std::exchange(out_, {}));
+}
+
+// Who there is.
+
+std::string Recorder::label(const world::World& world, world::ModelRow model) const {
+  std::string name = world.name(model);
+  if (name.empty()) name = world.alias(model);
+  return as_topic(std::move(name));
+}
+
+void Recorder::look_around(const world::World& world) {
+  if (std::exchange(known_, true) && population_ == world.population()) return;
+  population_ = world.population();
+  recorded_.clear();
+  frames_.clear();
+  measuring_.clear();
+  for (std::uint32_t row = 0; row < world.models.size(); ++row) add_model(world, {row});
+  const bool all_watched = std::ranges::all_of(measuring_, [&](world::ModelId model) {
+    const auto found = watched_.find(model);
+    return found != watched_.end() && found->second == control_.life(model);
+  });
+  // A queue that is full is not for long; who comes next has them looked at again.
+  if (!all_watched && !control_.post([this](world::World& changing) { watch_all(changing); })) known_ = false;
+}
+
+void Recorder::add_model(const world::World& world, world::ModelRow model) {
+  const world::Models& models = world.models;
+  const scene::ModelKind kind = models.kind[model.index];
+  const world::ModelId id = world.id(model);
+  if (models.root[model.index] == model.index && models.mobility[model.index] != world::Mobility::kFixed)
+    frames_.push_back({.model = id, .parent = {}, .sensor = 0, .is_sensor = false, .last = {}});
+  bool recorded = false;
+  for (const TableMessages& table : table_messages()) {
+    if (!table.has(world, model) || !selection_.has(world, model, table.topic)) continue;
+    recorded = true;
+    Recorded entry;
+    entry.model = id;
+    entry.table = &table;
+    entry.topic = "/" + label(world, model) + "/" + table.topic;
+    recorded_.push_back(std::move(entry));
+  }
+  if (kind == scene::ModelKind::kRanger && selection_.has(world, model, "ranger")) {
+    recorded = true;
+    add_ranger(world, model);
+  }
+  if (recorded && replicate::only_measures(kind)) measuring_.push_back(id);
+}
+
+void Recorder::add_ranger(const world::World& world, world::ModelRow model) {
+  const std::uint32_t ranger = world.models.part[model.index];
+  const std::uint32_t count = world.rangers.sensor_count[ranger], first = world.rangers.first_sensor[ranger];
+  const std::string name = label(world, model);
+  const world::ModelRow top{world.models.root[model.index]};
+  const bool is_fixed = world.models.mobility[top.index] == world::Mobility::kFixed;
+  bool scans = false;
+  for (std::uint32_t i = 0; i < count; ++i) scans = scans || world.sensors.beam_count[first + i] > 1;
+  for (std::uint32_t i = 0; i < (scans ? count : std::min(count, 1u)); ++i) {
+    Recorded entry;
+    entry.model = world.id(model);
+    entry.sensor = i;
+    entry.scans = scans;
+    entry.frame = name + "/" + std::to_string(i);
+    entry.topic = "/" + name + (!scans ? "/ranges" : count == 1 ? "/scan" : "/scan_" + std::to_string(i));
+    recorded_.push_back(std::move(entry));
+    if (scans)
+      frames_.push_back({.model = world.id(model),
+                         .parent = is_fixed ? world::ModelId{} : world.id(top),
+                         .sensor = i,
+                         .is_sensor = true,
+                         .last = {}});
+  }
+}
+
+void Recorder::watch_all(world::World& world) {
+  for (const world::ModelId model : measuring_) {
+    const world::ModelRow row = world.row(model);
+    const auto [found, is_new] = watched_.try_emplace(model, control_.life(model));
+    if (!row || (!is_new && found->second == control_.life(model))) continue;
+    found->second = control_.life(model);
+    world::watch(world, row);
+  }
+}
+
+// What happens.
+
+void Recorder::follow(const world::World& world, const world::Change& change) {
+  const world::ModelRow model = world.row(change.model), other = world.row(change.other);
+  CdrWriter message;
+  message.time(ns());
+  message.text(word_of(change.kind));
+  message.text(model ? label(world, model) : "");
+  message.number(change.model.value);
+  message.text(other ? label(world, other) : "");
+  put_message(world, "/playhouse/changes", kWorldChange, message.message());
+}
+
+void Recorder::before_changes(const world::World& world) {
+  if (!runs_again_) return;
+  before_.clear();
+  if (const Result<void> saved = save_whole(world, before_); !saved) give_up(saved.error());
+}
+
+void Recorder::after_changes(const world::World& world) {
+  if (runs_again_) {
+    state_.clear();
+    const Result<void> saved = save_whole(world, state_);
+    if (!saved) {
+      give_up(saved.error());
+    } else if (state_ != before_) {
+      CdrWriter message;
+      message.number(Unpacker(std::span(before_).subspan(16)).u64());  // the tick, behind size and seed
+      message.number(hash_of(before_));
+      message.bytes(difference(before_, state_));
+      put_message(world, "/playhouse/edits", kEdit, message.message());
+    }
+  }
+  look_around(world);
+  hand_over();
+}
+
+void Recorder::ticked(const world::World& world) {
+  ++steps_;
+  look_around(world);
+  const bool is_second = world.tick() % second_ == 0;
+  record_poses(world, is_second);
+  record_models(world);
+  if (is_second) record_check(world);
+  if (steps_ - last_state_ >= state_ticks_) record_state(world);
+  hand_over();
+}
+
+void Recorder::end(const world::World& world) {
+  record_check(world);
+  hand_over();
+}
+
+void Recorder::record_check(const world::World& world) {
+  CdrWriter message;
+  message.number(world.tick());
+  message.number(world.hash());
+  message.number(world.sensed_hash());
+  put_message(world, "/playhouse/checks", kCheck, message.message());
+}
+
+void Recorder::record_state(const world::World& world) {
+  last_state_ = steps_;
+  if (!runs_again_) return;
+  state_.clear();
+  if (const Result<void> saved = save_whole(world, state_); !saved) return give_up(saved.error());
+  CdrWriter message;
+  message.number(world.tick());
+  message.bytes(state_);
+  put_message(world, "/playhouse/states", kState, message.message());
+}
+
+void Recorder::record_poses(const world::World& world, bool all) {
+  std::vector<Transform> changed;
+  for (Framed& frame : frames_) {
+    const world::ModelRow row = world.row(frame.model), parent = world.row(frame.parent);
+    geom::SpatialPose X_WF = world::pose_in_world(world.models, row);
+    if (frame.is_sensor) {
+      const scene::ModelDesc& desc = world.desc(row);
+      X_WF.X = geom::compose(geom::compose(X_WF.X, desc.X_MB), desc.sensors[frame.sensor].X_BS);
+    }
+    geom::SpatialPose X = pose_in(world, parent, X_WF);
+    if (!all && X == frame.last.X && !frame.last.child.empty()) continue;
+    if (frame.last.child.empty()) {
+      frame.last.child = label(world, row) + (frame.is_sensor ? "/" + std::to_string(frame.sensor) : "");
+      frame.last.parent = parent ? label(world, parent) : kWorldFrame;
+    }
+    frame.last.X = X;
+    changed.push_back(frame.last);
+  }
+  if (!changed.empty()) put_message(world, "/tf", kTransforms, transforms_message(ns(), changed));
+}
+
+/// What measures tells of each measurement; the rest of what is another than it was.
+void Recorder::record_models(const world::World& world) {
+  for (Recorded& each : recorded_) {
+    const world::ModelRow row = world.row(each.model);
+    if (each.table == nullptr) {
+      const std::uint32_t ranger = world.models.part[row.index];
+      if (world.rangers.measured_tick[ranger] != world.tick()) continue;
+      if (!each.scans) {
+        put_message(world, each.topic, kRanges, ranges_message(ns(), world, row));
+        continue;
+      }
+      const world::SensorRow sensor{world.rangers.first_sensor[ranger] + each.sensor};
+      put_message(world, each.topic, kLaserScan, scan_message(ns(), each.frame, world, row, sensor));
+      continue;
+    }
+    if (each.table->measures && !each.table->is_fresh(world, row)) continue;
+    Bytes message = each.table->message(ns(), world, row);
+    constexpr std::size_t kTimeEnd = 12;  // behind head and time
+    if (!each.table->measures && std::ranges::equal(std::span(message).subspan(kTimeEnd), each.last))
+      continue;
+    put_message(world, each.topic, each.table->schema, message);
+    each.last.assign(message.begin() + kTimeEnd, message.end());
+  }
+}
+
+}  // namespace playhouse::record

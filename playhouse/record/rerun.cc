@@ -1,0 +1,144 @@
+#include "playhouse/record/rerun.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "playhouse/base/in_quotes.h"
+#include "playhouse/record/cdr.h"
+#include "playhouse/record/messages.h"
+#include "playhouse/record/recorder.h"
+#include "playhouse/record/whole_state.h"
+
+namespace playhouse::record {
+namespace {
+
+Bytes copy(std::span<const std::byte> bytes) {
+  return {bytes.begin(), bytes.end()};
+}
+
+/// Takes what a message is to a rerun. Fails where it is cut.
+Result<void> take(const std::string& schema, std::span<const std::byte> body, Recording& into) {
+  CdrReader in(body);
+  if (schema == kState) {
+    Recording::State state;
+    state.tick = in.number<std::uint64_t>();
+    state.bytes = copy(in.bytes());
+    state.events = into.events.size();
+    if (in.ok()) into.states.push_back(std::move(state));
+  } else if (schema == kEdit) {
+    Recording::Event event;
+    event.tick = in.number<std::uint64_t>();
+    event.before = in.number<std::uint64_t>();
+    event.difference = copy(in.bytes());
+    if (in.ok() && event.difference.empty()) return Error{{}, "a change in it is damaged"};
+    if (in.ok()) into.events.push_back(std::move(event));
+  } else if (schema == kCheck) {
+    Recording::Event event;
+    event.tick = in.number<std::uint64_t>();
+    event.hash = in.number<std::uint64_t>();
+    event.sensed_hash = in.number<std::uint64_t>();
+    if (in.ok()) into.events.push_back(std::move(event));
+  }
+  return in.ok() ? Result<void>() : Error{{}, "a message in it is damaged"};
+}
+
+}  // namespace
+
+Result<Recording> read_recording(const Source& source) {
+  Recording recording;
+  bool has_start = false;
+  McapReader reader(source);
+  const auto end = reader.read(
+      {.message = [&](const Channel& channel, const Message& message) -> Result<void> {
+         const auto schema = reader.schemas().find(channel.schema);
+         if (schema == reader.schemas().end() || !schema->second.name.starts_with("playhouse/msg/"))
+           return {};
+         return take(schema->second.name, message.body, recording);
+       },
+       .attachment = [&](const Attachment& attachment) -> Result<void> {
+         if (attachment.name != kStartName) return {};
+         Result<world::SavedRun> run = world::decode_saved_run(attachment.body);
+         if (!run) return Error{{}, "its start " + run.error().text};
+         recording.start = std::move(*run);
+         has_start = true;
+         return {};
+       }});
+  if (!end) return end.error();
+  if (!has_start)
+    return Error{{}, "is no recording of Playhouse: the attachment " + in_quotes(kStartName) + " is missing"};
+  if (recording.states.empty())
+    return Error{{}, "has data alone: its states could not be saved, so it cannot be run again"};
+  recording.cut = *end == McapReader::End::kCut;
+  return recording;
+}
+
+Rerun::Rerun(const Recording& recording, std::unique_ptr<world::Engine> engine)
+    : recording_(&recording), engine_(std::move(engine)) {}
+
+Result<void> Rerun::load(const Recording::State& state) {
+  const Result<void> loaded = load_whole(world(), state.bytes);
+  if (!loaded) return Error{{}, "the recorded state " + loaded.error().text};
+  event_ = state.events;
+  return {};
+}
+
+Result<void> Rerun::begin() {
+  return load(recording_->states.front());
+}
+
+void Rerun::fail(const std::string& what) {
+  if (!differs_) differs_ = fmt::format("at {} s, tick {}: {}", world().time(), world().tick(), what);
+}
+
+void Rerun::check(const Recording::Event& event) {
+  if (differs_) return;
+  if (world().hash() != event.hash)
+    fail(fmt::format("robots did something else (hash {:016x}, recorded {:016x})", world().hash(),
+                     event.hash));
+  else if (world().sensed_hash() != event.sensed_hash)
+    fail(fmt::format("sensors measured something else (hash {:016x}, recorded {:016x})",
+                     world().sensed_hash(), event.sensed_hash));
+  else
+    ++checks_;
+}
+
+void Rerun::change(const Recording::Event& event) {
+  Bytes before;
+  if (const Result<void> saved = save_whole(world(), before); !saved) return fail(saved.error().line());
+  if (hash_of(before) != event.before) return fail("its state is another one before a change");
+  const Result<Bytes> after = patched(before, event.difference);
+  if (!after) return fail(after.error().line());
+  if (const Result<void> loaded = load_whole(world(), *after); !loaded)
+    fail("a change " + loaded.error().line());
+}
+
+/// What happens at this tick, and at those to which the run was taken back at it.
+void Rerun::happen() {
+  while (!differs_ && !at_end() && recording_->events[event_].tick == world().tick()) {
+    const Recording::Event& event = recording_->events[event_++];
+    event.difference.empty() ? check(event) : change(event);
+  }
+  if (!differs_ && !at_end() && recording_->events[event_].tick < world().tick())
+    fail("the recording has something of an earlier tick here");
+}
+
+void Rerun::step() {
+  happen();
+  if (at_end() || differs_) return;
+  engine_->step();
+}
+
+void Rerun::seek(std::uint64_t tick) {
+  const std::vector<Recording::State>& states = recording_->states;
+  // The last one, as a run that was taken back has two of the same tick.
+  const auto is_before = [&](const Recording::State& state) { return state.tick <= tick; };
+  const auto last = std::find_if(states.rbegin(), states.rend(), is_before);
+  const Recording::State& from = last == states.rend() ? states.front() : *last;
+  differs_.reset();
+  if (const Result<void> loaded = load(from); !loaded) return fail(loaded.error().line());
+  while (world().tick() < tick && !at_end() && !differs_) step();
+}
+
+}  // namespace playhouse::record
