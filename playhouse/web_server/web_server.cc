@@ -347,6 +347,7 @@ class WebServer::Impl final : public net::HttpService,
 
   Result<void> drive(const replicate::Drive& drive, WebViewer& from) {
     return with_row(drive.model, [&](std::uint32_t row) -> Result<void> {
+      if (std::string why = control_.why_fixed(); !why.empty()) return Error{"", std::move(why)};
       if (!(newest_->traits[row] & replicate::kDrives)) return Error{"", "no such robot to drive"};
       driven_.drive(drive, &from);
       return {};
@@ -417,6 +418,7 @@ class WebServer::Impl final : public net::HttpService,
   }
 
   Result<void> post_change(std::function<void(world::World&)> change) {
+    if (std::string why = control_.why_fixed(); !why.empty()) return Error{"", std::move(why)};
     if (control_.post(std::move(change))) return {};
     return Error{"", "the program is too busy to do that"};
   }

@@ -29,6 +29,8 @@ struct Past {
 class Control {
  public:
   virtual ~Control() = default;
+  /// Why nobody may change the world, as one line; empty: people may.
+  virtual std::string why_fixed() const { return {}; }
   virtual void pause() = 0;
   virtual void resume() = 0;
   /// One tick, then paused.

@@ -118,6 +118,7 @@ void Simulation::tick() {
   const world::World& world = engine_->world();
   time_.store(world.time(), std::memory_order_relaxed);
   follow_changes();
+  if (witness_) witness_->ticked(world);
   if (now_.recording) history_.record(world);
   show_past();
   publish();
@@ -175,11 +176,16 @@ void Simulation::take_wanted() {
 void Simulation::take_inbox() {
   inbox_.take(taken_);
   if (taken_.empty()) return;
+  if (witness_) witness_->before_changes(engine_->world());
   for (const Change& change : taken_) {
     carry_out(change);
     follow_changes();
   }
   taken_.clear();
+  // Who came has what its controllers remember by the time that anybody saves the state.
+  world::World& world = engine_->world();
+  for (const std::unique_ptr<world::Decider>& decider : world.deciders) decider->follow(world);
+  if (witness_) witness_->after_changes(engine_->world());
   tell_listeners();
 }
 
@@ -198,6 +204,7 @@ void Simulation::go_back(std::uint64_t tick) {
   world::World& world = engine_->world();
   if (history_.empty()) return;
   history_.take(world);  // so that there is a way back
+  if (witness_) witness_->before_changes(world);
   const std::vector<world::ModelId> before = world.models.id;
   ids_given_ = std::max(ids_given_, world::Population::next_id(world));
   load(tick);
@@ -207,6 +214,7 @@ void Simulation::go_back(std::uint64_t tick) {
   pacer_.start(clock_(), now_.speed, now_.paused);
   show_past();
   follow_changes();
+  if (witness_) witness_->after_changes(world);
   tell_listeners();
 }
 

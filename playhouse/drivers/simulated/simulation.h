@@ -26,6 +26,7 @@
 #include "playhouse/drivers/simulated/sources.h"
 #include "playhouse/world/control.h"
 #include "playhouse/world/engine.h"
+#include "playhouse/world/witness.h"
 
 namespace playhouse::drivers {
 
@@ -53,6 +54,8 @@ class Simulation final : public world::Control {
   void publish_to(device::Publisher& publisher) { publisher_ = &publisher; }
   void add_listener(Listener listener) { listeners_.push_back(std::move(listener)); }
   void add_follower(Follower follower) { followers_.push_back(std::move(follower)); }
+  /// Who hears of every tick and of every change between two. Outlives run().
+  void show_to(world::Witness& witness) { witness_ = &witness; }
   /// What happens when a client wants the world saved as it stands, on the tick thread. Without it nothing
   /// does: which file a client may write, if any, is for whoever runs the program to say.
   using Saver = std::function<void(const world::World&)>;
@@ -145,6 +148,7 @@ class Simulation final : public world::Control {
   std::vector<Follower> followers_;
   std::vector<Listener> listeners_;
   Saver saver_;
+  world::Witness* witness_ = nullptr;
   Directory directory_;
   std::uint64_t end_tick_;
 

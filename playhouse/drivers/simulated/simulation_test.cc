@@ -76,6 +76,48 @@ TEST(Simulation, tells_its_followers_of_each_change_before_the_next_and_before_i
   EXPECT_EQ(told, "shown, came 2, went 1, shown, ") << "the pace is shown first";
 }
 
+TEST(Simulation, shows_a_witness_the_world_before_and_after_what_was_posted_and_each_tick) {
+  struct Notes final : world::Witness {
+    void before_changes(const world::World& world) override { note("before", world); }
+    void after_changes(const world::World& world) override { note("after", world); }
+    void ticked(const world::World& world) override { note("tick", world); }
+    void note(const char* what, const world::World& world) {
+      text += std::string(what) + " " + std::to_string(world.models.size()) + ", ";
+    }
+    std::string text;
+  } notes;
+  StillSimulation still(kRobot);
+  still.simulation.show_to(notes);
+  still.simulation.post([&](world::World& world) { EXPECT_TRUE(world::spawn(world, 0, {})); });
+  still.simulation.post([&](world::World& world) { EXPECT_TRUE(world::spawn(world, 0, {})); });
+  still.run(2);
+  EXPECT_EQ(notes.text, "before 1, after 3, tick 3, tick 3, ");
+}
+
+TEST(Simulation, has_controllers_know_who_came_before_anybody_saves_the_state) {
+  struct Counter final : world::Decider {
+    std::string_view name() const override { return "counter"; }
+    std::size_t size() const override { return known; }
+    void follow(world::World& world) override { known = world.models.size(); }
+    void decide(world::World&, std::size_t, std::size_t) override {}
+    void hash(Hash&) const override {}
+    Result<void> save(Packer&) const override { return {}; }
+    bool load(world::World&, Unpacker&) override { return true; }
+    std::size_t known = 0;
+  };
+  StillSimulation still(kRobot);
+  auto owned = std::make_unique<Counter>();
+  const Counter& counter = *owned;
+  std::size_t known = 0;
+  still.simulation.post([&](world::World& world) {
+    world.deciders.push_back(std::move(owned));
+    EXPECT_TRUE(world::spawn(world, 0, {}));
+  });
+  still.simulation.add_listener([&](const world::World&, const world::Pace&) { known = counter.known; });
+  still.run(0);
+  EXPECT_EQ(known, 2u);
+}
+
 TEST(Simulation, a_paused_world_does_what_is_posted_and_single_steps_only) {
   const scene::SceneDesc scene = testing::scene_of(kRobot);
   Simulation simulation(std::make_unique<StillEngine>(scene), {.speed = 1, .paused = true});
