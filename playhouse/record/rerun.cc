@@ -88,6 +88,12 @@ Result<void> Rerun::begin() {
   return load(recording_->states.front());
 }
 
+std::uint64_t Rerun::last_tick() const {
+  const std::uint64_t last =
+      recording_->events.empty() ? recording_->states.back().tick : recording_->events.back().tick;
+  return std::max(last, first_tick());
+}
+
 void Rerun::fail(const std::string& what) {
   if (!differs_) differs_ = fmt::format("at {} s, tick {}: {}", world().time(), world().tick(), what);
 }

@@ -53,6 +53,9 @@ class Rerun final : public world::Engine {
   /// The world is that at a tick, from the nearest state before it on; the first or the last tick that there
   /// is instead of one beyond. Does nothing after an error.
   void seek(std::uint64_t tick);
+  /// Of the recording; where the run was taken back, of its last way.
+  std::uint64_t first_tick() const { return recording_->states.front().tick; }
+  std::uint64_t last_tick() const;
   /// How many checks agreed.
   std::uint64_t checks() const { return checks_; }
 

@@ -1,0 +1,192 @@
+#include "playhouse/record/csv.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <system_error>
+
+#include "playhouse/base/in_quotes.h"
+#include "playhouse/record/message_type.h"
+#include "playhouse/record/messages.h"
+
+namespace playhouse::record {
+namespace {
+
+/// Text of one table that waits to be written.
+constexpr std::size_t kBufferBytes = 1u << 16;
+
+std::string cell(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char letter : text) quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
+  return quoted + "\"";
+}
+
+/// "/r0/ranger_0/scan" is r0.ranger_0.scan.csv.
+std::string file_of(const std::string& topic) {
+  std::string name = topic.starts_with('/') ? topic.substr(1) : topic;
+  for (char& letter : name)
+    if (letter == '/')
+      letter = '.';
+    else if (std::isalnum(static_cast<unsigned char>(letter)) == 0 && letter != '_' && letter != '-')
+      letter = '_';
+  return name.substr(0, 200) + ".csv";
+}
+
+class Table {
+ public:
+  Table(MessageType type, std::string path)
+      : type_(std::move(type)), path_(std::move(path)), widths_(type_.fields().size()) {}
+
+  /// The first time through the recording: how long lists get.
+  Result<void> measure(const Message& message) {
+    const Result<MessageType::Rows> rows = type_.rows(message.body);
+    if (!rows) return rows.error();
+    for (const auto& row : *rows)
+      for (std::size_t field = 0; field < row.size(); ++field)
+        widths_[field] = std::max(widths_[field], row[field].size());
+    return {};
+  }
+
+  Result<void> begin() {
+    std::string line = "time";
+    std::size_t columns = 1;
+    for (std::size_t field = 0; field < widths_.size(); ++field) {
+      const std::string& name = type_.fields()[field];
+      columns += widths_[field];
+      if (columns > kTableColumns) return Error{escaped(path_), "cannot be written: it has too many columns"};
+      if (!type_.lists()[field]) line += "," + cell(name);
+      for (std::size_t i = 0; type_.lists()[field] && i < widths_[field]; ++i)
+        line += "," + cell(fmt::format("{}.{}", name, i));
+    }
+    text_ = line + "\n";
+    return write("wb");
+  }
+
+  Result<void> add(const Message& message) {
+    const Result<MessageType::Rows> rows = type_.rows(message.body);
+    if (!rows) return rows.error();
+    for (const auto& row : *rows) {
+      text_ += fmt::format("{}", static_cast<double>(message.publish_time) / 1e9);
+      for (std::size_t field = 0; field < row.size(); ++field) {
+        const std::size_t width = type_.lists()[field] ? widths_[field] : 1;
+        for (std::size_t i = 0; i < width; ++i)
+          text_ += i < row[field].size() ? "," + cell(row[field][i]) : ",";
+      }
+      text_ += "\n";
+      ++rows_;
+      if (text_.size() >= kBufferBytes)
+        if (const Result<void> written = write("ab"); !written) return written;
+    }
+    return {};
+  }
+
+  Result<void> end() { return write("ab"); }
+  std::uint64_t rows() const { return rows_; }
+
+ private:
+  Result<void> write(const char* mode) {
+    std::FILE* const file = std::fopen(path_.c_str(), mode);
+    bool written = file != nullptr && std::fwrite(text_.data(), 1, text_.size(), file) == text_.size();
+    int code = errno;
+    if (file != nullptr && std::fclose(file) != 0 && written) {
+      written = false;
+      code = errno;
+    }
+    if (!written) return Error{escaped(path_), "cannot be written: " + std::generic_category().message(code)};
+    text_.clear();
+    return {};
+  }
+
+  const MessageType type_;
+  const std::string path_;
+  std::vector<std::size_t> widths_;  // of fields
+  std::string text_;
+  std::uint64_t rows_ = 0;
+};
+
+class Export {
+ public:
+  Export(const Source& source, std::string folder) : source_(source), folder_(std::move(folder)) {}
+
+  Result<CsvTables> run() {
+    if (const Result<void> measured =
+            read([](Table& table, const Message& message) { return table.measure(message); });
+        !measured)
+      return measured.error();
+    std::error_code fault;
+    std::filesystem::create_directories(folder_, fault);
+    if (fault) return Error{escaped(folder_), "cannot be made: " + fault.message()};
+    for (auto& [channel, table] : tables_)
+      if (const Result<void> begun = table.begin(); !begun) return begun.error();
+    if (const Result<void> added =
+            read([](Table& table, const Message& message) { return table.add(message); });
+        !added)
+      return added.error();
+    for (auto& [channel, table] : tables_) {
+      if (const Result<void> ended = table.end(); !ended) return ended.error();
+      done_.rows += table.rows();
+    }
+    done_.tables = tables_.size();
+    return done_;
+  }
+
+ private:
+  template <typename Take>
+  Result<void> read(const Take& take) {
+    McapReader reader(source_);
+    const auto end =
+        reader.read({.message = [&](const Channel& channel, const Message& message) -> Result<void> {
+                       Table* const table = table_of(channel, reader);
+                       return table == nullptr ? Result<void>() : take(*table, message);
+                     },
+                     .attachment = {}});
+    if (!end) return end.error();
+    done_.cut = *end == McapReader::End::kCut;
+    return {};
+  }
+
+  /// Null: it has none.
+  Table* table_of(const Channel& channel, const McapReader& reader) {
+    if (const auto found = tables_.find(channel.id); found != tables_.end()) return &found->second;
+    if (!seen_.insert(channel.id).second) return nullptr;
+    const auto schema = reader.schemas().find(channel.schema);
+    const bool is_known = schema != reader.schemas().end() && schema->second.encoding == kSchemaEncoding &&
+                          channel.encoding == kMessageEncoding;
+    if (!is_known) return leave_out(channel, "its messages are not those of ROS 2");
+    if (schema->second.name == kState || schema->second.name == kEdit) return nullptr;
+    Result<MessageType> type = MessageType::parse(schema->second.text);
+    if (!type) return leave_out(channel, type.error().text);
+    std::string file = file_of(channel.topic);
+    if (!files_.insert(file).second)
+      file = fmt::format("{}.{}.csv", file.substr(0, file.size() - 4), channel.id);
+    files_.insert(file);
+    return &tables_.emplace(channel.id, Table(std::move(*type), folder_ + "/" + file)).first->second;
+  }
+
+  Table* leave_out(const Channel& channel, const std::string& why) {
+    done_.left_out.push_back(fmt::format("channel {}: {}", in_quotes(channel.topic), why));
+    return nullptr;
+  }
+
+  const Source& source_;
+  const std::string folder_;
+  std::map<std::uint16_t, Table> tables_;
+  std::set<std::uint16_t> seen_;
+  std::set<std::string> files_;
+  CsvTables done_;
+};
+
+}  // namespace
+
+Result<CsvTables> write_csv(const Source& source, const std::string& folder) {
+  return Export(source, folder).run();
+}
+
+}  // namespace playhouse::record

@@ -1,0 +1,185 @@
+#include "playhouse/record/message_type.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <string_view>
+
+#include "playhouse/base/in_quotes.h"
+
+namespace playhouse::record {
+namespace {
+
+constexpr int kDepth = 16;                       // of messages in messages
+constexpr std::uint32_t kFixedCount = 1u << 16;  // elements of an array of fixed size
+constexpr std::string_view kTime = "builtin_interfaces/Time";
+
+constexpr std::array<std::string_view, 13> kNumbers{"bool",   "byte",    "char",   "int8",   "uint8",
+                                                    "int16",  "uint16",  "int32",  "uint32", "int64",
+                                                    "uint64", "float32", "float64"};
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(" \t\r");
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(" \t\r") + 1 - begin);
+}
+
+/// "pkg/msg/Name" is told as "pkg/Name".
+std::string short_name(std::string_view type) {
+  const std::size_t at = type.find("/msg/");
+  return at == std::string_view::npos
+             ? std::string(type)
+             : std::string(type.substr(0, at)) + "/" + std::string(type.substr(at + 5));
+}
+
+std::string number_text(const std::string& type, CdrReader& in) {
+  if (type == "float64") return fmt::format("{}", in.number<double>());
+  if (type == "float32") return fmt::format("{}", in.number<float>());
+  if (type == "int64") return fmt::format("{}", in.number<std::int64_t>());
+  if (type == "uint64") return fmt::format("{}", in.number<std::uint64_t>());
+  if (type == "int32") return fmt::format("{}", in.number<std::int32_t>());
+  if (type == "uint32") return fmt::format("{}", in.number<std::uint32_t>());
+  if (type == "int16") return fmt::format("{}", in.number<std::int16_t>());
+  if (type == "uint16") return fmt::format("{}", in.number<std::uint16_t>());
+  if (type == "int8") return fmt::format("{}", int{in.number<std::int8_t>()});
+  return fmt::format("{}", unsigned{in.number<std::uint8_t>()});
+}
+
+}  // namespace
+
+/// The rows as they are read: what comes before the list of messages is put into each of them.
+struct MessageType::Walk {
+  std::vector<std::vector<std::string>> outside;  // by field
+  std::vector<std::vector<std::string>>* to = nullptr;
+  Rows rows;
+  bool has_list = false;
+  std::size_t field = 0;  // the next
+};
+
+Result<void> MessageType::add_line(std::string_view line, Fields& into) {
+  line = trimmed(line.substr(0, line.find('#')));
+  if (line.empty()) return {};
+  const std::size_t space = line.find_first_of(" \t");
+  if (space == std::string_view::npos)
+    return Error{{}, "has a schema with a line that is none: " + in_quotes(line)};
+  std::string_view type = line.substr(0, space);
+  std::string_view name = trimmed(line.substr(space));
+  if (name.find('=') != std::string_view::npos) return {};  // a constant
+  name = name.substr(0, name.find_first_of(" \t"));         // what follows is a default
+  Field field;
+  field.name = name;
+  if (const std::size_t bracket = type.find('['); bracket != std::string_view::npos) {
+    const std::string_view count = type.substr(bracket + 1, type.size() - bracket - 2);
+    field.list = count.empty() || count.starts_with("<=");
+    const auto [end, error] = std::from_chars(count.data(), count.data() + count.size(), field.count);
+    if (!field.list &&
+        (error != std::errc() || end != count.data() + count.size() || field.count > kFixedCount))
+      return Error{{}, "has a schema with an array of no size: " + in_quotes(line)};
+    type = type.substr(0, bracket);
+  }
+  type = type.substr(0, type.find("<="));
+  field.type = short_name(type);
+  field.kind = field.type == kTime                                   ? Kind::kTime
+               : type == "string"                                    ? Kind::kText
+               : std::ranges::find(kNumbers, type) != kNumbers.end() ? Kind::kNumber
+                                                                     : Kind::kMessage;
+  into.push_back(std::move(field));
+  return {};
+}
+
+Result<MessageType> MessageType::parse(const std::string& text) {
+  MessageType type;
+  std::string name;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string_view line = trimmed(std::string_view(text).substr(begin, end - begin));
+    begin = end + 1;
+    if (line.starts_with("MSG:")) {
+      name = short_name(trimmed(line.substr(4)));
+      continue;
+    }
+    if (line.starts_with("===")) continue;
+    if (const Result<void> added = type.add_line(line, type.types_[name]); !added) return added.error();
+  }
+  type.types_.try_emplace("");
+  if (const Result<void> numbered = type.number_fields("", "", 0, false); !numbered) return numbered.error();
+  return type;
+}
+
+Result<void> MessageType::number_fields(const std::string& type, const std::string& path, int depth,
+                                        bool in_list) {
+  const auto found = types_.find(type);
+  if (found == types_.end()) return Error{{}, "has a schema that lacks type " + in_quotes(type)};
+  if (++messages_ > kTableColumns) return Error{{}, "has a schema with too many messages in each other"};
+  if (depth > kDepth) return Error{{}, "has a schema of messages too deep in each other"};
+  bool has_list = false;
+  for (const Field& field : found->second) {
+    if (field.kind == Kind::kTime) continue;
+    if (fields_.size() >= kTableColumns) return Error{{}, "has a schema with too many fields"};
+    if (field.kind != Kind::kMessage) {
+      fields_.push_back(path + field.name);
+      lists_.push_back(field.list || field.count != 1);
+      continue;
+    }
+    if (field.list && (in_list || depth > 0 || has_list))
+      return Error{{}, "has a schema with lists of messages in each other, or two"};
+    if (!field.list && field.count != 1) return Error{{}, "has a schema with an array of messages"};
+    has_list = has_list || field.list;
+    const Result<void> inner =
+        number_fields(field.type, path + field.name + ".", depth + 1, in_list || field.list);
+    if (!inner) return inner;
+  }
+  return {};
+}
+
+bool MessageType::read(const std::string& type, CdrReader& in, Walk& walk) const {
+  for (const Field& field : types_.at(type)) {
+    if (!in.ok()) return false;
+    if (field.kind == Kind::kMessage && !field.list) {
+      if (!read(field.type, in, walk)) return false;
+      continue;
+    }
+    const std::uint32_t count = field.list ? in.number<std::uint32_t>() : field.count;
+    if (!in.ok() || (field.list && count > in.left())) return false;
+    if (field.kind == Kind::kMessage) {
+      walk.has_list = true;
+      const std::size_t first = walk.field;
+      for (std::uint32_t i = 0; i < count; ++i) {
+        walk.rows.emplace_back(fields_.size());
+        walk.to = &walk.rows.back();
+        walk.field = first;
+        if (!read(field.type, in, walk)) return false;
+      }
+      walk.to = &walk.outside;
+      const std::string path = field.name + ".";
+      walk.field = first;
+      while (walk.field < fields_.size() && fields_[walk.field].starts_with(path)) ++walk.field;
+      continue;
+    }
+    if (field.kind == Kind::kTime) {
+      for (std::uint32_t i = 0; i < count && in.ok(); ++i) in.time();
+      continue;
+    }
+    std::vector<std::string>& values = (*walk.to)[walk.field++];
+    for (std::uint32_t i = 0; i < count && in.ok(); ++i)
+      values.push_back(field.kind == Kind::kText ? in.text() : number_text(field.type, in));
+  }
+  return in.ok();
+}
+
+Result<MessageType::Rows> MessageType::rows(std::span<const std::byte> message) const {
+  CdrReader in(message);
+  Walk walk;
+  walk.outside.resize(fields_.size());
+  walk.to = &walk.outside;
+  if (!read("", in, walk)) return Error{{}, "has a message that is none of its schema"};
+  if (!walk.has_list) return Rows{std::move(walk.outside)};
+  for (auto& row : walk.rows)
+    for (std::size_t field = 0; field < fields_.size(); ++field)
+      if (row[field].empty()) row[field] = walk.outside[field];
+  return std::move(walk.rows);
+}
+
+}  // namespace playhouse::record

@@ -1,0 +1,77 @@
+#include "playhouse/record/message_type.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "playhouse/record/messages.h"
+
+namespace playhouse::record {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::string fault_of(const std::string& text) {
+  const Result<MessageType> type = MessageType::parse(text);
+  return type ? "" : type.error().text;
+}
+
+TEST(MessageType, has_a_row_of_its_fields) {
+  const MessageType type =
+      *MessageType::parse("uint32 id  # a number\nstring name\nfloat64[2] place\nfloat32[] more\n");
+  EXPECT_THAT(type.fields(), ElementsAre("id", "name", "place", "more"));
+  CdrWriter message;
+  message.number(std::uint32_t{7});
+  message.text("seven");
+  message.number(1.5);
+  message.number(-2.0);
+  message.floats(std::vector<float>{0.25f});
+  const Result<MessageType::Rows> rows = type.rows(message.message());
+  ASSERT_TRUE(rows.ok()) << rows.error().line();
+  EXPECT_THAT(*rows, ElementsAre(ElementsAre(ElementsAre("7"), ElementsAre("seven"), ElementsAre("1.5", "-2"),
+                                             ElementsAre("0.25"))));
+}
+
+TEST(MessageType, of_a_list_of_messages_has_a_row_for_each) {
+  const std::vector<Transform> transforms{{"world", "a", {{1, 2, 3, 0}, {}}},
+                                          {"world", "b", {{4, 5, 6, 0}, {}}}};
+  const MessageType type = *MessageType::parse(schema_text(kTransforms));
+  const Result<MessageType::Rows> rows = type.rows(transforms_message(0, transforms));
+  ASSERT_TRUE(rows.ok()) << rows.error().line();
+  ASSERT_EQ(rows->size(), 2u);
+  EXPECT_EQ(type.fields()[1], "transforms.child_frame_id");
+  EXPECT_THAT((*rows)[1][1], ElementsAre("b"));
+  EXPECT_EQ(type.fields()[2], "transforms.transform.translation.x");
+  EXPECT_THAT((*rows)[1][2], ElementsAre("4"));
+}
+
+TEST(MessageType, knows_every_schema_of_a_recording) {
+  for (const char* const name : {kTransforms, kLaserScan, kRanges, kWorldChange, kState, kEdit, kCheck})
+    EXPECT_TRUE(MessageType::parse(schema_text(name)).ok()) << name;
+  for (const TableMessages& table : table_messages())
+    EXPECT_EQ(fault_of(schema_text(table.schema)), "") << table.schema;
+}
+
+TEST(MessageType, refuses_messages_that_are_cut) {
+  const MessageType type = *MessageType::parse(schema_text(kTransforms));
+  const std::vector<Transform> transforms{{"world", "a", {}}};
+  const Bytes whole = transforms_message(0, transforms);
+  for (std::size_t size = 0; size < whole.size(); ++size)
+    EXPECT_FALSE(type.rows(std::span(whole).first(size)).ok()) << size;
+}
+
+TEST(MessageType, refuses_schemas_that_are_none) {
+  EXPECT_THAT(fault_of("float64"), HasSubstr("a line that is none"));
+  EXPECT_THAT(fault_of("some/Thing thing"), HasSubstr("lacks type \"some/Thing\""));
+  EXPECT_THAT(fault_of("float64[99999999] big"), HasSubstr("an array of no size"));
+  EXPECT_THAT(fault_of("a/A x\nMSG: a/A\na/A x\n"), HasSubstr("too deep"));
+  std::string wide = "a/A x\n";
+  for (char type = 'A'; type < 'K'; ++type) {
+    wide += std::string("MSG: a/") + type + "\n";
+    for (int i = 0; i < 20; ++i) wide += std::string("a/") + static_cast<char>(type + 1) + " x\n";
+  }
+  EXPECT_THAT(fault_of(wide + "MSG: a/K\n"), HasSubstr("too many"));
+}
+
+}  // namespace
+}  // namespace playhouse::record
