@@ -18,6 +18,7 @@
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/limits.h"
 #include "playhouse/base/nearest_word.h"
+#include "playhouse/record/selection.h"
 #include "playhouse/scenarios/scenario.h"
 
 namespace playhouse::app {
@@ -31,6 +32,10 @@ constexpr const char* kExamples = R"(Examples:
   playhouse run my.world --save-at 60 minute.run     the state after a minute, into a file
   playhouse run --from minute.run                    on from there
   playhouse run my.world --save-at 60 later.world    where everybody is after a minute, as a world file
+  playhouse run my.world --record my.mcap            a recording, for Foxglove, ROS and what follows
+  playhouse run --again my.mcap                      the same run once more, to the bit
+  playhouse replay my.mcap                           the same run in the page, with its time on a slider
+  playhouse export my.mcap --csv                     what it has, as tables
   playhouse verify my.world --ticks 100              whether it is the same run on any number of workers
   playhouse serve simple.cfg                         devices as a Player configuration file names them
   playhouse devices 127.0.0.1:6665                   what a server offers
@@ -50,6 +55,12 @@ constexpr const char* kRunExamples = R"(Examples:
   playhouse run worlds/cave.world --fast --headless --duration 60 --json
   playhouse run worlds/cave.world --headless --lock-step
   playhouse run worlds/cave.world --headless --lock-step left,right --lock-step-timeout 10)";
+constexpr const char* kReplayExamples = R"(Examples:
+  playhouse replay my.mcap
+  playhouse replay my.mcap --web 8081 --paused)";
+constexpr const char* kExportExamples = R"(Examples:
+  playhouse export my.mcap --csv
+  playhouse export my.mcap --csv -o tables)";
 constexpr const char* kGymExamples = R"(Started by the Python package playhouse_gym:
   env = playhouse_gym.VectorEnv("my.world"))";
 constexpr const char* kVerifyExamples = R"(Examples:
@@ -95,6 +106,8 @@ constexpr const char* kVersion =
 /// What CLI11 fills; the parts that need a second look become options afterwards.
 struct Raw {
   RunOptions run;
+  ReplayOptions replay;
+  ExportOptions export_tables;
   ServeOptions serve;
   GymOptions gym;
   VerifyOptions verify;
@@ -105,7 +118,7 @@ struct Raw {
   ConvertOptions convert;
   KindsOptions kinds;
   BenchOptions bench;
-  std::string web, gym_web = "off";
+  std::string web, gym_web = "off", replay_web = std::to_string(kWebPort);
   std::vector<std::pair<double, std::string>> saves;
   std::string lock_step;
   bool headless = false, fast = false;
@@ -169,12 +182,12 @@ std::string check_positive(const std::string& text) {
   return "a number above 0 is wanted, not " + in_quotes(text);
 }
 
-void add_serving(CLI::App& app, Raw& raw, Serving& serving) {
-  app.add_option("--port", serving.port, "port for Player clients; 0: any free one, printed")
-      ->check(check_port)
-      ->capture_default_str();
-  app.add_option("--web", raw.web, "port of the web page, or off; 0: any free one, printed (8080)")
-      ->check(check_web);
+std::string check_selection(const std::string& text) {
+  const Result<record::Selection> selection = record::Selection::parse(text);
+  return selection ? "" : selection.error().text;
+}
+
+void add_hosts(CLI::App& app, Serving& serving) {
   app.add_option("--bind", serving.bind, "address to listen on; 0.0.0.0: everybody's")
       ->check(check_bind)
       ->capture_default_str();
@@ -183,6 +196,15 @@ void add_serving(CLI::App& app, Raw& raw, Serving& serving) {
       ->check(check_web_host)
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void add_serving(CLI::App& app, Raw& raw, Serving& serving) {
+  app.add_option("--port", serving.port, "port for Player clients; 0: any free one, printed")
+      ->check(check_port)
+      ->capture_default_str();
+  app.add_option("--web", raw.web, "port of the web page, or off; 0: any free one, printed (8080)")
+      ->check(check_web);
+  add_hosts(app, serving);
   app.add_flag("--headless", raw.headless, "no web page, as --web off");
 }
 
@@ -257,6 +279,16 @@ void add_running(CLI::App& app, Raw& raw, Running& running) {
   app.add_option("--save-world", running.save_world,
                  "the file into which clients may save the world as it stands (SAVE of simulation)")
       ->type_name("FILE.world");
+  auto* record =
+      app.add_option("--record", running.record, "record the run into an MCAP file (docs/recording.md)")
+          ->type_name("FILE.mcap");
+  app.add_option(
+         "--record-only", running.record_only,
+         "what is recorded besides poses: kinds, @NAMES, or KIND@NAME, between commas; poses: nothing "
+         "(everything)")
+      ->type_name("WHAT,...")
+      ->check(check_selection)
+      ->needs(record);
   add_lock_step(app, raw, running);
   app.add_flag("--paused", running.paused, "wait to be resumed by a viewer or a client");
   app.add_flag("--json", running.json, "print the result as the last line of standard output");
@@ -273,6 +305,14 @@ void add_commands(CLI::App& app, Raw& raw) {
       ->type_name("FILE")
       ->excludes(world)
       ->excludes(run->get_option("--seed"));
+  auto* again =
+      run->add_option("--again", raw.run.again,
+                      "run a recording again, as fast as it goes, and compare: exit code 1 where it differs")
+          ->type_name("FILE.mcap")
+          ->excludes(world);
+  for (const char* const other :
+       {"--from", "--seed", "--duration", "--record", "--lock-step", "--paused", "--save-world", "--speed"})
+    again->excludes(run->get_option(other));
   run->add_option(
          "--save-at", raw.saves,
          "save the state at a simulated time, or the world as it stands into FILE.world, and go on; may be "
@@ -280,7 +320,32 @@ void add_commands(CLI::App& app, Raw& raw) {
       ->type_name("SECONDS FILE")
       ->expected(1)
       ->allow_extra_args(false)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->excludes(again);
+
+  CLI::App* replay =
+      app.add_subcommand("replay", "show a recorded run in the page, with its whole time on the slider");
+  replay->footer(kReplayExamples);
+  replay->add_option("FILE", raw.replay.file, "a recording of run --record")->required();
+  replay->add_option("--web", raw.replay_web, "port of the web page; 0: any free one, printed")
+      ->check(check_port)
+      ->capture_default_str();
+  add_hosts(*replay, raw.replay.serving);
+  replay->add_option("--speed", raw.replay.running.speed, "times real time; 0: as fast as possible (1)")
+      ->check(check_not_negative);
+  replay->add_option("--workers", raw.replay.running.workers, "threads that compute")
+      ->check(check_workers)
+      ->capture_default_str();
+  add_allowed_libraries(*replay, raw.replay.running);
+  replay->add_flag("--paused", raw.replay.running.paused, "wait for a viewer to let it go on");
+
+  CLI::App* tables = app.add_subcommand("export", "write what a recording has as tables");
+  tables->footer(kExportExamples);
+  tables->add_option("FILE", raw.export_tables.file, "a recording of run --record")->required();
+  tables->add_flag("--csv", raw.export_tables.csv, "comma-separated values, one file for each channel")
+      ->required();
+  tables->add_option("-o,--output", raw.export_tables.folder, "the folder of the tables (FILE without .mcap)")
+      ->type_name("DIR");
 
   CLI::App* serve = app.add_subcommand("serve", "serve the devices of a Player configuration file");
   serve->footer(kServeExamples);
@@ -343,9 +408,11 @@ void add_commands(CLI::App& app, Raw& raw) {
   check->footer(kCheckExamples);
   check->add_option("FILE", raw.check.files, "a .world, .inc or .cfg file")->required();
 
-  CLI::App* convert = app.add_subcommand("convert", "write a world in today's words, and floor plans and maps as worlds");
+  CLI::App* convert =
+      app.add_subcommand("convert", "write a world in today's words, and floor plans and maps as worlds");
   convert->footer(kConvertExamples);
-  convert->add_option("FILE", raw.convert.input, "a .world file of any version, an image, or a map.yaml of ROS")
+  convert
+      ->add_option("FILE", raw.convert.input, "a .world file of any version, an image, or a map.yaml of ROS")
       ->required();
   convert->add_option("-o,--output", raw.convert.output,
                       "where to write (standard output); a .yaml: the walls of a world as a map of ROS");
@@ -362,7 +429,8 @@ void add_commands(CLI::App& app, Raw& raw) {
   kinds->add_option("NAME", raw.kinds.name, "one of them, with its words");
   kinds->add_flag("--json", raw.kinds.json, "a JSON object per kind, one a line");
 
-  CLI::App* bench = app.add_subcommand("bench", "measure: sonar, laser, cave, world FILE, load, open or server");
+  CLI::App* bench =
+      app.add_subcommand("bench", "measure: sonar, laser, cave, world FILE, load, open or server");
   bench->footer(kBenchExamples);
   bench->add_option("SCENARIO", raw.bench.scenario, "sonar, laser, cave, world, load, open or server")
       ->required();
@@ -446,6 +514,11 @@ CommandLine chosen(const CLI::App& app, Raw& raw) {
     if (app.get_subcommand(command)->count("--lock-step") > 0)
       running->lock_step = lock_stepping(raw.lock_step);
   if (name == "run") return raw.run;
+  if (name == "replay") {
+    raw.replay.serving.web = static_cast<std::uint16_t>(std::stoi(raw.replay_web));
+    return raw.replay;
+  }
+  if (name == "export") return raw.export_tables;
   if (name == "serve") return raw.serve;
   if (name == "gym") {
     raw.gym.serving.port = 0;
@@ -477,8 +550,10 @@ Result<CommandLine> parse_command_line(std::span<const char* const> words) {
   if (words.empty()) return CommandLine(Answer{app.help()});
   if (const Result<void> known = check_words(app, words); !known) return known.error();
   // CLI11 gives every further word to an option that may be given again, unless something still wants it.
-  const bool goes_on = std::ranges::any_of(
-      words, [](std::string_view word) { return word == "--from" || word.starts_with("--from="); });
+  const bool goes_on = std::ranges::any_of(words, [](std::string_view word) {
+    const std::string_view option = word.substr(0, word.find('='));
+    return option == "--from" || option == "--again";
+  });
   if (goes_on) app.get_subcommand("run")->get_option("WORLD")->required(false);
   try {
     // CLI11 takes the words last first.

@@ -7,6 +7,8 @@
 namespace playhouse::app {
 
 int run(const RunOptions& options);
+int replay(const ReplayOptions& options);
+int export_tables(const ExportOptions& options);
 int serve(const ServeOptions& options);
 int gym(const GymOptions& options);
 int verify(const VerifyOptions& options);

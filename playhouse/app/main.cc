@@ -30,6 +30,8 @@ struct Dispatch {
     return kDone;
   }
   int operator()(const RunOptions& options) const { return run(options); }
+  int operator()(const ReplayOptions& options) const { return replay(options); }
+  int operator()(const ExportOptions& options) const { return export_tables(options); }
   int operator()(const ServeOptions& options) const { return serve(options); }
   int operator()(const GymOptions& options) const { return gym(options); }
   int operator()(const VerifyOptions& options) const { return verify(options); }

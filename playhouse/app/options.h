@@ -42,6 +42,8 @@ struct Running {
   std::string save_world;                 // the file into which clients may save the world; empty: none
   std::optional<LockStepping> lock_step;  // none: for nobody
   double lock_step_timeout = 0;           // s of silence after which the others go on; 0: never
+  std::string record;       // the file that the run is recorded into; empty: none
+  std::string record_only;  // what of it, record::Selection; empty: everything
   bool paused = false;
   bool json = false;  // the result as the last line of standard output
 };
@@ -55,9 +57,22 @@ struct SaveAt {
 struct RunOptions {
   std::string world;
   std::string from;  // a saved run, in place of a world
+  std::string again;  // a recording that is run again, in place of a world
   std::vector<SaveAt> saves;
   Serving serving;
   Running running;
+};
+
+struct ReplayOptions {
+  std::string file;  // a recording
+  Serving serving;
+  Running running;
+};
+
+struct ExportOptions {
+  std::string file;    // a recording
+  std::string folder;  // of the tables; empty: the file's name without its ending
+  bool csv = false;
 };
 
 struct ServeOptions {

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <functional>
 
+#include "playhouse/app/again.h"
 #include "playhouse/app/commands.h"
 #include "playhouse/app/run_service.h"
 #include "playhouse/app/service.h"
@@ -18,6 +19,7 @@ int code_of(const Service& service, int code) {
 }  // namespace
 
 int run(const RunOptions& options) {
+  if (!options.again.empty()) return run_again(options);
   Service service(options.serving, options.running, QuitTime::kHonoured);
   const int code = run_service(
       service,

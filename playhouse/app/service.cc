@@ -143,6 +143,19 @@ void Service::save_due(const world::World& world) {
   });
 }
 
+Result<void> Service::record(const std::string& file, const std::string& only) {
+  Result<record::Selection> selection = only.empty() ? record::Selection() : record::Selection::parse(only);
+  if (!selection) return Error{"--record-only", selection.error().text};
+  Result<std::unique_ptr<record::McapWriter>> writer = record::McapWriter::create(file, "ros2");
+  if (!writer) return writer.error();
+  record_file_ = std::make_unique<record::RecordThread>(std::move(*writer));
+  recorder_ = std::make_unique<record::Recorder>(*record_file_, std::move(*selection), simulation());
+  simulation().add_follower(
+      [this](const world::World& world, const world::Change& change) { recorder_->follow(world, change); });
+  simulation().show_to(*recorder_);
+  return recorder_->begin(simulation().world(), sources_);
+}
+
 Result<void> Service::read_cfg(const std::string& path) {
   Result<scene::CfgFile> file = scene::load_cfg(path, serving_.port, &other_errors_);
   if (!file) return file.error();
@@ -170,7 +183,7 @@ Result<void> Service::make_devices() {
   drivers::Surroundings& surroundings = *this;  // a private base, which make_unique cannot see
   site_ = std::make_unique<drivers::Site>(surroundings, serving_.port);
   site_->data_flow().pass_to(*server_);
-  const Result<void> made = cfg_ ? make_drivers() : add_robots();
+  const Result<void> made = recording_ ? open_playback() : cfg_ ? make_drivers() : add_robots();
   if (made && site_->simulation() != nullptr)
     if (drivers::LockStep* lock_step = simulation().lock_step()) server_->take_turns(*lock_step);
   // Before anybody is told where to connect: who reads that may end us at once.
@@ -188,6 +201,14 @@ Result<void> Service::make_drivers() {
   return {};
 }
 
+Result<void> Service::open_playback() {
+  record::Rerun& rerun = *recording_->rerun;
+  if (const Result<void> opened = site_->open_world(recording_->scene.path); !opened) return opened;
+  playback_ = std::make_unique<Playback>(simulation(), rerun);
+  simulation().add_listener([this](const world::World&, const world::Pace&) { playback_->look_for_end(); });
+  return {};
+}
+
 Result<void> Service::add_robots() {
   if (const Result<void> opened = site_->open_world(scene_.path); !opened) return opened.error();
   robots_ = std::make_unique<drivers::AutoDevices>(*site_, serving_.port);
@@ -202,6 +223,9 @@ Result<void> Service::add_robots() {
 }
 
 Result<std::unique_ptr<drivers::Simulation>> Service::open_world(const std::string& path) {
+  if (recording_)
+    return std::make_unique<drivers::Simulation>(std::move(recording_->rerun),
+                                                 pace_of(recording_->scene, serving_, running_, quit_time_));
   if (cfg_) {
     if (const Result<void> read = read_world(path, scene::NamedBy::kFile); !read) return read.error();
   }
@@ -224,9 +248,11 @@ Result<void> Service::open_page() {
                                        .host_name = {},
                                        .further_names = serving_.web_hosts};
   const auto device_names = [this](world::ModelId model) {
+    if (playback_) return std::vector<std::string>();
     return drivers::device_names(simulation().directory(), model, player_ports_.front());
   };
-  web_ = std::make_unique<web_server::WebServer>(web_loop_, options, simulation(), simulation().world(),
+  world::Control& control = playback_ ? static_cast<world::Control&>(*playback_) : simulation();
+  web_ = std::make_unique<web_server::WebServer>(web_loop_, options, control, simulation().world(),
                                                  device_names);
   const Result<std::uint16_t> port = web_->listen();
   if (!port) return Error{port.error().where, port.error().text + "; --web takes another port, or off"};
@@ -289,6 +315,10 @@ Outcome Service::run(const std::function<void(int signal)>& ended) {
   end_at_once_on_signals();  // the loop takes them no more
   if (shows_progress) log::show_progress("");
   saving_works_ = world_saver_.finish() && saving_works_;
+  if (recorder_) {
+    recorder_->end(simulation().world());
+    saving_works_ = record_file_->finish() && saving_works_;
+  }
   for (const SaveAt& save : saves_)
     log::error("{}: not saved: the run ended at {} s, before {} s", escaped(save.file),
                simulation().world().time(), save.seconds);

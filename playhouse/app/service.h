@@ -13,13 +13,16 @@
 #include <utility>
 #include <vector>
 
+#include "playhouse/app/again.h"
 #include "playhouse/app/options.h"
+#include "playhouse/app/playback.h"
 #include "playhouse/app/world_opener.h"
 #include "playhouse/app/world_saver.h"
 #include "playhouse/drivers/registry.h"
 #include "playhouse/drivers/simulated/auto_devices.h"
 #include "playhouse/drivers/site.h"
 #include "playhouse/net/io_loop.h"
+#include "playhouse/record/recorder.h"
 #include "playhouse/scene/cfg.h"
 #include "playhouse/scene/scene_desc.h"
 #include "playhouse/scene/source_text.h"
@@ -67,10 +70,16 @@ class Service final : private drivers::Surroundings {
   Result<void> read_saved(const std::string& path);
   /// Lets clients save the world into a file; before run(). Fails where nobody can write it.
   Result<void> let_clients_save(const std::string& file);
+  /// A recorded run is shown in place of one that is made: no devices, and a page that changes nothing. The
+  /// recording outlives the service.
+  void play(OpenedRecording& recording) { recording_ = &recording; }
   /// Saves the state once the run has come to a time, or the world where the file's name says so; before
   /// run(). Fails where a controller, which make_devices() must have made, has a state that cannot be saved.
   Result<void> save_at(const SaveAt& save);
-  /// After run(). False: something was not saved; the log says what.
+  /// Records the run into a file; before run(), after all else that changes the world. `only` is what of it
+  /// (record::Selection), or empty. Fails where nobody can write the file.
+  Result<void> record(const std::string& file, const std::string& only);
+  /// After run(). False: something was not saved or recorded; the log says what.
   bool all_saved() const { return saves_.empty() && saving_works_; }
   /// A scene made in memory, in place of a file.
   void take_scene(scene::SceneDesc scene) { scene_ = std::move(scene); }
@@ -105,12 +114,11 @@ class Service final : private drivers::Surroundings {
   Result<void> hold(device::DeviceId device, device::Driver* holder) override {
     return server_->hold(device, holder);
   }
-  void release(device::DeviceId device, device::Driver* holder) override {
-    server_->release(device, holder);
-  }
+  void release(device::DeviceId device, device::Driver* holder) override { server_->release(device, holder); }
   void post(std::function<void()> task) override { loop_.post(std::move(task)); }
   Result<std::unique_ptr<drivers::Simulation>> open_world(const std::string& path) override;
 
+  Result<void> open_playback();
   Result<void> add_robots();
   Result<void> make_drivers();
   void catch_signals();
@@ -131,15 +139,19 @@ class Service final : private drivers::Surroundings {
   std::optional<scene::CfgFile> cfg_;
   scene::SourceFiles sources_;  // of scene_
   std::optional<world::SavedRun> saved_;
+  OpenedRecording* recording_ = nullptr;
   std::vector<SaveAt> saves_;  // not done yet
   bool saving_works_ = true;
   WorldSaver world_saver_;
+  std::unique_ptr<record::RecordThread> record_file_;
+  std::unique_ptr<record::Recorder> recorder_;
   scene::SceneDesc scene_;
   net::IoLoop loop_;
   net::IoLoop
       web_loop_;  // of its own, so that drawing a large world for many viewers delays no Player client
-  net::IoLoop signal_loop_;              // of its own: a signal waits for no client
-  std::unique_ptr<drivers::Site> site_;  // with the simulation
+  net::IoLoop signal_loop_;                               // of its own: a signal waits for no client
+  std::unique_ptr<drivers::Site> site_;                   // with the simulation
+  std::unique_ptr<Playback> playback_;                    // of the recording
   std::vector<std::unique_ptr<device::Driver>> drivers_;  // of the configuration file
   std::unique_ptr<drivers::AutoDevices> robots_;          // without one
   std::unique_ptr<server::Server> server_;

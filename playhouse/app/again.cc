@@ -1,0 +1,81 @@
+#include "playhouse/app/again.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <utility>
+
+#include "playhouse/app/fail.h"
+#include "playhouse/app/service.h"
+#include "playhouse/base/in_quotes.h"
+#include "playhouse/base/log.h"
+#include "playhouse/base/log_output.h"
+#include "playhouse/scene/world_loader.h"
+
+namespace playhouse::app {
+namespace {
+
+Outcome outcome_of(record::Rerun& rerun, double wall_time) {
+  const world::World& world = rerun.world();
+  Outcome outcome;
+  outcome.sim_time = world.time();
+  outcome.wall_time = wall_time;
+  outcome.real_time_factor = wall_time > 0 ? world.time() / wall_time : 0;
+  outcome.ticks = world.tick();
+  outcome.robots = count_robots(world);
+  outcome.rays = rerun.rays();
+  outcome.hash = world.hash();
+  outcome.sensed_hash = world.sensed_hash();
+  return outcome;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<OpenedRecording>> open_recording(const std::string& file, const Running& running,
+                                                        std::vector<Error>* others) {
+  const Result<std::unique_ptr<record::Source>> source = record::open_source(file);
+  if (!source) return source.error();
+  Result<record::Recording> recording = record::read_recording(**source);
+  if (!recording) return Error{escaped(file), recording.error().text};
+  auto opened = std::make_unique<OpenedRecording>();
+  opened->recording = std::move(*recording);
+  const scene::SourceFiles& sources = opened->recording.start.sources;
+  scene::MemoryFiles files(sources.files, sources.search_path);
+  Result<scene::SceneDesc> scene =
+      scene::load_world_text(sources.files.at(sources.path), sources.path, files, {}, others);
+  if (!scene) return Error{escaped(file), "its scene cannot be read: " + scene.error().line()};
+  opened->scene = std::move(*scene);
+  controllers::describe_for(opened->scene);
+  Running same = running;
+  same.seed = opened->recording.start.seed;
+  Result<std::unique_ptr<world::Engine>> engine =
+      make_engine(opened->scene, same, controllers::Libraries::Use::kLoad, &warn);
+  if (!engine) return engine.error();
+  opened->rerun = std::make_unique<record::Rerun>(opened->recording, std::move(*engine));
+  if (const Result<void> begun = opened->rerun->begin(); !begun)
+    return Error{escaped(file), begun.error().text};
+  if (opened->recording.cut)
+    warn(escaped(file) + ": was not finished; what follows its last whole chunk is lost");
+  return opened;
+}
+
+int run_again(const RunOptions& options) {
+  std::vector<Error> others;
+  const Result<std::unique_ptr<OpenedRecording>> opened =
+      open_recording(options.again, options.running, &others);
+  if (!opened) return fail_in_file(opened.error(), others);
+  record::Rerun& rerun = *(*opened)->rerun;
+  const auto start = std::chrono::steady_clock::now();
+  while (!rerun.at_end() && !rerun.differs()) rerun.step();
+  const double wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (rerun.differs())
+    return fail({escaped(options.again), "the run differs from its recording " + *rerun.differs()});
+  const Outcome outcome = outcome_of(rerun, wall_time);
+  log::info("the same run to the bit: {:.1f} s simulated in {:.2f} s, {} hashes compared", outcome.sim_time,
+            wall_time, rerun.checks());
+  log::flush();
+  if (options.running.json) fmt::print("{}\n", outcome.json());
+  return kDone;
+}
+
+}  // namespace playhouse::app

@@ -1,0 +1,39 @@
+#include "playhouse/app/playback.h"
+
+#include <algorithm>
+
+#include "playhouse/base/log.h"
+#include "playhouse/world/periods.h"
+
+namespace playhouse::app {
+namespace {
+
+/// Moments that the slider has, at most: of a long recording they lie farther apart.
+constexpr std::uint64_t kMoments = 3600;
+
+std::shared_ptr<const world::Past> moments(std::uint64_t first, std::uint64_t last, double interval) {
+  auto past = std::make_shared<world::Past>();
+  const std::uint64_t step = std::max(world::ticks_of(1, interval), (last - first) / kMoments + 1);
+  for (std::uint64_t tick = first; tick < last; tick += step) past->ticks.push_back(tick);
+  past->ticks.push_back(last);
+  return past;
+}
+
+}  // namespace
+
+Playback::Playback(drivers::Simulation& simulation, record::Rerun& rerun)
+    : simulation_(simulation),
+      rerun_(rerun),
+      past_(moments(rerun.first_tick(), rerun.last_tick(), rerun.world().scene().interval)) {}
+
+void Playback::rewind(std::uint64_t tick) {
+  simulation_.post([this, tick](world::World&) { rerun_.seek(tick); });
+}
+
+void Playback::look_for_end() {
+  if (rerun_.differs() && !std::exchange(told_, true))
+    log::error("the run differs from its recording {}; it is shown up to there", *rerun_.differs());
+  if ((rerun_.at_end() || rerun_.differs()) && !simulation_.pace().paused) simulation_.pause();
+}
+
+}  // namespace playhouse::app

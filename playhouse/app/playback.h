@@ -1,0 +1,42 @@
+#pragma once
+
+/// Playback: what people may do to a recorded run that is shown again: pause it, let it go on at any speed,
+/// and go to any moment of it. What else they ask for changes nothing. Threads: as world::Control.
+
+#include <memory>
+#include <string>
+
+#include "playhouse/drivers/simulated/simulation.h"
+#include "playhouse/record/rerun.h"
+
+namespace playhouse::app {
+
+class Playback final : public world::Control {
+ public:
+  /// Both outlive it; the rerun is the simulation's engine.
+  Playback(drivers::Simulation& simulation, record::Rerun& rerun);
+
+  /// To be called after every tick: a run that has come to its end stands there. Tick thread.
+  void look_for_end();
+
+  std::string why_fixed() const override { return "this is a recording: nothing in it can be changed"; }
+  void pause() override { simulation_.pause(); }
+  void resume() override { simulation_.resume(); }
+  void step_once() override { simulation_.step_once(); }
+  void set_speed(double times_real_time) override { simulation_.set_speed(times_real_time); }
+  void drive(world::ModelId, const geom::Twist&) override {}
+  /// Takes the change, which never happens.
+  bool post(std::function<void(world::World&)>, world::ModelId) override { return true; }
+  void record(bool) override {}
+  std::shared_ptr<const world::Past> past() const override { return past_; }
+  void rewind(std::uint64_t tick) override;
+  std::uint64_t life(world::ModelId) const override { return 0; }
+
+ private:
+  drivers::Simulation& simulation_;
+  record::Rerun& rerun_;
+  std::shared_ptr<const world::Past> past_;
+  bool told_ = false;
+};
+
+}  // namespace playhouse::app

@@ -1,0 +1,233 @@
+"""Runs that are recorded, and run again to the bit."""
+
+import csv
+import json
+import resource
+import signal
+import struct
+import subprocess
+import unittest
+
+from house import ACK, LASER, PATIENCE, POSITION2D, PROGRAM, SIMULATION, Client, House, HouseTest, finish, text
+from viewer import Viewer
+
+ROBOT = 1   # of the list of what can be added: the wall is the first
+
+
+class Recording(HouseTest):
+    def setUp(self):
+        super().setUp()
+        self.file = self.folder / "run.mcap"
+
+    def start(self, *arguments) -> House:
+        house = House("run", self.world(), "--port", 0, "--record", self.file, *arguments)
+        self.addCleanup(house.__exit__)
+        return house
+
+    def client(self, house: House) -> Client:
+        client = Client(house.port())
+        self.addCleanup(client.close)
+        return client
+
+    def viewer(self, house: House) -> Viewer:
+        viewer = Viewer(int(house.wait_for_line(r"^web page: http://127\.0\.0\.1:(\d+)/").group(1)))
+        self.addCleanup(viewer.close)
+        return viewer
+
+    def again(self, *arguments) -> dict:
+        ended = finish("run", "--again", self.file, "--json", *arguments)
+        self.assertEqual(ended.returncode, 0, ended.stderr)
+        return json.loads(ended.stdout)
+
+    def assert_same(self, result: dict, other: dict):
+        for key in ("sim_time", "ticks", "robots", "hash", "sensed_hash"):
+            self.assertEqual(result[key], other[key], key)
+
+    def test_a_run_that_a_client_drives_runs_again_to_the_bit(self):
+        house = self.start("--headless", "--json", "--speed", 5)
+        client = self.client(house)
+        client.open(POSITION2D, 0)
+        client.open(POSITION2D, 1)
+        client.open(LASER, 0)
+        client.open(SIMULATION, 0)
+        for n in range(20):
+            client.drive(0, 0.3, 0.1 * (n % 3))
+            client.drive(1, 0.2 + 0.01 * n)
+            client.next_data(LASER, 0)
+        self.assertEqual(client.request(SIMULATION, 0, 2, text("r0") + struct.pack(">ddd", -1, 2, 0.5)).type, ACK)
+        client.request(POSITION2D, 1, 6, b"")   # the odometry begins anew
+        client.next_data(LASER, 0)
+        client.close()   # the robots stop
+        other = self.client(house)
+        other.open(LASER, 1)
+        for _ in range(10):
+            other.next_data(LASER, 1)
+        house.end()
+        recorded = json.loads(house.output())
+        self.assert_same(recorded, self.again())
+        self.assert_same(recorded, self.again("--workers", 3))
+
+    def test_a_run_that_a_page_changes_runs_again_to_the_bit(self):
+        house = self.start("--web", 0, "--json", "--speed", 5)
+        viewer, client = self.viewer(house), self.client(house)
+        viewer.send(do="add", robot=ROBOT, x=-2, y=4, a=0)
+        viewer.turn_until(lambda: viewer.came)
+        client.open(POSITION2D, 2)
+        client.open(LASER, 2)
+        client.drive(2, 0.4, 0.2)
+        for _ in range(5):
+            client.next_data(LASER, 2)
+        viewer.send(do="select", model=viewer.came[0])
+        viewer.send(do="drag", model=viewer.came[0], x=-1.5, y=3, a=1)
+        viewer.send(do="drive", model=viewer.tops()[1], forward=0.3, sideways=0, turn=0.1)
+        for _ in range(10):
+            client.next_data(LASER, 2)
+        viewer.send(do="rewind", tick=0)
+        client.open(LASER, 0)
+        for _ in range(10):
+            client.next_data(LASER, 0)
+        viewer.send(do="add", robot=ROBOT, x=-2, y=-4, a=0)
+        viewer.turn_until(lambda: len(viewer.came) > 1)
+        viewer.send(do="remove", model=viewer.tops()[1])
+        for _ in range(5):
+            viewer.turn()
+        house.end()
+        self.assertEqual(viewer.notices, [])
+        self.assert_same(json.loads(house.output()), self.again())
+
+    def test_controllers_and_batteries_run_again_to_the_bit(self):
+        world = self.world("""
+interval_sim 100
+define scanner ranger( sensor( range [0 8] fov 180 samples 31 ) )
+define robot position( size [0.4 0.4 0.2] joules 5000 ctrl "wander" scanner( pose [0 0 0 0] ) )
+model( name "wall" pose [3 0 0 0] size [0.2 10 1] )
+robot( name "r0" pose [0 0 0 0] )
+""")
+        house = House("run", world, "--port", 0, "--web", 0, "--record", self.file, "--json", "--speed", 5)
+        self.addCleanup(house.__exit__)
+        viewer = self.viewer(house)
+        for n in range(3):
+            viewer.send(do="add", robot=1, x=-2, y=2 * n - 2, a=0)
+            viewer.turn_until(lambda: len(viewer.came) > n)
+            for _ in range(5):
+                viewer.turn()
+        viewer.send(do="remove", model=viewer.came[0])
+        viewer.turn_until(lambda: viewer.came[0] not in viewer.models)
+        house.end()
+        self.assertEqual(viewer.notices, [])
+        self.assert_same(json.loads(house.output()), self.again())
+
+    def test_a_recorded_run_is_the_run_that_it_would_be(self):
+        plain = finish("run", self.world(), "--port", 0, "--headless", "--fast", "--duration", 5, "--json")
+        recorded = finish("run", self.world(), "--port", 0, "--headless", "--fast", "--duration", 5, "--json",
+                          "--record", self.file)
+        self.assertEqual(json.loads(plain.stdout)["hash"], json.loads(recorded.stdout)["hash"])
+
+    def test_a_program_that_is_killed_loses_at_most_the_last_second(self):
+        house = self.start("--headless")
+        client = self.client(house)
+        client.open(LASER, 0)
+        client.open(POSITION2D, 0)
+        client.drive(0, 0.1)
+        while client.next_data(LASER, 0).time < 3.2:   # that what the robot did by 2 s was handed over a second ago
+            pass
+        house.process.kill()
+        house.wait()
+        ended = finish("run", "--again", self.file, "--json")
+        self.assertEqual(ended.returncode, 0, ended.stderr)
+        self.assertIn("was not finished", ended.stderr)
+        self.assertGreaterEqual(json.loads(ended.stdout)["sim_time"], 2)
+
+    def test_a_disk_that_is_full_ends_the_recording_and_not_the_run(self):
+        def little_room():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (100_000, 100_000))
+
+        ended = subprocess.run([PROGRAM, "run", str(self.world()), "--port", "0", "--headless", "--fast", "--duration", "600",
+                                "--record", str(self.file), "--json"], capture_output=True, text=True, timeout=PATIENCE,
+                               preexec_fn=little_room)
+        self.assertEqual(ended.returncode, 1, ended.stderr)
+        self.assertEqual(json.loads(ended.stdout)["sim_time"], 600)
+        told = [line for line in ended.stderr.splitlines() if "run.mcap" in line]
+        self.assertEqual(told, [f"error: {self.file}: cannot be written: File too large; the run goes on and is recorded no more"])
+        self.again()   # what was written by then
+
+    def test_what_cannot_be_recorded_is_told_in_one_line(self):
+        for arguments, code, line in (
+                (("--record", "/dev/full"), 1, "/dev/full: cannot be written: No space left on device"),
+                (("--record", self.folder), 1, f"{self.folder}: cannot be written: Is a directory"),
+                (("--record-only", "ranger"), 2, "--record-only requires --record"),
+                (("--record", self.file, "--record-only", "rangr"), 2,
+                 '--record-only: no kind that can be recorded is called "rangr" (did you mean "ranger"?)')):
+            with self.subTest(arguments):
+                ended = finish("run", self.world(), "--port", 0, "--headless", "--fast", "--duration", 1, *arguments)
+                self.assertEqual(ended.returncode, code, ended.stderr)
+                self.assertIn(line, ended.stderr)
+
+    def test_what_is_no_recording_is_refused_in_one_line(self):
+        finish("run", self.world(), "--port", 0, "--headless", "--fast", "--duration", 5, "--record", self.file)
+        whole = self.file.read_bytes()
+        middle = len(whole) // 3
+        for content, line in ((b"playhouse saved run 2\n", "is no MCAP file"), (b"", "is no MCAP file"),
+                              (whole[:middle] + b"\0\1\2\3" + whole[middle + 4:], "is damaged")):
+            self.file.write_bytes(content)
+            ended = finish("run", "--again", self.file)
+            self.assertEqual(ended.returncode, 2, ended.stderr)
+            self.assertIn(line, ended.stderr)
+            self.assertEqual(len(ended.stderr.splitlines()), 1, ended.stderr)
+
+    def table(self, name: str) -> list[dict]:
+        with open(self.folder / "run" / f"{name}.csv", newline="") as file:
+            return list(csv.DictReader(file))
+
+    def record(self, *arguments) -> dict:
+        ended = finish("run", self.world(), "--port", 0, "--headless", "--fast", "--duration", 5, "--json", "--record", self.file,
+                       *arguments)
+        self.assertEqual(ended.returncode, 0, ended.stderr)
+        return json.loads(ended.stdout)
+
+    def export(self):
+        ended = finish("export", self.file, "--csv")
+        self.assertEqual(ended.returncode, 0, ended.stderr)
+
+    def test_tables_have_what_was_recorded(self):
+        recorded = self.record()
+        self.export()
+        checks = self.table("playhouse.checks")
+        self.assertEqual([row["time"] for row in checks], ["0", "1", "2", "3", "4", "5", "5"])
+        self.assertEqual(f"{int(checks[-1]['hash']):016x}", recorded["hash"])
+        poses = [row for row in self.table("tf") if row["transforms.child_frame_id"] == "r1"]
+        self.assertEqual({row["transforms.transform.translation.y"] for row in poses}, {"-3"})
+        scans = self.table("r0.ranger_0.scan")
+        self.assertEqual(len(scans), 50)
+        beam = float(scans[-1]["ranges.90"])   # straight ahead, where the wall is
+        self.assertAlmostEqual(beam, 2.9, places=5)
+        self.assertEqual(len([name for name in scans[0] if name.startswith("ranges.")]), 181)
+
+    def test_only_what_was_chosen_is_recorded(self):
+        self.record("--record-only", "ranger@r0,position@r1")
+        self.export()
+        names = {path.name for path in (self.folder / "run").iterdir()}
+        self.assertEqual({name for name in names if name.startswith("r")},
+                         {"r0.ranger_0.scan.csv", "r0.ranger_1.ranges.csv", "r1.position.csv"})
+        self.assertIn("tf.csv", names)
+        self.again()
+
+    def test_a_name_that_nobody_has_is_warned_of(self):
+        ended = finish("run", self.world(), "--port", 0, "--headless", "--fast", "--duration", 1, "--record", self.file,
+                       "--record-only", "@r7")
+        self.assertEqual(ended.returncode, 0)
+        self.assertIn("--record-only: no model is called r7 yet", ended.stderr)
+
+    def test_tables_that_cannot_be_written_are_told_in_one_line(self):
+        self.record()
+        self.write("taken", "")
+        ended = finish("export", self.file, "--csv", "-o", self.folder / "taken")
+        self.assertEqual(ended.returncode, 1)
+        self.assertEqual(ended.stderr, f"error: {self.folder}/taken: cannot be made: Not a directory\n")
+        self.assertEqual(finish("export", self.folder / "none.mcap", "--csv").returncode, 1)
+        self.assertEqual(finish("export", self.file).returncode, 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
