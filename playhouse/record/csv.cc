@@ -3,12 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <set>
+#include <span>
 #include <system_error>
 
 #include "playhouse/base/in_quotes.h"
@@ -39,10 +43,32 @@ std::string file_of(const std::string& topic) {
   return name.substr(0, 200) + ".csv";
 }
 
+/// Whether the four fields from here on are a quaternion.
+bool is_turn(const std::vector<std::string>& fields, std::size_t first) {
+  constexpr std::string_view kX = "rotation.x";
+  if (!fields[first].ends_with(kX)) return false;
+  const std::string path = fields[first].substr(0, fields[first].size() - 1);
+  return fields[first + 1] == path + "y" && fields[first + 2] == path + "z" &&
+         fields[first + 3] == path + "w";
+}
+
+/// The yaw of a quaternion x, y, z, w, as geom::RollPitchYaw has it. [rad]
+double heading_of(std::span<const std::vector<std::string>> parts) {
+  std::array<double, 4> q{};
+  for (std::size_t i = 0; i < q.size(); ++i)
+    q[i] = parts[i].empty() ? 0 : std::strtod(parts[i].front().c_str(), nullptr);
+  const auto [x, y, z, w] = q;
+  return std::atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z));
+}
+
 class Table {
  public:
   Table(MessageType type, std::string path)
-      : type_(std::move(type)), path_(std::move(path)), widths_(type_.fields().size()) {}
+      : type_(std::move(type)), path_(std::move(path)), widths_(type_.fields().size()) {
+    const std::vector<std::string>& fields = type_.fields();
+    for (std::size_t i = 0; i + 3 < fields.size(); ++i)
+      if (is_turn(fields, i)) turns_.push_back(i);
+  }
 
   /// The first time through the recording: how long lists get.
   Result<void> measure(const Message& message) {
@@ -65,6 +91,10 @@ class Table {
       for (std::size_t i = 0; type_.lists()[field] && i < widths_[field]; ++i)
         line += "," + cell(fmt::format("{}.{}", name, i));
     }
+    for (const std::size_t turn : turns_) {
+      const std::string& x = type_.fields()[turn];
+      line += "," + cell(x.substr(0, x.size() - 1) + "heading");
+    }
     text_ = line + "\n";
     return write("wb");
   }
@@ -79,6 +109,8 @@ class Table {
         for (std::size_t i = 0; i < width; ++i)
           text_ += i < row[field].size() ? "," + cell(row[field][i]) : ",";
       }
+      for (const std::size_t turn : turns_)
+        text_ += fmt::format(",{}", heading_of(std::span(row).subspan(turn, 4)));
       text_ += "\n";
       ++rows_;
       if (text_.size() >= kBufferBytes)
@@ -107,6 +139,7 @@ class Table {
   const MessageType type_;
   const std::string path_;
   std::vector<std::size_t> widths_;  // of fields
+  std::vector<std::size_t> turns_;   // fields with which a quaternion begins
   std::string text_;
   std::uint64_t rows_ = 0;
 };

@@ -236,6 +236,20 @@ class Examples(HouseTest):
                     done = self.shell(line)
                     self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
+    def test_those_of_replay_and_export_work_on_a_recording(self):
+        recorded = self.shell("playhouse run my.world --fast --headless --port 0 --duration 2 --record my.mcap")
+        self.assertEqual(recorded.returncode, 0, recorded.stderr)
+        for line in self.examples("export"):
+            with self.subTest(line):
+                self.assertEqual(self.shell(line).returncode, 0)
+        self.assertTrue((self.folder / "my" / "tf.csv").exists() and (self.folder / "tables" / "tf.csv").exists())
+        for line in self.examples("replay"):
+            with self.subTest(line):
+                words = line.replace("my.mcap", str(self.folder / "my.mcap")).replace("--web 8081", "").split()[1:]
+                with House(*words, "--web", 0) as house:
+                    house.wait_for_line(r"^web page: http://127\.0\.0\.1:\d+/$")
+                    self.assertEqual(house.end(), 143, house.log())
+
     def test_bench_world_is_the_run_of_that_file(self):
         world = self.write("parts.world", 'position( size [0.4 0.4 0.2] ctrl "dynamic" velocity [0.1 0 0 10] )')
         done = finish("bench", "world", world, "--duration", "1")

@@ -2,14 +2,20 @@
 
 import csv
 import json
+import math
 import resource
 import signal
 import struct
 import subprocess
+import sys
 import unittest
 
-from house import ACK, LASER, PATIENCE, POSITION2D, PROGRAM, SIMULATION, Client, House, HouseTest, finish, text
+from house import (ACK, LASER, PATIENCE, POSITION2D, PROGRAM, ROOT, SIMULATION, WORLD, Client, House, HouseTest, finish,
+                   text)
 from viewer import Viewer
+
+sys.path.insert(0, str(ROOT / "clients/python"))
+from playhouse_client import Mode, RunEnded, connect  # noqa: E402
 
 ROBOT = 1   # of the list of what can be added: the wall is the first
 
@@ -117,6 +123,44 @@ robot( name "r0" pose [0 0 0 0] )
         self.assertEqual(viewer.notices, [])
         self.assert_same(json.loads(house.output()), self.again())
 
+    def test_a_run_in_lock_step_that_begins_again_with_another_seed_runs_again_to_the_bit(self):
+        noisy = WORLD.replace("samples 181", "samples 31 noise [0.01 0.01 0]")
+        house = House("run", self.world(noisy), "--port", 0, "--headless", "--lock-step", "--record", self.file, "--json",
+                      "--duration", 8)
+        self.addCleanup(house.__exit__)
+        with connect(f":{house.port()}", mode=Mode.PUSH, timeout=60) as client:
+            world, base, laser = client.simulation(0), client.position2d(0), client.laser(0)
+            world.join("only")
+            for seed in (5, 6):
+                for tick in range(30):
+                    base.drive(0.3, 0.1 * (tick % 3))
+                    if tick == 10:
+                        world.spawn("r1", -4.0, -4.0, 0.0)
+                    world.step()
+                self.assertGreater(min(laser.ranges), 0)
+                world.reset(seed)
+            try:
+                while True:
+                    world.step()
+            except RunEnded:
+                pass
+        self.assertEqual(house.wait(), 0, house.log())
+        self.assert_same(json.loads(house.output()), self.again())
+
+    def test_what_a_configuration_file_serves_is_recorded_too(self):
+        self.world()
+        cfg = self.write("test.cfg", 'driver( name "stage" provides ["simulation:0"] worldfile "test.world" )\n'
+                                     'driver( name "stage" provides ["position2d:0" "laser:0"] model "r0" )\n')
+        house = House("serve", cfg, "--port", 0, "--headless", "--record", self.file, "--json", "--speed", 5)
+        self.addCleanup(house.__exit__)
+        client = self.client(house)
+        client.open(POSITION2D, 0)
+        client.drive(0, 0.3, 0.2)
+        for _ in range(10):
+            client.next_data(POSITION2D, 0)
+        house.end()
+        self.assert_same(json.loads(house.output()), self.again())
+
     def test_a_recorded_run_is_the_run_that_it_would_be(self):
         plain = finish("run", self.world(), "--port", 0, "--headless", "--fast", "--duration", 5, "--json")
         recorded = finish("run", self.world(), "--port", 0, "--headless", "--fast", "--duration", 5, "--json",
@@ -198,6 +242,9 @@ robot( name "r0" pose [0 0 0 0] )
         self.assertEqual(f"{int(checks[-1]['hash']):016x}", recorded["hash"])
         poses = [row for row in self.table("tf") if row["transforms.child_frame_id"] == "r1"]
         self.assertEqual({row["transforms.transform.translation.y"] for row in poses}, {"-3"})
+        headings = {float(row["transforms.transform.rotation.heading"]) for row in poses}
+        self.assertEqual(len(headings), 1)
+        self.assertAlmostEqual(headings.pop(), math.pi / 2)
         scans = self.table("r0.ranger_0.scan")
         self.assertEqual(len(scans), 50)
         beam = float(scans[-1]["ranges.90"])   # straight ahead, where the wall is
