@@ -41,14 +41,13 @@ double nearest(const Solids& solids, Vec2 p, Vec2 d, double range) {
 
 /// Posts are in a cell's corner and rays clip just that: the rounding of single precision takes some of them
 /// through the cells on both sides of the corner, but not through this one.
-TEST(March, comes_by_every_edge_however_many_cells_away) {
+void expect_every_post_met(std::size_t count) {
   constexpr double kSide = 0.04;
-  constexpr std::size_t kPosts = 4000;
-  const double cell = Walls(posts({{0, 0}, {1, 0}}, kSide)).torus().cell(),
+  const double cell = Walls(posts(std::vector<Vec2>(count), kSide)).torus().cell(),
                range = (kFarthestMarch - 1) * cell;
   Rng rng(1);
   std::vector<Vec2> corners, aims;
-  for (std::size_t i = 0; i < kPosts; ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     const double right = i % 2 ? 1 : -1, up = i % 4 < 2 ? 1 : -1;
     const Vec2 meeting{right * std::floor(rng.uniform(10, 5000)) * cell,  // of four cells
                        up * std::floor(rng.uniform(10, 5000)) * cell};
@@ -62,9 +61,9 @@ TEST(March, comes_by_every_edge_however_many_cells_away) {
   ASSERT_NEAR(walls.torus().cell(), cell, 1e-12);
 
   std::size_t far = 0;
-  for (std::size_t first = 0; first < kPosts; first += Rays::kMost) {
+  for (std::size_t first = 0; first < count; first += Rays::kMost) {
     Rays rays;  // as they start
-    rays.count = std::min(Rays::kMost, kPosts - first);
+    rays.count = std::min(Rays::kMost, count - first);
     rays.parts[0] = {{0, 0}, 0, rays.count};
     rays.part_count = 1;
     for (std::size_t k = 0; k < rays.count; ++k) {
@@ -87,6 +86,16 @@ TEST(March, comes_by_every_edge_however_many_cells_away) {
     });
   }
   EXPECT_GT(far, 100u);
+}
+
+TEST(March, comes_by_every_edge_however_many_cells_away) {
+  expect_every_post_met(4000);
+}
+
+TEST(March, comes_by_every_edge_where_there_are_so_many_that_cells_are_larger) {
+  EXPECT_GT(Walls(posts(std::vector<Vec2>(5000), 0.04)).torus().cell(),
+            2 * Walls(posts(std::vector<Vec2>(4000), 0.04)).torus().cell());
+  expect_every_post_met(5000);
 }
 
 }  // namespace

@@ -12,11 +12,18 @@ double length(const Walls::Edge& edge) {
   return std::sqrt(geom::dot(e, e));
 }
 
+/// Side of a cell in typical edges. In small cells a ray meets few edges in vain; but many of them are more
+/// memory than the processor's caches hold, and then fewer and larger ones are faster (docs/benchmarks.md).
+double edges_across(std::size_t edges) {
+  constexpr std::size_t kInCaches = 16384;
+  return edges <= kInCaches ? 1.5 : 6;
+}
+
 /// Cells that hold a few typical edges, not so small that the long ones fill memory.
 double cell_for(double total_length, std::size_t edges) {
   const double typical = total_length / static_cast<double>(edges);
   const double affordable = total_length / (8.0 * static_cast<double>(edges) + 65536.0);
-  return std::clamp(1.5 * typical, std::max(0.05, affordable), std::max(2.0, affordable));
+  return std::clamp(edges_across(edges) * typical, std::max(0.05, affordable), std::max(2.0, affordable));
 }
 
 /// Enough that far apart places seldom share a cell: the whole extent where that is affordable.
