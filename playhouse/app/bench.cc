@@ -1,8 +1,13 @@
 #include <fmt/format.h>
+#include <malloc.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
+#include <ctime>
 #include <fstream>
+#include <span>
 #include <vector>
 
 #include "playhouse/app/bench_load.h"
@@ -28,9 +33,25 @@ std::uint64_t resident_bytes() {
   return resident * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
+/// Processor time of this process, of all its threads. [s]
+double cpu_time() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Scenarios at growing populations, each with the same room for a robot.
+struct Series {
+  std::string_view name;
+  std::array<std::string_view, 2> scenarios;  // the second may be none
+};
+constexpr Series kSeries[] = {{"vaughan2008", {"cave", "hospital"}}, {"diffusion", {"diffusion", ""}}};
+constexpr std::uint32_t kPopulations[] = {1, 10, 100, 1000, 10000, 100000};
+
 int unknown(const std::string& name) {
   std::vector<std::string_view> names;
   for (const scenarios::Scenario& scenario : scenarios::kScenarios) names.push_back(scenario.name);
+  names.push_back("vaughan2008");
   names.push_back("world");
   names.push_back("load");
   names.push_back("open");
@@ -40,43 +61,70 @@ int unknown(const std::string& name) {
   return kUsage;
 }
 
-void print_result(const BenchOptions& options, world::Engine& engine, double wall_time,
-                  std::uint64_t memory_before) {
+/// What a run took, without loading. [s]
+struct Took {
+  double wall_time = 0, cpu_time = 0;
+};
+
+void print_result(const BenchOptions& options, std::string_view scenario, world::Engine& engine,
+                  const Took& took, std::uint64_t memory_before) {
   const world::World& world = engine.world();
   const std::uint64_t memory = resident_bytes();
+  const std::size_t robots = count_robots(world);
+  const double robot_ticks = static_cast<double>(std::max<std::size_t>(robots, 1)) *
+                             static_cast<double>(std::max<std::uint64_t>(world.tick(), 1));
   fmt::print(
-      R"({{"scenario":"{}","robots":{},"workers":{},"instruction_set":"{}","ticks":{},"sim_time":{:.1f},"wall_time":{:.6f},"real_time_factor":{:.2f},)"
+      R"({{"scenario":"{}","robots":{},"workers":{},"instruction_set":"{}","ticks":{},"sim_time":{:.1f},"wall_time":{:.6f},"cpu_time":{:.6f},"ns_per_robot_tick":{:.1f},"real_time_factor":{:.2f},)"
       R"("rays":{},"rays_per_s":{:.0f},"memory_bytes":{},"world_bytes":{},"column_bytes":{},"hash":"{:016x}","sensed_hash":"{:016x}"}})"
       "\n",
-      options.scenario, count_robots(world), options.workers,
+      scenario, robots, options.workers,
       stage::kInstructionSetNames[static_cast<std::size_t>(stage::instruction_set())], world.tick(),
-      world.time(), wall_time, world.time() / wall_time, engine.rays(),
-      static_cast<double>(engine.rays()) / wall_time, memory,
-      memory > memory_before ? memory - memory_before : 0, world.bytes(), world.hash(), world.sensed_hash());
+      world.time(), took.wall_time, took.cpu_time, 1e9 * took.cpu_time / robot_ticks,
+      world.time() / took.wall_time, engine.rays(), static_cast<double>(engine.rays()) / took.wall_time,
+      memory, memory > memory_before ? memory - memory_before : 0, world.bytes(), world.hash(),
+      world.sensed_hash());
+  std::fflush(stdout);  // a series goes on for minutes
 }
 
 /// The scene runs for `duration` simulated seconds.
-int bench_scene(const BenchOptions& options, const scene::SceneDesc& scene, double duration,
-                std::uint64_t memory_before) {
+int bench_scene(const BenchOptions& options, std::string_view scenario, const scene::SceneDesc& scene,
+                double duration, std::uint64_t memory_before) {
   Result<std::unique_ptr<world::Engine>> engine = make_engine(
       scene, {.seed = options.seed, .workers = options.workers}, controllers::Libraries::Use::kLoad, &warn);
   if (!engine) return fail(engine.error());
   // The run itself is the one that `playhouse run --fast --headless` does.
   drivers::Simulation simulation(std::move(*engine), {.speed = 0, .duration = duration});
   const auto start = std::chrono::steady_clock::now();
+  const double cpu_start = cpu_time();
   simulation.run();
-  const double wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  print_result(options, simulation.engine(), wall_time, memory_before);
+  const Took took{
+      .wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
+      .cpu_time = cpu_time() - cpu_start};
+  print_result(options, scenario, simulation.engine(), took, memory_before);
   return kDone;
 }
 
-int bench_scenario(const BenchOptions& options, const scenarios::Scenario& scenario) {
+int bench_scenario(const BenchOptions& options, const scenarios::Scenario& scenario, std::size_t robots) {
   const std::uint64_t memory_before = resident_bytes();
-  const Result<scene::SceneDesc> scene =
-      scenarios::make(scenario.name, options.robots > 0 ? options.robots : scenario.robots);
+  const Result<scene::SceneDesc> scene = scenarios::make(scenario.name, robots);
   if (!scene) return fail(scene.error(), kUsage);
-  return bench_scene(options, *scene, options.duration > 0 ? options.duration : scenario.seconds,
-                     memory_before);
+  return bench_scene(options, scenario.name, *scene,
+                     options.duration > 0 ? options.duration : scenario.seconds, memory_before);
+}
+
+/// A line for each scenario and population, or for each scenario with --robots.
+int bench_series(const BenchOptions& options, const Series& series) {
+  const std::span<const std::uint32_t> populations =
+      options.robots > 0 ? std::span(&options.robots, 1) : std::span(kPopulations);
+  for (const std::string_view name : series.scenarios) {
+    const scenarios::Scenario* scenario = scenarios::find(name);
+    if (scenario == nullptr) continue;
+    for (const std::uint32_t robots : populations) {
+      malloc_trim(0);  // what the world before had is not this one's
+      if (const int failed = bench_scenario(options, *scenario, robots); failed != kDone) return failed;
+    }
+  }
+  return kDone;
 }
 
 /// As long as the file says, or a minute.
@@ -87,7 +135,8 @@ int bench_world(const BenchOptions& options) {
   const Result<scene::SceneDesc> scene = read_scene(options.world, &others);
   if (!scene) return fail_in_file(scene.error(), others);
   const double of_file = scene->quit_time > 0 ? scene->quit_time : kMinute;
-  return bench_scene(options, *scene, options.duration > 0 ? options.duration : of_file, memory_before);
+  return bench_scene(options, options.scenario, *scene, options.duration > 0 ? options.duration : of_file,
+                     memory_before);
 }
 
 }  // namespace
@@ -97,8 +146,11 @@ int bench(const BenchOptions& options) {
   if (options.scenario == "load") return bench_load(options);
   if (options.scenario == "open") return bench_open(options);
   if (options.scenario == "server") return bench_server(options);
+  const auto series = std::ranges::find(kSeries, options.scenario, &Series::name);
+  if (series != std::end(kSeries)) return bench_series(options, *series);
   const scenarios::Scenario* scenario = scenarios::find(options.scenario);
-  return scenario == nullptr ? unknown(options.scenario) : bench_scenario(options, *scenario);
+  if (scenario == nullptr) return unknown(options.scenario);
+  return bench_scenario(options, *scenario, options.robots > 0 ? options.robots : scenario->robots);
 }
 
 }  // namespace playhouse::app

@@ -94,7 +94,8 @@ constexpr const char* kKindsExamples = R"(Examples:
 constexpr const char* kBenchExamples = R"(Examples:
   playhouse bench laser --robots 100 --duration 1
   playhouse bench world worlds/cave.world --duration 10
-  playhouse bench sonar --robots 100 --duration 1 --workers 2)";
+  playhouse bench sonar --robots 100 --duration 1 --workers 2
+  playhouse bench vaughan2008 --robots 100 --duration 1)";
 
 // Set where this file is compiled (CMakeLists.txt); sources without their history have none.
 #ifndef PLAYHOUSE_COMMIT
@@ -429,13 +430,12 @@ void add_commands(CLI::App& app, Raw& raw) {
   kinds->add_option("NAME", raw.kinds.name, "one of them, with its words");
   kinds->add_flag("--json", raw.kinds.json, "a JSON object per kind, one a line");
 
-  CLI::App* bench =
-      app.add_subcommand("bench", "measure: sonar, laser, cave, world FILE, load, open or server");
+  CLI::App* bench = app.add_subcommand("bench", "measure scenes, loading and the server (docs/benchmarks.md)");
   bench->footer(kBenchExamples);
-  bench->add_option("SCENARIO", raw.bench.scenario, "sonar, laser, cave, world, load, open or server")
+  bench->add_option("SCENARIO", raw.bench.scenario, "sonar, laser, cave, hospital, vaughan2008, diffusion, world, load, open or server")
       ->required();
   bench->add_option("WORLD", raw.bench.world, "a .world file, of bench world");
-  bench->add_option("--robots", raw.bench.robots, "how many (the scenario's own number)")
+  bench->add_option("--robots", raw.bench.robots, "how many (the scenario's own number; of vaughan2008 and diffusion 1, 10, ... 100000 in turn)")
       ->check(check_robots);
   bench
       ->add_option("--duration", raw.bench.duration,

@@ -11,6 +11,7 @@
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/nearest_word.h"
+#include "playhouse/controllers/diffusion.h"
 #include "playhouse/controllers/dynamic.h"
 #include "playhouse/controllers/expand.h"
 #include "playhouse/controllers/fasr.h"
@@ -41,6 +42,9 @@ template <const ExpandConfig& kConfig>
 std::unique_ptr<Batch> make_expand(std::string name) {
   return std::make_unique<Expand>(std::move(name), kConfig);
 }
+std::unique_ptr<Batch> make_diffusion(std::string name) {
+  return std::make_unique<Diffusion>(std::move(name));
+}
 std::unique_ptr<Batch> make_wander(std::string name) {
   return std::make_unique<Wander>(std::move(name));
 }
@@ -54,6 +58,7 @@ constexpr auto kBuiltIns = std::to_array<BuiltIn>({
     {"expand_swarm", make_expand<kExpandSwarm>},
     {"expand_pioneer", make_expand<kExpandPioneer>},
     {"pioneer_flocking", make_expand<kPioneerFlocking>},
+    {"diffusion", make_diffusion},
     {"source", make<Source>},
     {"sink", make<Sink>},
     {"lasernoise", make<LaserNoise>},

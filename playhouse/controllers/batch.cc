@@ -171,6 +171,15 @@ std::vector<world::RangerRow> rangers_of(const World& world, ModelRow model) {
   return found;
 }
 
+world::RangerRow ring_ranger(const World& world, ModelRow model) {
+  world::RangerRow best;
+  for (const world::RangerRow ranger : rangers_of(world, model)) {
+    const std::uint32_t sensors = world.rangers.sensor_count[ranger.index];
+    if (sensors > 0 && (!best || sensors > world.rangers.sensor_count[best.index])) best = ranger;
+  }
+  return best;
+}
+
 std::vector<world::FiducialRow> finders_of(const World& world, ModelRow model) {
   std::vector<world::FiducialRow> found;
   collect(world, model, scene::ModelKind::kFiducial, found);

@@ -149,6 +149,9 @@ world::PositionRow position_of(const world::World& world, world::ModelRow model)
 /// The rangers of a robot, depth first, children in file order; its own row first if it is one itself.
 std::vector<world::RangerRow> rangers_of(const world::World& world, world::ModelRow model);
 
+/// The ranger of a robot with the most sensors, the first of equals, or none: its ring.
+world::RangerRow ring_ranger(const world::World& world, world::ModelRow model);
+
 /// Its fiducial finders, in the same order.
 std::vector<world::FiducialRow> finders_of(const world::World& world, world::ModelRow model);
 

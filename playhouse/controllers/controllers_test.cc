@@ -199,6 +199,26 @@ TEST(Expand, works_with_a_ring_of_any_size) {
   }
 }
 
+TEST(Diffusion, drives_ahead_until_something_is_near_and_turns_away_from_it_on_one_wheel) {
+  std::vector<scene::RangerSensorDesc> ring = testing::ring(24);
+  for (scene::RangerSensorDesc& sensor : ring) sensor.range_min = 0.1, sensor.range_max = 0.2;
+  const auto command = [&](std::initializer_list<std::size_t> near, float range) {
+    Fixture f(testing::robots(1, ring, "diffusion"));
+    EXPECT_EQ(f.error, "");
+    std::vector<float> beams(24, 0.2f);
+    for (const std::size_t k : near) beams[k] = range;
+    testing::measure(f.world, beams);
+    testing::decide(f.world);
+    return f.command(0);
+  };
+  EXPECT_EQ(command({}, 0).x, 0.05);
+  EXPECT_EQ(command({}, 0).a, 0);
+  EXPECT_EQ(command({0}, 0.19f).a, 0) << "ahead, and far less than a tenth of what the ring could see";
+  EXPECT_EQ(command({0, 1, 23}, 0.1f).x, 0.025) << "2.9 of 24 is more than a tenth";
+  EXPECT_NEAR(command({3}, 0.15f).a, -0.05 / 0.14, 1e-12) << "on the left: turns right";
+  EXPECT_NEAR(command({21}, 0.15f).a, 0.05 / 0.14, 1e-12);
+}
+
 TEST(Source, fills_up_to_its_capacity_and_a_sink_counts_what_it_is_given) {
   scene::SceneDesc scene = testing::robots(2, testing::ring(1), "source 3 10");
   scene.models[2].ctrl = {"sink"};

@@ -6,16 +6,6 @@
 namespace playhouse::controllers {
 namespace {
 
-/// The ring with the most sensors, or none.
-world::RangerRow widest(const world::World& world, const std::vector<world::RangerRow>& rangers) {
-  world::RangerRow best;
-  for (const world::RangerRow ranger : rangers) {
-    const std::uint32_t sensors = world.rangers.sensor_count[ranger.index];
-    if (sensors > 0 && (!best || sensors > world.rangers.sensor_count[best.index])) best = ranger;
-  }
-  return best;
-}
-
 /// Its first fiducial finder, or none.
 world::FiducialRow finder_of(const world::World& world, world::ModelRow model) {
   const std::vector<world::FiducialRow> finders = finders_of(world, model);
@@ -75,7 +65,7 @@ std::uint32_t Expand::ring_of(const std::vector<float>& bearings) {
 Result<void> Expand::join(world::World& world, const Post& post) {
   const world::ModelRow model = world.row(post.model);
   if (!position_of(world, model)) return Error{{}, "needs a position model"};
-  const world::RangerRow ranger = widest(world, rangers_of(world, model));
+  const world::RangerRow ranger = ring_ranger(world, model);
   if (!ranger) return Error{{}, "needs a ranger with at least one sensor"};
   world::subscribe_controller(world, model);
   world::subscribe_controller(world, world.rangers.model[ranger.index]);
@@ -101,7 +91,7 @@ void Expand::resolve(const world::World& world, std::size_t i) {
 
 void Expand::find_rows(const world::World& world, world::ModelRow model, std::size_t i) {
   robot_[i] = position_of(world, model);
-  ranger_[i] = widest(world, rangers_of(world, model));
+  ranger_[i] = ring_ranger(world, model);
   finder_[i] = config_.flock > 0 ? finder_of(world, model) : world::FiducialRow{};
   first_beam_[i] = first_beam(world, ranger_[i]);
 }

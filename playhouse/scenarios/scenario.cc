@@ -4,20 +4,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <string>
 
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/scenarios/embedded.h"
+#include "playhouse/scenarios/hospital.h"
 #include "playhouse/scenarios/start_poses.h"
 #include "playhouse/scene/world_loader.h"
 
 namespace playhouse::scenarios {
 namespace {
 
-constexpr double kCaveSide = 16;          // m
-constexpr std::size_t kCaveRobots = 100;  // more make the cave larger
+constexpr double kCaveSide = 16;           // m
+constexpr std::size_t kCaveRobots = 100;   // in a cave; more have more caves
+constexpr double kDiffusionDensity = 2.5;  // robots per square metre: ten in 2 m x 2 m, as in ARGoS's example
+constexpr double kFootBotRadius = 0.085;   // m
 
 std::string meters(double value) {
   return std::to_string(value);
@@ -34,20 +36,21 @@ std::string walls(double side) {
          wall(0, -at, length, thick) + wall(at, 0, thick, side) + wall(-at, 0, thick, side);
 }
 
-/// The scene without its robots but one, which ends the text: the model all others are copied from.
-std::string world_text(std::string_view name, double side) {
-  const std::string head = "name \"" + std::string(name) +
-                           "\"\ninterval_sim 100\n"
-                           "include \"pioneer.inc\"\ninclude \"sick.inc\"\ninclude \"map.inc\"\n"
-                           "window( center [0 0] scale " +
-                           meters(std::clamp(900 / side, 1.0, 100.0)) + " show_data 0 )\n";
-  if (name == "sonar") return head + walls(side) + "pioneer2dx( name \"r\" ctrl \"expand_swarm\" )\n";
-  if (name == "laser") {
-    return head + walls(side) + "pioneer2dx_bare( name \"r\" sicklaser_low() ctrl \"wander\" )\n";
-  }
-  return head + "floorplan( name \"cave\" bitmap \"bitmaps/cave.png\" size [" + meters(side) + " " +
-         meters(side) + " 0.6] )\npioneer2dx( name \"r\" sicklaser() ctrl \"expand_pioneer\" )\n";
+std::string head(std::string_view name, double side) {
+  return "name \"" + std::string(name) +
+         "\"\ninterval_sim 100\n"
+         "include \"pioneer.inc\"\ninclude \"sick.inc\"\ninclude \"map.inc\"\n"
+         "include \"swarmbot.inc\"\ninclude \"footbot.inc\"\n"
+         "window( center [0 0] scale " +
+         meters(std::clamp(900 / side, 1.0, 100.0)) + " show_data 0 )\n";
 }
+
+/// A scene that ends with one room, "room", if it has any, and one robot, "r": the models that are copied to
+/// these places.
+struct Draft {
+  std::string text;
+  std::vector<geom::Pose> rooms, robots;
+};
 
 /// A colour of the rainbow for each robot.
 scene::Color paint(std::size_t robot) {
@@ -59,26 +62,71 @@ scene::Color paint(std::size_t robot) {
   return {channel(0), channel(geom::kTwoPi / 3), channel(2 * geom::kTwoPi / 3), 1};
 }
 
-/// Puts robots like the one at the scene's end, "r", at these poses in its place: "r0", "r1", ...
-void replace_robot(scene::SceneDesc& scene, const std::vector<geom::Pose>& poses) {
-  scene::TreeDesc robot = scene.trees.back();
+/// Puts robots like the one at the scene's end, "r", there: "r0", "r1", ... The same with rooms, "room".
+void copy_models(scene::SceneDesc& scene, const Draft& draft) {
+  scene::TreeDesc robot = std::move(scene.trees.back());
   PLAYHOUSE_ASSERT(robot.name == "r");
   scene.trees.pop_back();
-  scene.trees.reserve(scene.trees.size() + poses.size());
-  for (std::size_t k = 0; k < poses.size(); ++k) {
+  scene.trees.reserve(scene.trees.size() + draft.rooms.size() + draft.robots.size());
+  if (!draft.rooms.empty()) {
+    scene::TreeDesc room = std::move(scene.trees.back());
+    PLAYHOUSE_ASSERT(room.name == "room");
+    scene.trees.pop_back();
+    for (std::size_t k = 0; k < draft.rooms.size(); ++k) {
+      room.name = room.alias = fmt::format("room{}", k);
+      room.X_WM = draft.rooms[k];
+      scene.trees.push_back(room);
+    }
+  }
+  for (std::size_t k = 0; k < draft.robots.size(); ++k) {
     robot.name = robot.alias = fmt::format("r{}", k);
-    robot.X_WM = poses[k];
+    robot.X_WM = draft.robots[k];
     robot.color = paint(k);
     scene.trees.push_back(robot);
   }
 }
 
-Result<std::vector<geom::Pose>> cave_poses(std::size_t robots, double side, const std::string& png) {
+/// Caves in rows that make a square, about the origin.
+Result<Draft> draft_cave(std::size_t robots, const std::string& png) {
+  const std::size_t caves = (robots + kCaveRobots - 1) / kCaveRobots;
+  const auto columns = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(caves))));
+  const double side = kCaveSide * static_cast<double>(columns);
   const Result<scene::Bitmap> rock = scene::decode_bitmap(png);
   if (!rock) return rock.error();
-  std::vector<geom::Pose> poses = in_cave(robots, *rock, side);
-  PLAYHOUSE_ASSERT(poses.size() == robots);
-  return poses;
+  std::vector<geom::Pose> rooms;
+  for (std::size_t k = 0; k < caves; ++k)
+    rooms.push_back({(static_cast<double>(k % columns) + 0.5) * kCaveSide - side / 2,
+                     (static_cast<double>(k / columns) + 0.5) * kCaveSide - side / 2, 0, 0});
+  return Draft{head("cave", side) + "floorplan( name \"room\" bitmap \"bitmaps/cave.png\" size [" +
+                   meters(kCaveSide) + " " + meters(kCaveSide) +
+                   " 0.6] )\npioneer2dx( name \"r\" sicklaser() ctrl \"expand_pioneer\" )\n",
+               rooms, in_caves(robots, *rock, kCaveSide, kCaveRobots, rooms)};
+}
+
+Draft draft_hospital(std::size_t robots) {
+  const Wards wards = wards_for(robots);
+  return {head("hospital", static_cast<double>(wards.columns) * kWardWidth) + walls_of(wards) +
+              "swarmbot( name \"r\" ctrl \"expand_swarm\" )\n",
+          places_of(wards), in_wards(robots, wards)};
+}
+
+/// `robots` like `robot` in a walled square.
+Draft draft_square(std::string_view name, std::size_t robots, double density, double radius,
+                   const std::string& robot) {
+  const double side = std::sqrt(static_cast<double>(robots) / density);
+  return {head(name, side) + walls(side) + robot, {}, in_square(robots, side, radius)};
+}
+
+Result<Draft> draft(std::string_view name, std::size_t robots,
+                    const std::map<std::string, std::string>& files) {
+  if (name == "cave") return draft_cave(robots, files.at("worlds/bitmaps/cave.png"));
+  if (name == "hospital") return draft_hospital(robots);
+  if (name == "diffusion")
+    return draft_square(name, robots, kDiffusionDensity, kFootBotRadius,
+                        "footbot( name \"r\" ctrl \"diffusion\" )\n");
+  return draft_square(name, robots, kDensity, kRobotRadius,
+                      name == "sonar" ? "pioneer2dx( name \"r\" ctrl \"expand_swarm\" )\n"
+                                      : "pioneer2dx_bare( name \"r\" sicklaser_low() ctrl \"wander\" )\n");
 }
 
 }  // namespace
@@ -99,19 +147,14 @@ Result<scene::SceneDesc> make(std::string_view name, std::size_t robots) {
     return Error{
         {}, "robots must be from 1 to " + std::to_string(kMostRobots) + ", not " + std::to_string(robots)};
   }
-  const bool cave = name == "cave";
-  const double count = static_cast<double>(robots);
-  const double side =
-      cave ? kCaveSide * std::sqrt(std::max(1.0, count / kCaveRobots)) : std::sqrt(count / kDensity);
   const std::map<std::string, std::string> files = embedded_files();
+  const Result<Draft> drafted = draft(name, robots, files);
+  if (!drafted) return drafted.error();
   scene::MemoryFiles reader(files);
   const std::string path = "worlds/" + std::string(name) + ".world";
-  Result<scene::SceneDesc> scene = scene::load_world_text(world_text(name, side), path, reader);
+  Result<scene::SceneDesc> scene = scene::load_world_text(drafted->text, path, reader);
   if (!scene) return scene;
-  Result<std::vector<geom::Pose>> poses =
-      cave ? cave_poses(robots, side, files.at("worlds/bitmaps/cave.png")) : in_square(robots, side);
-  if (!poses) return poses.error();
-  replace_robot(*scene, *poses);
+  copy_models(*scene, *drafted);
   return scene;
 }
 

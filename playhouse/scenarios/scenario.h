@@ -1,7 +1,7 @@
 #pragma once
 
 /// Scenarios: worlds of any number of robots, the same for tests, benches and demonstrations. 100 ms ticks,
-/// Pioneer bodies, poses without overlaps that depend on nothing but the name and the number.
+/// poses without overlaps that depend on nothing but the name and the number.
 
 #include <array>
 #include <cstddef>
@@ -23,15 +23,19 @@ struct Scenario {
   double seconds;          // simulated, unless asked otherwise
 };
 
-inline constexpr std::array<Scenario, 3> kScenarios{{
+inline constexpr std::array<Scenario, 5> kScenarios{{
     {"sonar", "robots with 16 sonars of 5 m spread over a walled square (expand_swarm)", 1000, 60},
     {"laser", "robots with 180 laser beams of 8 m wander in a walled square (wander)", 1000, 60},
     {"cave", "robots with 16 sonars and an idle laser spread through the 16 m cave (expand_pioneer)", 100,
      60},
+    {"hospital", "robots of 0.1 m with 12 infrared sensors spread through rooms and corridors (expand_swarm)",
+     2000, 60},
+    {"diffusion", "foot-bots with 24 proximity sensors of 0.1 m in a walled square (diffusion)", 1000, 60},
 }};
 
-/// The scenario of that name with `robots` robots, "r0", "r1", ... `cave` grows with the robots above 100, so
-/// that they have the same room. Fails on an unknown name and on a number outside 1 .. kMostRobots.
+/// The scenario of that name with `robots` robots, "r0", "r1", ... `cave` has a cave for
+/// every hundred, so that they have the same room and the same walls around them. Fails on an unknown name
+/// and on a number outside 1 .. kMostRobots.
 Result<scene::SceneDesc> make(std::string_view name, std::size_t robots);
 
 /// Row of kScenarios, or null.

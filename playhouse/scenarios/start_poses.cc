@@ -50,25 +50,35 @@ void shuffle(std::vector<geom::Vec2>& spots) {
 
 }  // namespace
 
-std::vector<geom::Pose> in_square(std::size_t count, double side) {
-  const auto columns = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(count))));
-  const double cell = side / static_cast<double>(columns);
-  const double jitter = cell / 2 - kRobotRadius;
-  PLAYHOUSE_ASSERT(jitter >= 0);
+std::vector<geom::Pose> about(const std::vector<geom::Vec2>& spots, double jitter) {
   std::vector<geom::Pose> poses;
-  poses.reserve(count);
-  for (std::size_t k = 0; k < count; ++k) {
+  poses.reserve(spots.size());
+  for (std::size_t k = 0; k < spots.size(); ++k) {
     Rng random(kSeed, 0, {Purpose::kStartSpot, static_cast<std::uint32_t>(k)});
-    const double x =
-        (static_cast<double>(k % columns) + 0.5) * cell - side / 2 + random.uniform(-jitter, jitter);
-    const double y =
-        (static_cast<double>(k / columns) + 0.5) * cell - side / 2 + random.uniform(-jitter, jitter);
+    const double x = spots[k].x + random.uniform(-jitter, jitter);
+    const double y = spots[k].y + random.uniform(-jitter, jitter);
     poses.push_back({x, y, 0, draw_heading(k)});
   }
   return poses;
 }
 
-std::vector<geom::Pose> in_cave(std::size_t count, const scene::Bitmap& rock, double side) {
+std::vector<geom::Pose> in_square(std::size_t count, double side, double radius) {
+  const auto columns = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(count))));
+  const double cell = side / static_cast<double>(columns);
+  const double jitter = cell / 2 - radius;
+  PLAYHOUSE_ASSERT(jitter >= 0);
+  std::vector<geom::Vec2> spots;
+  spots.reserve(count);
+  for (std::size_t k = 0; k < count; ++k)
+    spots.push_back({(static_cast<double>(k % columns) + 0.5) * cell - side / 2,
+                     (static_cast<double>(k / columns) + 0.5) * cell - side / 2});
+  return about(spots, jitter);
+}
+
+namespace {
+
+/// Spots in a cave, in an order without a pattern.
+std::vector<geom::Vec2> spots_in_cave(const scene::Bitmap& rock, double side) {
   const double pixel = side / rock.width;
   const std::vector<std::uint8_t> room = room_around(rock, static_cast<int>(std::ceil(kRobotRadius / pixel)));
   std::vector<geom::Vec2> spots;
@@ -84,11 +94,30 @@ std::vector<geom::Pose> in_cave(std::size_t count, const scene::Bitmap& rock, do
     }
   }
   shuffle(spots);
+  return spots;
+}
+
+}  // namespace
+
+std::vector<geom::Pose> in_cave(std::size_t count, const scene::Bitmap& rock, double side) {
+  std::vector<geom::Vec2> spots = spots_in_cave(rock, side);
   spots.resize(std::min(spots.size(), count));
-  std::vector<geom::Pose> poses;
-  for (std::size_t k = 0; k < spots.size(); ++k)
-    poses.push_back({spots[k].x, spots[k].y, 0, draw_heading(k)});
-  return poses;
+  return about(spots, 0);
+}
+
+std::vector<geom::Pose> in_caves(std::size_t count, const scene::Bitmap& rock, double side, std::size_t each,
+                                 const std::vector<geom::Pose>& caves) {
+  constexpr std::size_t kShift = 37;  // from the spots of one cave to those of the next
+  const std::vector<geom::Vec2> spots = spots_in_cave(rock, side);
+  PLAYHOUSE_ASSERT(spots.size() >= each);
+  std::vector<geom::Vec2> all;
+  all.reserve(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t cave = k / each;
+    const geom::Vec2 spot = spots[(k % each + kShift * cave) % spots.size()];
+    all.push_back({caves.at(cave).x + spot.x, caves.at(cave).y + spot.y});
+  }
+  return about(all, 0);
 }
 
 }  // namespace playhouse::scenarios

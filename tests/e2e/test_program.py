@@ -16,6 +16,7 @@ import time
 import tomllib
 import unittest
 from pathlib import Path
+from xml.etree import ElementTree
 
 from house import (PATIENCE, POSITION2D, PROGRAM, ROOT, WORLD, Client, House, HouseTest, finish)
 
@@ -256,6 +257,23 @@ class Examples(HouseTest):
         self.assertEqual(done.returncode, 0, done.stderr)
         run = finish("run", world, "--headless", "--fast", "--port", "0", "--duration", "1", "--json")
         self.assertEqual(json.loads(done.stdout)["hash"], json.loads(run.stdout)["hash"])
+
+    def test_series_have_a_line_for_each_scenario_and_the_plot_a_curve_for_each(self):
+        lines = []
+        for series, scenarios in (("vaughan2008", ["cave", "hospital"]), ("diffusion", ["diffusion"])):
+            for robots in (3, 30):
+                done = finish("bench", series, "--robots", robots, "--duration", "0.5")
+                self.assertEqual(done.returncode, 0, done.stderr)
+                made = [json.loads(line) for line in done.stdout.splitlines()]
+                self.assertEqual([(line["scenario"], line["robots"]) for line in made], [(name, robots) for name in scenarios])
+                lines += done.stdout.splitlines()
+        picture = Path(self.write("cost.svg", ""))
+        drawn = subprocess.run(["python3", ROOT / "tools" / "plot_bench.py", self.write("lines.jsonl", "\n".join(lines)), picture],
+                               capture_output=True, text=True, timeout=PATIENCE)
+        self.assertEqual(drawn.returncode, 0, drawn.stderr)
+        self.assertEqual(len(drawn.stdout.splitlines()), 2 + 6)
+        curves = ElementTree.parse(picture).findall("{http://www.w3.org/2000/svg}polyline")
+        self.assertEqual([len(curve.get("points").split()) for curve in curves], [2, 2, 2])
 
     def test_the_tool_that_makes_the_swarm_has_help(self):
         tool = ROOT / "tools" / "make_swarm_world.py"

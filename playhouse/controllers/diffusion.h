@@ -1,0 +1,52 @@
+#pragma once
+
+/// diffusion: robots with a ring of short proximity sensors drive straight ahead and turn away from what is
+/// near. The rule and its constants are those of the diffusion example of ARGoS (Pinciroli et al., Swarm
+/// Intelligence 6:271-295, 2012); see docs/controllers.md.
+
+#include <map>
+#include <utility>
+
+#include "playhouse/controllers/batch.h"
+
+namespace playhouse::controllers {
+
+class Diffusion final : public BatchOf<Diffusion> {
+ public:
+  explicit Diffusion(std::string name) : BatchOf(std::move(name)) {}
+
+  void decide(world::World& world, std::size_t begin, std::size_t end) override;
+
+ private:
+  friend BatchOf<Diffusion>;
+  static auto memory(auto& self) { return std::tie(self.seen_); }
+  /// Uses the ranger with the most sensors.
+  Result<void> join(world::World& world, const Post& post) override;
+  void leave_rest(std::size_t i) { erase_at(i, robot_, ranger_, first_beam_, ring_); }
+  void resolve(const world::World& world, std::size_t i) override;
+  void find_rows(const world::World& world, world::ModelRow model, std::size_t i);
+
+  /// A beam of a ring: its direction in the robot's frame, and the ranges at which something is as near as it
+  /// can be and too far to be noticed. [m]
+  struct Beam {
+    double x = 0, y = 0;
+    float touches = 0, unnoticed = 0;
+    auto operator<=>(const Beam&) const = default;
+  };
+  using Ring = std::vector<Beam>;  // shared by all robots with the same one
+  static Ring ring_of(const world::World& world, world::ModelRow robot, world::RangerRow ranger);
+
+  std::vector<Ring> rings_;
+  std::map<Ring, std::uint32_t> place_of_ring_;
+  std::vector<std::uint32_t> ring_;  // of each robot
+
+  // Rows of a robot and of its ring.
+  std::vector<world::PositionRow> robot_;
+  std::vector<world::RangerRow> ranger_;
+  std::vector<std::uint32_t> first_beam_;
+
+  // Memory.
+  std::vector<std::uint64_t> seen_;  // tick of the last scan acted on
+};
+
+}  // namespace playhouse::controllers
