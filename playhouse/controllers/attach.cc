@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <map>
 #include <memory>
 #include <set>
-#include <sstream>
+#include <string>
+#include <utility>
 
+#include "playhouse/base/folders_of.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/nearest_word.h"
@@ -95,15 +96,6 @@ Error unknown(const std::string& where, const std::string& name,
     places += (places.empty() ? "" : ", ") + escaped(folder.string());
   return {where, "no controller " + in_quotes(name) + ": it is not built in, and " +
                      in_quotes(library_file(name)) + " is not in " + places};
-}
-
-void add_folders(const char* variable, std::vector<std::filesystem::path>& folders) {
-  const char* value = std::getenv(variable);
-  if (!value) return;
-  std::istringstream stream{std::string(value)};
-  for (std::string folder; std::getline(stream, folder, ':');) {
-    if (!folder.empty()) folders.emplace_back(folder);
-  }
 }
 
 /// Whether a name leads out of the folders in which it is looked for.
@@ -198,8 +190,8 @@ std::vector<std::filesystem::path> library_folders(const scene::SceneDesc& scene
   std::vector<std::filesystem::path> folders;
   const std::filesystem::path folder = std::filesystem::path(scene.path).parent_path();
   folders.push_back(folder.empty() ? "." : folder);
-  add_folders("PLAYHOUSE_PATH", folders);
-  add_folders("STAGEPATH", folders);
+  for (const char* variable : {"PLAYHOUSE_PATH", "STAGEPATH"})
+    for (std::string& named : folders_of(variable)) folders.emplace_back(std::move(named));
   folders.push_back(program_folder);
   return folders;
 }

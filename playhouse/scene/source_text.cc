@@ -6,12 +6,11 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <memory>
-#include <sstream>
 
+#include "playhouse/base/folders_of.h"
 #include "playhouse/base/limits.h"
 
 namespace playhouse::scene {
@@ -58,11 +57,8 @@ Result<std::string> DiskFiles::read(const std::string& path) {
 
 std::vector<std::string> DiskFiles::search_path() const {
   std::vector<std::string> folders;
-  const char* const path = std::getenv("PLAYHOUSE_PATH");
-  std::istringstream rest{path == nullptr ? "" : path};
-  for (std::string folder; std::getline(rest, folder, ':');) {
-    if (!folder.empty()) folders.push_back(folder + "/");
-  }
+  for (const char* variable : {"PLAYHOUSE_PATH", "STAGEPATH"})
+    for (const std::string& folder : folders_of(variable)) folders.push_back(folder + "/");
   std::error_code error;
   std::filesystem::path above = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
   for (; above.has_relative_path(); above = above.parent_path()) {
@@ -72,6 +68,16 @@ std::vector<std::string> DiskFiles::search_path() const {
     break;
   }
   return folders;
+}
+
+std::vector<std::string> DiskFiles::includes_in(const std::string& folder) const {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(folder.empty() ? "." : folder, error), end;
+       !error && entry != end; entry.increment(error))
+    if (entry->path().extension() == ".inc") names.push_back(entry->path().filename().string());
+  std::ranges::sort(names);
+  return names;
 }
 
 Result<std::string> RecordedFiles::read(const std::string& path) {
@@ -85,6 +91,13 @@ Result<std::string> MemoryFiles::read(const std::string& path) {
   if (found == files_.end()) return Error{{}, "cannot be opened: no such file"};
   if (found->second.size() > limits::kFileBytes) return too_large();
   return found->second;
+}
+
+std::vector<std::string> MemoryFiles::includes_in(const std::string& folder) const {
+  std::vector<std::string> names;
+  for (const auto& [path, text] : files_)
+    if (folder_of(path) == folder && path.ends_with(".inc")) names.push_back(path.substr(folder.size()));
+  return names;
 }
 
 Result<void> SourceTexts::count(std::size_t bytes) {

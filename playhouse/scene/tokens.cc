@@ -1,9 +1,12 @@
 #include "playhouse/scene/tokens.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <utility>
 
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/limits.h"
+#include "playhouse/base/nearest_word.h"
 
 namespace playhouse::scene {
 namespace {
@@ -103,25 +106,45 @@ const Token& TokenStream::peek() {
   return *peeked_;
 }
 
+std::vector<std::string> TokenStream::include_folders() const {
+  std::vector<std::string> folders;
+  for (const Cursor& cursor : {stack_.front(), stack_.back()})
+    folders.push_back(folder_of(sources_.file_names()[cursor.row]));
+  for (std::string& folder : files_.search_path()) folders.push_back(std::move(folder));
+  std::vector<std::string> once;
+  for (std::string& folder : folders)
+    if (std::ranges::find(once, folder) == once.end()) once.push_back(std::move(folder));
+  return once;
+}
+
 Result<std::uint32_t> TokenStream::open(std::string_view name) {
-  const auto path_beside = [&](const Cursor& cursor) {
-    return resolve(folder_of(sources_.file_names()[cursor.row]), name);
-  };
-  const std::string path = path_beside(stack_.front());
-  const std::string beside = path_beside(stack_.back());
-  std::vector<std::string> candidates{path, beside};
-  for (const std::string& folder : files_.search_path()) candidates.push_back(resolve(folder, name));
+  const std::vector<std::string> folders = include_folders();
   std::string why;
-  for (const std::string& candidate : candidates) {
-    if (const auto row = sources_.find(candidate)) {
+  for (const std::string& folder : folders) {
+    const std::string path = resolve(folder, name);
+    if (const auto row = sources_.find(path)) {
       if (const Result<void> used = sources_.use_again(*row); !used) return used.error();
       return *row;
     }
-    Result<std::string> text = files_.read(candidate);
-    if (text) return sources_.add(candidate, std::move(*text));
+    Result<std::string> text = files_.read(path);
+    if (text) return sources_.add(path, std::move(*text));
     if (why.empty()) why = text.error().text;
   }
-  return Error{{}, "included file " + in_quotes(path) + " " + why};
+  return Error{
+      {},
+      "included file " + in_quotes(resolve(folders.front(), name)) + " " + why + elsewhere(folders, name)};
+}
+
+std::string TokenStream::elsewhere(const std::vector<std::string>& folders, std::string_view name) const {
+  std::vector<std::string> names;
+  std::string places;
+  for (const std::string& folder : folders) {
+    for (std::string& found : files_.includes_in(folder)) names.push_back(std::move(found));
+    if (folder != folders.front()) places += (places.empty() ? "" : ", ") + escaped(folder);
+  }
+  const bool once = resolve("", name) == resolve("/", name);  // a path that no folder changes
+  const std::vector<std::string_view> candidates(names.begin(), names.end());
+  return (once || places.empty() ? "" : ", also not in " + places) + did_you_mean(name, candidates);
 }
 
 Result<void> TokenStream::include(std::string_view name, SourceLine where) {

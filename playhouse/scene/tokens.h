@@ -63,6 +63,10 @@ class TokenStream {
 
   /// The row of an included file, which is read once however often it is included.
   Result<std::uint32_t> open(std::string_view name);
+  /// Where included files are looked for, in order, each folder once.
+  std::vector<std::string> include_folders() const;
+  /// The end of the error of a file that is in none of them: the others, and what may have been meant.
+  std::string elsewhere(const std::vector<std::string>& folders, std::string_view name) const;
   void push(std::uint32_t row);
   Token scan();
   Token scan_line_end(std::string_view text, Cursor& cursor);

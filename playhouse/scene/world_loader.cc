@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <map>
 
+#include "playhouse/base/folders_of.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/scene/actuator.h"
 #include "playhouse/scene/camera.h"
@@ -574,15 +575,12 @@ Result<SceneDesc> load_world(const std::string& path, NamedBy by, std::vector<Er
   };
   Result<std::string> text = DiskFiles(by).read(path);
   if (text) return load(std::move(*text), path);
-  const char* folders = std::getenv("STAGEPATH");
-  std::string_view rest = folders ? folders : "";
-  while (!rest.empty()) {
-    const std::size_t end = std::min(rest.find(':'), rest.size());
-    const std::string found = std::string(rest.substr(0, end)) + "/" + path.substr(folder_of(path).size());
-    rest.remove_prefix(std::min(end + 1, rest.size()));
+  const std::vector<std::string> folders = folders_of("STAGEPATH");
+  for (const std::string& folder : folders) {
+    const std::string found = folder + "/" + path.substr(folder_of(path).size());
     if (Result<std::string> elsewhere = disk.read(found)) return load(std::move(*elsewhere), found);
   }
-  return Error{escaped(path), text.error().text + (folders ? ", also not in STAGEPATH" : "")};
+  return Error{escaped(path), text.error().text + (folders.empty() ? "" : ", also not in STAGEPATH")};
 }
 
 }  // namespace playhouse::scene

@@ -275,6 +275,19 @@ class Examples(HouseTest):
         curves = ElementTree.parse(picture).findall("{http://www.w3.org/2000/svg}polyline")
         self.assertEqual([len(curve.get("points").split()) for curve in curves], [2, 2, 2])
 
+    def test_the_page_of_robots_is_as_their_files_say_and_its_examples_run_anywhere(self):
+        done = subprocess.run(["python3", ROOT / "tools" / "robots_page.py", "--check"], capture_output=True, text=True, timeout=PATIENCE,
+                              env={**os.environ, "PLAYHOUSE_PROGRAM": PROGRAM})
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        examples = re.findall(r"```\n(.*?)```", (ROOT / "docs" / "robots.md").read_text(), re.DOTALL)
+        self.assertGreaterEqual(len(examples), 5)
+        for example in examples:
+            self.assertEqual(len(example.splitlines()), 10)
+            done = finish("run", self.write("example.world", example), "--port", 0, "--headless", "--fast", "--duration", 5, "--json")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertNotIn("warning", done.stderr)
+            self.assertEqual(json.loads(done.stdout)["robots"], 3)
+
     def test_the_tool_that_makes_the_swarm_has_help(self):
         tool = ROOT / "tools" / "make_swarm_world.py"
         done = subprocess.run(["python3", tool, "--help"], capture_output=True, text=True, timeout=PATIENCE)
