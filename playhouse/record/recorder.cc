@@ -157,7 +157,7 @@ void Recorder::add_model(const world::World& world, world::ModelRow model) {
     recorded = true;
     add_ranger(world, model);
   }
-  if (recorded && replicate::only_measures(kind)) measuring_.push_back(id);
+  if (recorded && replicate::may_be_watched(kind)) measuring_.push_back(id);
 }
 
 void Recorder::add_ranger(const world::World& world, world::ModelRow model) {

@@ -26,14 +26,17 @@ from .errors import (
 from .models import DeviceAddress, Model
 from .proxies import (
     Bumper,
+    Camera,
     Face,
     Fiducial,
     Geometry,
+    Image,
     Laser,
     Marker,
     Pose,
     Pose3d,
     Position2d,
+    Ptz,
     Ranger,
     Scan,
     Simulation,
@@ -41,14 +44,15 @@ from .proxies import (
     Sonar,
     State,
     Velocity,
+    View,
 )
 from .robot import Robot
 
 __version__ = "0.1.0"
 
 __all__ = [
-    "Access", "Bumper", "Client", "ConnectionLost", "Device", "DeviceAddress", "DeviceClosed", "DeviceEntry",
-    "DeviceGone", "Face", "Fiducial", "Geometry", "InvalidValue", "Laser", "Marker", "Mode", "Model", "NoData",
-    "PlayerError", "Pose", "Pose3d", "Position2d", "Ranger", "RequestRefused", "RequestTimeout", "Robot", "Rule",
-    "RunEnded", "Scan", "Simulation", "Size", "Sonar", "State", "Velocity", "WireError", "connect",
+    "Access", "Bumper", "Camera", "Client", "ConnectionLost", "Device", "DeviceAddress", "DeviceClosed", "DeviceEntry",
+    "DeviceGone", "Face", "Fiducial", "Geometry", "Image", "InvalidValue", "Laser", "Marker", "Mode", "Model", "NoData",
+    "PlayerError", "Pose", "Pose3d", "Position2d", "Ptz", "Ranger", "RequestRefused", "RequestTimeout", "Robot", "Rule",
+    "RunEnded", "Scan", "Simulation", "Size", "Sonar", "State", "Velocity", "View", "WireError", "connect",
 ]

@@ -11,7 +11,7 @@ from typing import Iterator, List, NamedTuple, Optional, Tuple, cast
 
 from .device import Device
 from .errors import InvalidValue, RequestRefused, RunEnded, WireError
-from .generated import bumper, common, fiducial, laser, position2d, ranger, simulation, sonar
+from .generated import bumper, camera, common, fiducial, laser, position2d, ptz, ranger, simulation, sonar
 from .wire import MessageType, Struct, c_string, text
 
 
@@ -117,6 +117,43 @@ class Face(NamedTuple):
     pose: Pose3d
     length: float
     radius: float
+
+
+class Image(NamedTuple):
+    """A picture: rows from the top, pixels from the left. `format` is one of camera.FORMAT_MONO8, FORMAT_MONO16 (of
+    Playhouse: distances in mm, the low byte first, 0 where nothing is in range), FORMAT_RGB565 and FORMAT_RGB888.
+    `data` is those pixels, or, where `is_jpeg`, a JPEG file. `time` is the server's, in s."""
+
+    width: int
+    height: int
+    format: int
+    is_jpeg: bool
+    data: bytes
+    time: float
+
+    def pixel(self, column: int, row: int) -> Tuple[int, ...]:
+        """(red, green, blue), or (brightness,), or (distance in mm,). Raises InvalidValue for a JPEG file, for other
+        formats, and outside the picture."""
+        if self.is_jpeg or self.format not in _CHANNELS:
+            raise InvalidValue("pixels can be told of raw MONO8, MONO16 and RGB888 alone")
+        if not (0 <= column < self.width and 0 <= row < self.height):
+            raise InvalidValue(f"pixel {column}, {row} is outside the {self.width} x {self.height} picture")
+        channel, size = _CHANNELS[self.format]
+        first = (row * self.width + column) * size
+        return struct.unpack_from(channel, self.data, first)
+
+
+_CHANNELS = {camera.FORMAT_MONO8: ("<B", 1), camera.FORMAT_MONO16: ("<H", 2), camera.FORMAT_RGB888: ("<3B", 3)}
+
+
+class View(NamedTuple):
+    """Where a camera looks: to the left, up, and its horizontal field of view, in rad; how fast it turns, in rad/s."""
+
+    pan: float
+    tilt: float
+    zoom: float
+    pan_speed: float = 0.0
+    tilt_speed: float = 0.0
 
 
 class Position2d(Device):
@@ -321,6 +358,57 @@ class Fiducial(Device):
 
     def geometry(self) -> Geometry:
         return _geometry(_answer(self.request(fiducial.REQ_GET_GEOM)))
+
+
+class Camera(Device):
+    """Takes pictures."""
+
+    @property
+    def image(self) -> Image:
+        """The newest."""
+        data, time = self._stamped(camera.DATA_STATE)
+        return Image(data.width, data.height, data.format, data.compression == camera.COMPRESS_JPEG, bytes(data.image), time)
+
+    def updates(self, timeout: Optional[float] = None) -> Iterator[Image]:
+        """Reads for ever: one picture for each time new data have come. Raises RequestTimeout."""
+        while True:
+            self.next_data(timeout)
+            yield self.image
+
+
+class Ptz(Device):
+    """Turns and zooms a camera."""
+
+    @property
+    def view(self) -> View:
+        """Where it looks now."""
+        data, _ = self._stamped(ptz.DATA_STATE)
+        return View(data.pan, data.tilt, data.zoom, data.panspeed, data.tiltspeed)
+
+    def updates(self, timeout: Optional[float] = None) -> Iterator[View]:
+        """Reads for ever: one view for each time new data have come. Raises RequestTimeout."""
+        while True:
+            self.next_data(timeout)
+            yield self.view
+
+    def look(self, pan: float, tilt: float = 0.0, zoom: float = 0.0) -> None:
+        """Turns there, as position control has it; a zoom of 0 leaves the field of view as it is."""
+        self._insist_on_finite(pan=pan, tilt=tilt, zoom=zoom)
+        self.command(ptz.CMD_STATE, ptz.Cmd(pan, tilt, zoom, 0.0, 0.0))
+
+    def turn(self, pan_speed: float, tilt_speed: float = 0.0) -> None:
+        """Turns at these speeds; wants set_velocity_control(True) before."""
+        self._insist_on_finite(pan_speed=pan_speed, tilt_speed=tilt_speed)
+        self.command(ptz.CMD_STATE, ptz.Cmd(0.0, 0.0, 0.0, pan_speed, tilt_speed))
+
+    def set_velocity_control(self, on: bool) -> None:
+        """Whether commands mean velocities from now on, or places."""
+        mode = ptz.VELOCITY_CONTROL if on else ptz.POSITION_CONTROL
+        self.request(ptz.REQ_CONTROL_MODE, ptz.ReqControlMode(mode))
+
+    def geometry(self) -> Geometry:
+        geom = cast(ptz.Geom, _answer(self.request(ptz.REQ_GEOM)))
+        return Geometry(_pose3d(geom.pos), Size(geom.size.sl, geom.size.sw, geom.size.sh))
 
 
 class Bumper(Device):

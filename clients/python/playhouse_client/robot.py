@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Dict, List, cast
 from .device import Device
 from .errors import RequestRefused
 from .models import DeviceAddress, Model
-from .proxies import Bumper, Fiducial, Laser, Position2d, Ranger, Sonar
+from .proxies import Bumper, Camera, Fiducial, Laser, Position2d, Ptz, Ranger, Sonar
 
 if TYPE_CHECKING:
     from .client import Client
@@ -15,7 +15,7 @@ class Robot:
     """A model and what it carries; Client.robot() and Client.robots() give it.
 
     `name` and `type` are those of the world file; `models` are the model itself and what it carries, `devices` the
-    addresses of all their devices. `position2d`, `laser`, `ranger`, `sonar`, `fiducial` and `bumper` are the first
+    addresses of all their devices. `position2d`, `laser`, `ranger`, `sonar`, `fiducial`, `bumper`, `camera` and `ptz` are the first
     of their kind, `lasers` and so on all of them, opened on first use. Leaving a `with` block, or close(), closes what
     was opened here; a moving robot is stopped first.
     """
@@ -65,6 +65,14 @@ class Robot:
         return cast(Bumper, self.device("bumper"))
 
     @property
+    def camera(self) -> Camera:
+        return cast(Camera, self.device("camera"))
+
+    @property
+    def ptz(self) -> Ptz:
+        return cast(Ptz, self.device("ptz"))
+
+    @property
     def position2ds(self) -> List[Position2d]:
         return cast(List[Position2d], self._all("position2d"))
 
@@ -87,6 +95,14 @@ class Robot:
     @property
     def bumpers(self) -> List[Bumper]:
         return cast(List[Bumper], self._all("bumper"))
+
+    @property
+    def cameras(self) -> List[Camera]:
+        return cast(List[Camera], self._all("camera"))
+
+    @property
+    def ptzs(self) -> List[Ptz]:
+        return cast(List[Ptz], self._all("ptz"))
 
     def close(self) -> None:
         """Closes the devices that were opened here, the last opened first. They open again when they are used."""

@@ -11,7 +11,7 @@ from playhouse_client import (
     RequestTimeout, WireError, connect,
 )
 from playhouse_client.connection import Message
-from playhouse_client.generated import bumper, common, laser, player, position2d
+from playhouse_client.generated import bumper, camera, common, laser, player, position2d, ptz
 from playhouse_client.wire import Kind
 
 DATA_REQUEST = player.REQ_DATA.subtype
@@ -176,6 +176,32 @@ class Reading(unittest.TestCase):
             robot, scanner = client.position2d(0), client.laser(0)
             client.read()
             self.assertEqual((robot.state.time, scanner.scan().time), (7.5, 8.5))
+
+    def test_a_camera_tells_its_pixels(self) -> None:
+        pictures = [
+            camera.Data(2, 1, 24, camera.FORMAT_RGB888, 1, camera.COMPRESS_RAW, bytes([1, 2, 3, 4, 5, 6])),
+            camera.Data(1, 2, 16, camera.FORMAT_MONO16, 1, camera.COMPRESS_RAW, bytes([0x34, 0x12, 0, 0])),
+            camera.Data(2, 1, 24, camera.FORMAT_RGB888, 1, camera.COMPRESS_JPEG, b"\xff\xd8"),
+        ]
+
+        def rounds(peer: Peer, message: Message) -> None:
+            peer.answer(message)
+            peer.data(camera.DATA_STATE, pictures.pop(0), timestamp=2.5)
+            peer.synch()
+
+        with FakeServer(script(rounds)) as server, connect(server.address) as client:
+            eye = client.camera(0)
+            client.read()
+            self.assertEqual((eye.image.pixel(0, 0), eye.image.pixel(1, 0)), ((1, 2, 3), (4, 5, 6)))
+            self.assertEqual(eye.image.time, 2.5)
+            with self.assertRaisesRegex(InvalidValue, "2, 0 is outside the 2 x 1 picture"):
+                eye.image.pixel(2, 0)
+            client.read()
+            self.assertEqual((eye.image.pixel(0, 0), eye.image.pixel(0, 1)), ((0x1234,), (0,)))
+            client.read()
+            self.assertTrue(eye.image.is_jpeg)
+            with self.assertRaisesRegex(InvalidValue, "raw MONO8, MONO16 and RGB888 alone"):
+                eye.image.pixel(0, 0)
 
     def test_a_bumper_tells_which_switches_are_pressed_and_where_they_are(self) -> None:
         front = bumper.Define(common.Pose3d(0.25, 0.0, 0.1, 0.0, 0.0, 0.5), 0.5, 0.0)
