@@ -98,6 +98,7 @@ Result<MessageType> MessageType::parse(const std::string& text) {
     begin = end + 1;
     if (line.starts_with("MSG:")) {
       name = short_name(trimmed(line.substr(4)));
+      type.types_.try_emplace(name);  // it may have no fields
       continue;
     }
     if (line.starts_with("===")) continue;

@@ -186,8 +186,12 @@ template <std::size_t kNth>
 void add_kind(std::vector<TableMessages>& all) {
   constexpr auto kTable = std::get<kNth>(world::kKindTables);
   using Table = std::remove_cvref_t<decltype(std::declval<world::World>().*kTable)>;
-  if constexpr (!std::is_same_v<Table, world::Rangers>)
-    all.push_back(messages_of<Table, kTable>(std::string(replicate::kind_name(world::kKindOf<Table>))));
+  if constexpr (!std::is_same_v<Table, world::Rangers>) {
+    constexpr scene::ModelKind kKind = world::kKindOf<Table>;
+    TableMessages messages = messages_of<Table, kTable>(std::string(replicate::kind_name(kKind)));
+    messages.measures = messages.measures && replicate::only_measures(kKind);
+    all.push_back(std::move(messages));
+  }
 }
 
 template <std::size_t kNth>

@@ -50,7 +50,7 @@ struct TableMessages {
   std::string schema;  // name
   std::string topic;   // its last part
   std::string text;    // of the schema
-  bool measures;       // there is a new one with each measurement
+  bool measures;       // and does nothing else: there is a new one with each measurement
   /// The model has a row in the table.
   bool (*has)(const world::World& world, world::ModelRow model);
   /// It measured in this very tick; of tables that measure.

@@ -1,0 +1,163 @@
+#include "playhouse/record/recorder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <set>
+
+#include "playhouse/record/mcap_reader.h"
+#include "playhouse/record/rerun.h"
+#include "playhouse/scene/world_loader.h"
+#include "playhouse/world/population.h"
+
+namespace playhouse::record {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr const char* kWorld = R"(
+interval_sim 100
+define eye ranger( sensor( range [0 8] fov 90 samples 3 ) )
+define robot position( eye() )
+robot( name "a.b" pose [1 2 0 90] ) robot( name "c d" pose [2 0 0 0] )
+model( name "wall" pose [5 0 0 0] )
+)";
+
+/// A control that carries out what is posted when the test says so.
+class Later final : public world::Control {
+ public:
+  void pause() override {}
+  void resume() override {}
+  void step_once() override {}
+  void set_speed(double) override {}
+  void drive(world::ModelId, const geom::Twist&) override {}
+  bool post(std::function<void(world::World&)> change, world::ModelId) override {
+    posted.push_back(std::move(change));
+    return true;
+  }
+  void record(bool) override {}
+  std::shared_ptr<const world::Past> past() const override { return std::make_shared<world::Past>(); }
+  void rewind(std::uint64_t) override {}
+  std::uint64_t life(world::ModelId) const override { return 0; }
+  std::vector<std::function<void(world::World&)>> posted;
+};
+
+/// A controller that cannot say what it remembers.
+class Shy final : public world::Decider {
+ public:
+  std::string_view name() const override { return "shy"; }
+  std::size_t size() const override { return 0; }
+  void follow(world::World&) override {}
+  void decide(world::World&, std::size_t, std::size_t) override {}
+  void hash(Hash&) const override {}
+  Result<void> save(Packer&) const override { return Error{{}, "controller shy cannot be saved"}; }
+  bool load(world::World&, Unpacker&) override { return false; }
+};
+
+class RecorderTest : public testing::Test {
+ protected:
+  ~RecorderTest() override { std::filesystem::remove(path_); }
+
+  void begin() {
+    file_ = std::make_unique<RecordThread>(*McapWriter::create(path_, "ros2"));
+    recorder_ = std::make_unique<Recorder>(*file_, Selection(), control_);
+    ASSERT_TRUE(recorder_->begin(world_, sources_).ok());
+  }
+  void tick() {
+    ++world_.tick_;
+    recorder_->ticked(world_);
+  }
+  void change(const std::function<void(world::World&)>& change) {
+    recorder_->before_changes(world_);
+    change(world_);
+    recorder_->after_changes(world_);
+  }
+  void carry_out_posted() {
+    for (const auto& each : std::exchange(control_.posted, {})) change(each);
+  }
+  void end() {
+    recorder_->end(world_);
+    ASSERT_TRUE(file_->finish());
+  }
+  std::set<std::string> topics() const {
+    const auto source = open_source(path_);
+    McapReader reader(**source);
+    EXPECT_TRUE(reader.read({}).ok());
+    std::set<std::string> topics;
+    for (const auto& [id, channel] : reader.channels()) topics.insert(channel.topic);
+    return topics;
+  }
+  Result<Recording> recording() const { return read_recording(**open_source(path_)); }
+
+  const std::string path_ = testing::TempDir() + "recorder_test_" + std::to_string(getpid()) + ".mcap";
+  scene::SourceFiles sources_{.path = "t.world", .files = {{"t.world", kWorld}}, .search_path = {}};
+  scene::MemoryFiles files_{{}};
+  scene::SceneDesc scene_ = *scene::load_world_text(kWorld, "t.world", files_);
+  world::World world_{scene_, 1};
+  Later control_;
+  std::unique_ptr<RecordThread> file_;
+  std::unique_ptr<Recorder> recorder_;
+};
+
+TEST_F(RecorderTest, has_what_its_models_do_by_names_that_ros_can_have) {
+  begin();
+  tick();
+  end();
+  EXPECT_THAT(topics(), Contains("/tf"));
+  EXPECT_THAT(topics(), Contains("/a/b/position"));
+  EXPECT_THAT(topics(), Contains("/c_d/position"));
+}
+
+TEST_F(RecorderTest, watches_the_sensors_that_it_records_also_of_who_comes) {
+  begin();
+  carry_out_posted();
+  const world::ModelRow eye = world_.find("a.b.ranger:0");
+  EXPECT_EQ(world_.models.watchers[eye.index], 1u);
+  world::ModelId came;
+  change([&](world::World& world) { came = *world::spawn(world, 0, {}, "late"); });
+  carry_out_posted();
+  EXPECT_EQ(world_.models.watchers[world_.find("late.ranger:0").index], 1u);
+  EXPECT_EQ(world_.models.watchers[eye.index], 1u) << "once";
+  world_.rangers.measured_tick.back() = world_.tick() + 1;
+  tick();
+  end();
+  EXPECT_THAT(topics(), Contains("/late/ranger_0/scan"));
+  EXPECT_THAT(topics(), Not(Contains("/a/b/ranger_0/scan"))) << "it has not measured";
+}
+
+TEST_F(RecorderTest, has_each_change_as_one_event_between_its_checks) {
+  begin();
+  control_.posted.clear();
+  tick();
+  change([](world::World& world) { world::set_pose(world, world.find("wall"), {7, 7, 0, 1}); });
+  change([](world::World&) {});  // of nothing is none
+  tick();
+  end();
+  const Result<Recording> read = recording();
+  ASSERT_TRUE(read.ok()) << read.error().line();
+  ASSERT_EQ(read->events.size(), 3u);
+  EXPECT_TRUE(read->events[0].difference.empty());
+  EXPECT_FALSE(read->events[1].difference.empty());
+  EXPECT_EQ(read->events[1].tick, 1u);
+  EXPECT_EQ(read->events[2].hash, world_.hash());
+  EXPECT_EQ(read->states.size(), 1u);
+  EXPECT_FALSE(read->cut);
+}
+
+TEST_F(RecorderTest, of_a_controller_that_cannot_be_saved_has_data_alone) {
+  world_.deciders.push_back(std::make_unique<Shy>());
+  begin();
+  tick();
+  end();
+  EXPECT_THAT(topics(), Contains("/a/b/position"));
+  const Result<Recording> read = recording();
+  ASSERT_FALSE(read.ok());
+  EXPECT_THAT(read.error().text, HasSubstr("has data alone"));
+}
+
+}  // namespace
+}  // namespace playhouse::record
