@@ -86,7 +86,8 @@ constexpr const char* kConvertExamples = R"(Examples:
   playhouse convert worlds/cave.world -o my.world
   playhouse convert worlds/bitmaps/cave.png --scale 0.032 -o my.world
   playhouse convert worlds/cave.world -o map.yaml
-  playhouse convert map.yaml -o my.world)";
+  playhouse convert map.yaml -o my.world
+  playhouse convert my.world -o my.glb)";
 constexpr const char* kKindsExamples = R"(Examples:
   playhouse kinds
   playhouse kinds position
@@ -416,7 +417,7 @@ void add_commands(CLI::App& app, Raw& raw) {
       ->add_option("FILE", raw.convert.input, "a .world file of any version, an image, or a map.yaml of ROS")
       ->required();
   convert->add_option("-o,--output", raw.convert.output,
-                      "where to write (standard output); a .yaml: the walls of a world as a map of ROS");
+                      "where to write (standard output); a .yaml: the walls of a world as a map of ROS; a .glb: its bodies as glTF");
   convert
       ->add_option("--scale", raw.convert.scale, "metres that a pixel of an image measures (of a map 0.05)")
       ->check(check_positive);

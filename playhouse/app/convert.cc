@@ -7,6 +7,7 @@
 
 #include "playhouse/app/commands.h"
 #include "playhouse/app/fail.h"
+#include "playhouse/app/gltf.h"
 #include "playhouse/app/plan_of_world.h"
 #include "playhouse/app/whole_file.h"
 #include "playhouse/base/in_quotes.h"
@@ -34,6 +35,10 @@ bool is_image(const std::string& path) {
 bool is_map(const std::string& path) {
   const fs::path ending = fs::path(path).extension();
   return ending == ".yaml" || ending == ".yml";
+}
+
+bool is_gltf(const std::string& path) {
+  return fs::path(path).extension() == ".glb";
 }
 
 int write_text(const std::string& path, const std::string& text) {
@@ -118,6 +123,12 @@ int write_map(const ConvertOptions& options, const scene::SceneDesc& scene) {
   return write_text(options.output, scene::ros_map_of(*plan, image.filename().string()));
 }
 
+int write_gltf(const ConvertOptions& options, const scene::SceneDesc& scene) {
+  const Result<std::string> glb = glb_of(world::World(scene, 1));
+  if (!glb) return fail({escaped(options.input), glb.error().text});
+  return write_text(options.output, *glb);
+}
+
 int convert_world(const ConvertOptions& options) {
   std::vector<Error> others;
   const Result<scene::SceneDesc> scene = load(options, others);
@@ -125,6 +136,7 @@ int convert_world(const ConvertOptions& options) {
   if (is_map(options.output)) return write_map(options, *scene);
   if (options.scale || options.height)
     return fail({"", "--scale and --height are for images and maps"}, kUsage);
+  if (is_gltf(options.output)) return write_gltf(options, *scene);
   // Bitmaps of a text that goes anywhere are named in full.
   const Result<std::string> text = scene::write_world(*scene, options.output);
   if (!text) return fail({escaped(options.input), "not converted: " + text.error().text});
@@ -137,6 +149,11 @@ int convert(const ConvertOptions& options) {
   log::open(0);
   if (is_same_file(options.input, options.output))
     return fail({escaped(options.output), "is what is read: give another name"}, kUsage);
+  const bool is_plan = is_image(options.input) || is_map(options.input);
+  if (is_gltf(options.output) && is_plan)
+    return fail({escaped(options.output), "is made of a world: convert the plan to a .world first"}, kUsage);
+  if (fs::path(options.output).extension() == ".gltf")
+    return fail({escaped(options.output), "is glTF as text, which is not written: name it .glb"}, kUsage);
   if (is_image(options.input)) return convert_image(options);
   return is_map(options.input) ? convert_map(options) : convert_world(options);
 }

@@ -92,6 +92,7 @@ inline constexpr std::size_t kTextBytes = 1u << 27;               // names and t
 inline constexpr std::size_t kSensors = 1u << 21;                 // of all rangers of a world
 inline constexpr std::size_t kOldParts = 1u << 18;                // of rangers and bodies, that worlds of Stage 2 tell of by numbered words
 inline constexpr std::size_t kOldPartsOfOne = 1024;               // the same of one model
+inline constexpr std::size_t kGlbBytes = 1u << 30;                // of a world as glTF
 inline constexpr int kRangerSamples = 1 << 16;                    // beams of one sensor
 inline constexpr std::size_t kBeams = 1u << 26;                   // of all sensors of a world, and pixels of its cameras
 

@@ -1,6 +1,7 @@
 """Worlds for older versions of Stage: they run, and `convert` writes them in today's words, which run the same."""
 
 import json
+import struct
 import unittest
 
 from house import HouseTest, finish
@@ -54,6 +55,87 @@ class Convert(HouseTest):
         self.assertEqual(done.returncode, 2)
         self.assertIn("old.world:1: error:", done.stderr)
         self.assertFalse((self.folder / "new.world").exists())
+
+    def glb(self, world: str, *files):
+        """The parts of the .glb that is made of a world: what its JSON says, and its bytes."""
+        for name, text in files:
+            self.write(name, text)
+        made = self.folder / "made.glb"
+        done = finish("convert", self.write("w.world", world), "-o", made)
+        self.assertEqual((done.returncode, done.stdout), (0, ""), done.stderr)
+        data = made.read_bytes()
+        magic, version, length, json_length, json_type = struct.unpack_from("<4sIII4s", data)
+        self.assertEqual((magic, version, length, json_type, json_length % 4), (b"glTF", 2, len(data), b"JSON", 0))
+        about = json.loads(data[20:20 + json_length])
+        if "buffers" not in about:
+            self.assertEqual(len(data), 20 + json_length)
+            return about, b""
+        binary_length, binary_type = struct.unpack_from("<I4s", data, 20 + json_length)
+        self.assertEqual((binary_type, binary_length % 4, 28 + json_length + binary_length), (b"BIN\0", 0, len(data)))
+        self.assertLess(binary_length - about["buffers"][0]["byteLength"], 4)
+        return about, data[28 + json_length:]
+
+    def elements(self, about, binary: bytes, accessor: int):
+        """What an accessor holds, after its bounds."""
+        found = about["accessors"][accessor]
+        view = about["bufferViews"][found["bufferView"]]
+        width, letter = {("VEC3", 5126): (3, "f"), ("SCALAR", 5125): (1, "I")}[found["type"], found["componentType"]]
+        self.assertEqual(view["byteLength"], found["count"] * width * 4)
+        self.assertLessEqual(view["byteOffset"] + view["byteLength"], about["buffers"][0]["byteLength"])
+        values = struct.unpack_from(f"<{found['count'] * width}{letter}", binary, view["byteOffset"])
+        return [values[k:k + width] for k in range(0, len(values), width)]
+
+    def test_a_world_becomes_glTF_whose_meshes_are_closed_and_as_large_as_the_bodies(self):
+        about, binary = self.glb("""
+            name "w"
+            define post model( size [0.2 0.4 1] color "red" )
+            post( name "a" pose [1 2 0 90] ) post( name "b" pose [3 2 0.5 0] ) post( name "c" color "blue" )
+            model( name "walls" size [4 4 1] bitmap "plan.pbm" )
+            position( name "r" pose [0 0 0 45] size [0.4 0.4 0.2] origin [0.1 0 0 0] ranger( name "eye" size [0 0 0] pose [0.1 0 0 0] ) )""",
+                                 ("plan.pbm", "P1 4 4 1111 1001 1001 1111\n"))
+        nodes = {node["name"]: node for node in about["nodes"]}
+        self.assertEqual(set(nodes), {"a", "b", "c", "walls", "r", "r.eye", "w"})
+        self.assertEqual([about["nodes"][k]["name"] for k in about["scenes"][0]["nodes"]], ["w"])
+        self.assertEqual(sorted(about["nodes"][k]["name"] for k in nodes["w"]["children"]), ["a", "b", "c", "r", "walls"])
+        self.assertEqual([about["nodes"][k]["name"] for k in nodes["r"]["children"]], ["r.eye"])
+        self.assertEqual(nodes["b"]["translation"], [3, 2, 0.5])
+        self.assertEqual(nodes["a"]["mesh"], nodes["b"]["mesh"])
+        self.assertNotEqual(nodes["a"]["mesh"], nodes["c"]["mesh"], "another color")
+        self.assertNotIn("mesh", nodes["r.eye"])
+        volumes = {}
+        for name, node in nodes.items():
+            if "mesh" not in node:
+                continue
+            primitive = about["meshes"][node["mesh"]]["primitives"][0]
+            points = self.elements(about, binary, primitive["attributes"]["POSITION"])
+            normals = self.elements(about, binary, primitive["attributes"]["NORMAL"])
+            corners = [k for (k,) in self.elements(about, binary, primitive["indices"])]
+            self.assertEqual(len(points), len(normals))
+            self.assertEqual((len(corners) % 3, max(corners) < len(points)), (0, True))
+            accessor = about["accessors"][primitive["attributes"]["POSITION"]]
+            for axis in range(3):
+                self.assertAlmostEqual(accessor["min"][axis], min(p[axis] for p in points), 5)
+                self.assertAlmostEqual(accessor["max"][axis], max(p[axis] for p in points), 5)
+            # A closed surface, counter-clockwise seen from outside, holds what the divergence theorem says.
+            volumes[name] = 0
+            for k in range(0, len(corners), 3):
+                (a, b, c), normal = (points[j] for j in corners[k:k + 3]), normals[corners[k]]
+                cross = [(b[i - 2] - a[i - 2]) * (c[i - 1] - a[i - 1]) - (b[i - 1] - a[i - 1]) * (c[i - 2] - a[i - 2]) for i in range(3)]
+                self.assertGreater(sum(cross[i] * normal[i] for i in range(3)), 0)
+                volumes[name] += sum(a[i] * cross[i] for i in range(3)) / 6
+        self.assertAlmostEqual(volumes["a"], 0.2 * 0.4 * 1, 6)
+        self.assertAlmostEqual(volumes["walls"], 12, 4)
+        self.assertAlmostEqual(volumes["r"], 0.4 * 0.4 * 0.2, 6)
+
+    def test_an_empty_world_is_glTF_without_buffers_and_a_plan_is_none(self):
+        about, _ = self.glb('name "nothing"')
+        self.assertEqual([node["name"] for node in about["nodes"]], ["nothing"])
+        plan = self.write("plan.pbm", "P1 2 2 1111\n")
+        for source, target, told in ((plan, "a.glb", "convert the plan to a .world first"), ("w.world", "a.gltf", "name it .glb")):
+            done = finish("convert", self.folder / source, "--scale", 1, "-o", self.folder / target)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(told, done.stderr)
+            self.assertFalse((self.folder / target).exists())
 
     def test_a_floor_plan_becomes_a_world_that_runs_and_a_map_and_a_world_again(self):
         room = "P1 40 30\n" + "\n".join("".join("1" if x in (0, 39) or y in (0, 29) else "0" for x in range(40)) for y in range(30)) + "\n"

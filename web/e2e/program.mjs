@@ -47,7 +47,12 @@ export async function startProgram(world, options = [], port = '0') {
 
 /** What `playhouse check` makes of a file. */
 export function check(file) {
-  const child = spawn(program, ['check', file], { stdio: ['ignore', 'pipe', 'pipe'] });
+  return finish('check', file);
+}
+
+/** Runs a command to its end. Worlds are named from the source root. */
+export function finish(...words) {
+  const child = spawn(program, words, { cwd: root, stdio: ['ignore', 'pipe', 'pipe'] });
   let said = '';
   for (const stream of [child.stdout, child.stderr]) stream.on('data', (bytes) => (said += bytes));
   return new Promise((done) => child.once('close', (code) => done({ code, said })));
