@@ -189,7 +189,7 @@ void add_kind(std::vector<TableMessages>& all) {
   if constexpr (!std::is_same_v<Table, world::Rangers>) {
     constexpr scene::ModelKind kKind = world::kKindOf<Table>;
     TableMessages messages = messages_of<Table, kTable>(std::string(replicate::kind_name(kKind)));
-    messages.measures = messages.measures && replicate::only_measures(kKind);
+    messages.measures = messages.measures && replicate::may_be_watched(kKind);
     all.push_back(std::move(messages));
   }
 }
