@@ -118,6 +118,8 @@ test('a robot that was removed comes back, and one that came since goes', async 
 });
 
 test('on a phone the slider has its place', async () => {
+  // Three pages that draw in software at once take half a minute for a picture on a slow machine.
+  await Promise.all([page.close(), other.close()]);
   const phone = await watch(browser, program.page, { viewport: { width: 390, height: 844 }, hasTouch: true, deviceScaleFactor: 2 }, 0);
   await phone.page.getByTestId('past').waitFor({ state: 'visible' });
   const box = await phone.page.locator('#clock').boundingBox();
