@@ -98,6 +98,13 @@ void Rerun::fail(const std::string& what) {
   if (!differs_) differs_ = fmt::format("at {} s, tick {}: {}", world().time(), world().tick(), what);
 }
 
+/// A world that was half loaded is of no use, and people may look at it: it becomes that of the start, which
+/// could be loaded.
+void Rerun::fail_to_load(const std::string& what) {
+  fail(what);
+  static_cast<void>(load(recording_->states.front()));
+}
+
 void Rerun::check(const Recording::Event& event) {
   if (differs_) return;
   if (world().hash() != event.hash)
@@ -117,7 +124,7 @@ void Rerun::change(const Recording::Event& event) {
   const Result<Bytes> after = patched(before, event.difference);
   if (!after) return fail(after.error().line());
   if (const Result<void> loaded = load_whole(world(), *after); !loaded)
-    fail("a change " + loaded.error().line());
+    fail_to_load("a change " + loaded.error().line());
 }
 
 /// What happens at this tick, and at those to which the run was taken back at it.
@@ -143,7 +150,7 @@ void Rerun::seek(std::uint64_t tick) {
   const auto last = std::find_if(states.rbegin(), states.rend(), is_before);
   const Recording::State& from = last == states.rend() ? states.front() : *last;
   differs_.reset();
-  if (const Result<void> loaded = load(from); !loaded) return fail(loaded.error().line());
+  if (const Result<void> loaded = load(from); !loaded) return fail_to_load(loaded.error().line());
   while (world().tick() < tick && !at_end() && !differs_) step();
 }
 

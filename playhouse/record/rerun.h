@@ -69,6 +69,7 @@ class Rerun final : public world::Engine {
   void check(const Recording::Event& event);
   void change(const Recording::Event& event);
   void fail(const std::string& what);
+  void fail_to_load(const std::string& what);
 
   const Recording* recording_;
   std::unique_ptr<world::Engine> engine_;

@@ -15,6 +15,9 @@ constexpr std::uint8_t kAll = 0, kRuns = 1;
 /// Bytes that are the same in between and yet belong to a run: a run of its own costs as many.
 constexpr std::size_t kGap = 4;
 
+/// Who subscribes one model: sessions and viewers are far fewer, and sums of so many are numbers still.
+constexpr std::uint32_t kUsersMost = 1u << 30;
+
 Error damaged() {
   return {{}, "a change in it is damaged"};
 }
@@ -48,7 +51,7 @@ Result<void> load_whole(world::World& world, std::span<const std::byte> bytes) {
   if (users.left() != models.size() * 8) return Error{{}, "a state in it is damaged"};
   for (std::size_t row = 0; row < models.size(); ++row) {
     const std::uint32_t others = users.u32(), watchers = users.u32();
-    if (watchers > others) return Error{{}, "a state in it is damaged"};
+    if (watchers > others || others > kUsersMost) return Error{{}, "a state in it is damaged"};
     models.subscribers[row] = models.controllers[row] + others;
     models.watchers[row] = watchers;
   }

@@ -1,0 +1,135 @@
+#include "playhouse/record/rerun.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "playhouse/base/packing.h"
+#include "playhouse/record/whole_state.h"
+#include "playhouse/scene/world_loader.h"
+#include "playhouse/world/population.h"
+
+namespace playhouse::record {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr const char* kWorld =
+    "interval_sim 100\nposition( name \"r0\" ) position( name \"r1\" pose [2 0 0 0] )\n";
+
+/// Time goes on, and nothing else happens.
+class TimeEngine final : public world::Engine {
+ public:
+  explicit TimeEngine(const scene::SceneDesc& scene) : world_(scene, 1) {}
+  void step() override { ++world_.tick_; }
+  world::World& world() override { return world_; }
+  world::Workers& workers() override { return workers_; }
+  std::uint64_t rays() const override { return 0; }
+
+ private:
+  world::World world_;
+  world::Workers workers_{1};
+};
+
+class RerunTest : public testing::Test {
+ protected:
+  RerunTest() {
+    keep_state();
+    for (int tick = 0; tick < 20; ++tick) {
+      if (tick == 5)
+        happen([](world::World& world) { world::set_pose(world, world.find("r1"), {3, 4, 0, 1}); });
+      if (tick == 8) happen([](world::World& world) { ASSERT_TRUE(world::spawn(world, 0, {}, "late")); });
+      if (tick == 10) keep_state();
+      if (tick == 12) happen([](world::World& world) { world::subscribe(world, world.find("r0")); });
+      engine_.step();
+    }
+    check();
+  }
+  void keep_state() {
+    Recording::State state{engine_.world().tick(), recording_.events.size(), {}};
+    ASSERT_TRUE(save_whole(engine_.world(), state.bytes));
+    recording_.states.push_back(state);
+  }
+  void happen(const std::function<void(world::World&)>& change) {
+    Bytes before, after;
+    ASSERT_TRUE(save_whole(engine_.world(), before));
+    change(engine_.world());
+    ASSERT_TRUE(save_whole(engine_.world(), after));
+    recording_.events.push_back({engine_.world().tick(), difference(before, after), hash_of(before), 0, 0});
+  }
+  void check() {
+    const world::World& world = engine_.world();
+    recording_.events.push_back({world.tick(), {}, 0, world.hash(), world.sensed_hash()});
+  }
+  std::unique_ptr<Rerun> rerun() {
+    auto rerun = std::make_unique<Rerun>(recording_, std::make_unique<TimeEngine>(scene_));
+    EXPECT_TRUE(rerun->begin());
+    return rerun;
+  }
+  static void run(Rerun& rerun) {
+    while (!rerun.at_end() && !rerun.differs()) rerun.step();
+  }
+
+  scene::MemoryFiles files_{{}};
+  scene::SceneDesc scene_ = *scene::load_world_text(kWorld, "t.world", files_);
+  TimeEngine engine_{scene_};
+  Recording recording_;
+};
+
+TEST_F(RerunTest, does_what_was_recorded) {
+  const auto again = rerun();
+  run(*again);
+  EXPECT_FALSE(again->differs()) << *again->differs();
+  EXPECT_EQ(again->world().tick(), 20u);
+  EXPECT_EQ(again->world().hash(), engine_.world().hash());
+  EXPECT_EQ(again->world().models.subscribers, engine_.world().models.subscribers);
+  EXPECT_EQ(again->checks(), 1u);
+}
+
+TEST_F(RerunTest, goes_to_any_moment_and_on_from_there) {
+  const auto again = rerun();
+  for (const std::uint64_t tick : {20, 3, 15, 0, 9, 10}) {
+    again->seek(tick);
+    EXPECT_EQ(again->world().tick(), tick);
+    EXPECT_EQ(again->world().find("late").valid(), tick > 8) << tick;
+  }
+  run(*again);
+  EXPECT_FALSE(again->differs());
+  EXPECT_EQ(again->world().hash(), engine_.world().hash());
+  again->seek(1000);
+  EXPECT_EQ(again->world().tick(), 20u) << "the last there is";
+  EXPECT_EQ(again->last_tick(), 20u);
+}
+
+TEST_F(RerunTest, says_where_a_run_is_another_one) {
+  recording_.events.back().hash ^= 1;
+  const auto again = rerun();
+  run(*again);
+  ASSERT_TRUE(again->differs());
+  EXPECT_THAT(*again->differs(), HasSubstr("at 2 s, tick 20: robots did something else"));
+}
+
+TEST_F(RerunTest, says_where_the_state_before_a_change_is_another_one) {
+  recording_.events[1].before ^= 1;
+  const auto again = rerun();
+  run(*again);
+  ASSERT_TRUE(again->differs());
+  EXPECT_THAT(*again->differs(), HasSubstr("tick 8: its state is another one before a change"));
+}
+
+TEST_F(RerunTest, of_a_damaged_change_or_state_leaves_a_world_that_can_be_looked_at) {
+  recording_.events[1].difference.resize(40);
+  recording_.states[1].bytes.resize(60);
+  const auto again = rerun();
+  run(*again);
+  ASSERT_TRUE(again->differs());
+  EXPECT_THAT(*again->differs(), HasSubstr("damaged"));
+  EXPECT_EQ(again->world().models.size(), 2u);
+  again->seek(15);
+  ASSERT_TRUE(again->differs());
+  EXPECT_EQ(again->world().models.size(), 2u);
+  again->seek(7);
+  EXPECT_FALSE(again->differs()) << "what comes before is whole";
+}
+
+}  // namespace
+}  // namespace playhouse::record
