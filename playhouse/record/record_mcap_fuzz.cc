@@ -1,9 +1,13 @@
-// Any bytes are an MCAP file, a recording, and a change of a state, or are refused with a line.
+// Any bytes are an MCAP file, a recording, a schema with a message, and a change of a state, or are refused
+// with a line.
 
+#include <algorithm>
 #include <cstdint>
+#include <string>
 
 #include "playhouse/base/assert.h"
 #include "playhouse/record/mcap_reader.h"
+#include "playhouse/record/message_type.h"
 #include "playhouse/record/rerun.h"
 #include "playhouse/record/testing/memory_source.h"
 #include "playhouse/record/whole_state.h"
@@ -19,6 +23,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   PLAYHOUSE_ASSERT(end.ok() || !end.error().text.empty());
   const auto recording = record::read_recording(source);
   PLAYHOUSE_ASSERT(recording.ok() || !recording.error().text.empty());
+  // A schema, and behind a NUL a message of it.
+  const std::string text(reinterpret_cast<const char*>(data), size);
+  const std::size_t end_of_schema = std::min(text.find('\0'), size);
+  const auto type = record::MessageType::parse(text.substr(0, end_of_schema));
+  PLAYHOUSE_ASSERT(type.ok() || !type.error().text.empty());
+  if (type) {
+    const auto rows = type->rows(bytes.subspan(end_of_schema));
+    PLAYHOUSE_ASSERT(rows.ok() || !rows.error().text.empty());
+  }
   const auto changed = record::patched(bytes.first(size / 2), bytes.subspan(size / 2));
   PLAYHOUSE_ASSERT(changed.ok() || !changed.error().text.empty());
   return 0;
