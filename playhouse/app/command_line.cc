@@ -44,6 +44,7 @@ constexpr const char* kExamples = R"(Examples:
   playhouse check my.world                           what is wrong with a file
   playhouse convert old.world -o new.world           a world for older versions of Stage in today's words
   playhouse convert plan.png --scale 0.05 -o w.world a floor plan as a world; also a map.yaml of ROS, and back
+  playhouse picture my.world --at 10 -o a.png        how it looks from above after ten seconds
   playhouse kinds ranger                             what a world file can say of a ranger
   playhouse bench laser --robots 1000                one line of figures
 `playhouse COMMAND --help` tells more. Documentation: docs/cli.md)";
@@ -88,6 +89,12 @@ constexpr const char* kConvertExamples = R"(Examples:
   playhouse convert worlds/cave.world -o map.yaml
   playhouse convert map.yaml -o my.world
   playhouse convert my.world -o my.glb)";
+constexpr const char* kPictureExamples = R"(Examples:
+  playhouse picture worlds/cave.world --at 10 -o cave.png
+  playhouse picture worlds/swarm.world -o swarm.png --width 400)";
+constexpr const char* kFilmExamples = R"(Examples:
+  playhouse film worlds/swarm.world --duration 5 -o swarm.png
+  playhouse film worlds/cave.world --duration 2 --rate 5 --width 320 -o cave.png)";
 constexpr const char* kKindsExamples = R"(Examples:
   playhouse kinds
   playhouse kinds position
@@ -118,6 +125,8 @@ struct Raw {
   DriveOptions drive;
   CheckOptions check;
   ConvertOptions convert;
+  PictureOptions picture;
+  FilmOptions film;
   KindsOptions kinds;
   BenchOptions bench;
   std::string web, gym_web = "off", replay_web = std::to_string(kWebPort);
@@ -171,6 +180,8 @@ std::string check_web_host(const std::string& text) {
 std::string check_workers(const std::string& text) {
   return is_whole<unsigned>(text, 1, 1024) ? "" : "a number from 1 to 1024 is wanted, not " + in_quotes(text);
 }
+
+constexpr auto check_width = check_count<int, 16, 16384>;
 
 std::string check_not_negative(const std::string& text) {
   double value = 0;
@@ -249,6 +260,17 @@ LockStepping lock_stepping(const std::string& text) {
   if (std::isdigit(static_cast<unsigned char>(text[0]))) return {.clients = std::stoul(text), .names = {}};
   std::set<std::string> names = names_in(text).value_or(std::set<std::string>());
   return {.clients = names.size(), .names = std::move(names)};
+}
+
+/// What of a run is drawn depends on.
+void add_drawn_run(CLI::App& app, Running& running) {
+  app.add_option("--seed", running.seed, "seed of all random numbers")
+      ->check(check_count<std::uint64_t>)
+      ->capture_default_str();
+  app.add_option("--workers", running.workers, "threads that compute; the result does not depend on it")
+      ->check(check_workers)
+      ->capture_default_str();
+  add_allowed_libraries(app, running);
 }
 
 void add_lock_step(CLI::App& app, Raw& raw, Running& running) {
@@ -426,6 +448,35 @@ void add_commands(CLI::App& app, Raw& raw) {
                    "metres: of the walls that are made (0.6), or at which they are looked for (0.2)")
       ->check(check_positive);
 
+  CLI::App* picture = app.add_subcommand("picture", "draw a world from above, without a screen");
+  picture->footer(kPictureExamples);
+  picture->add_option("WORLD", raw.picture.world, "a .world file")->required();
+  picture->add_option("-o,--output", raw.picture.output, "the picture")->type_name("FILE.png")->required();
+  picture->add_option("--at", raw.picture.at, "after so many simulated seconds")
+      ->check(check_not_negative)
+      ->capture_default_str();
+  picture->add_option("--width", raw.picture.width, "pixels; the height follows from the world")
+      ->check(check_width)
+      ->capture_default_str();
+  add_drawn_run(*picture, raw.picture.running);
+
+  CLI::App* film = app.add_subcommand("film", "draw a run from above, without a screen");
+  film->footer(kFilmExamples);
+  film->add_option("WORLD", raw.film.world, "a .world file")->required();
+  film->add_option("-o,--output", raw.film.output, "the film: an animated .png, or what ffmpeg makes of its ending")
+      ->type_name("FILE")
+      ->required();
+  film->add_option("--duration", raw.film.duration, "simulated seconds")
+      ->check(check_not_negative)
+      ->capture_default_str();
+  film->add_option("--rate", raw.film.rate, "pictures per simulated second, one a tick at most")
+      ->check(check_positive)
+      ->capture_default_str();
+  film->add_option("--width", raw.film.width, "pixels; the height follows from the world")
+      ->check(check_width)
+      ->capture_default_str();
+  add_drawn_run(*film, raw.film.running);
+
   CLI::App* kinds = app.add_subcommand("kinds", "list what world files can hold, and its words");
   kinds->footer(kKindsExamples);
   kinds->add_option("NAME", raw.kinds.name, "one of them, with its words");
@@ -534,6 +585,8 @@ CommandLine chosen(const CLI::App& app, Raw& raw) {
   if (name == "drive") return raw.drive;
   if (name == "check") return raw.check;
   if (name == "convert") return raw.convert;
+  if (name == "picture") return raw.picture;
+  if (name == "film") return raw.film;
   if (name == "kinds") return raw.kinds;
   return raw.bench;
 }

@@ -17,6 +17,8 @@ int watch(const WatchOptions& options);
 int drive(const DriveOptions& options);
 int check(const CheckOptions& options);
 int convert(const ConvertOptions& options);
+int picture(const PictureOptions& options);
+int film(const FilmOptions& options);
 int kinds(const KindsOptions& options);
 int bench(const BenchOptions& options);
 

@@ -40,6 +40,8 @@ struct Dispatch {
   int operator()(const DriveOptions& options) const { return drive(options); }
   int operator()(const CheckOptions& options) const { return check(options); }
   int operator()(const ConvertOptions& options) const { return convert(options); }
+  int operator()(const PictureOptions& options) const { return picture(options); }
+  int operator()(const FilmOptions& options) const { return film(options); }
   int operator()(const KindsOptions& options) const { return kinds(options); }
   int operator()(const BenchOptions& options) const { return bench(options); }
 };

@@ -122,6 +122,21 @@ struct ConvertOptions {
   std::optional<double> height;  // of walls that are made, or at which they are looked for [m]
 };
 
+struct PictureOptions {
+  std::string world, output;  // .world, .png
+  double at = 0;              // simulated seconds
+  int width = 1280;           // pixels
+  Running running;
+};
+
+struct FilmOptions {
+  std::string world, output;  // .world; .png, or what ffmpeg makes
+  double duration = 10;       // simulated seconds
+  double rate = 10;           // pictures per simulated second, at most one a tick
+  int width = 640;            // pixels
+  Running running;
+};
+
 struct KindsOptions {
   std::string name;   // "": all
   bool json = false;  // an object per kind

@@ -8,36 +8,31 @@
 #include <vector>
 
 #include "playhouse/base/limits.h"
+#include "playhouse/geom/trapezoids.h"
 #include "playhouse/stage/bodies.h"
 
 namespace playhouse::app {
 namespace {
 
+using geom::Outline;
 using geom::Vec2;
-using Outline = std::span<const Vec2>;
 
 /// Draws outlines into a plan that has its size.
 class Canvas {
  public:
   explicit Canvas(scene::Plan& plan) : plan_(plan) {}
 
-  /// What is within an odd number of the outlines, row by row (even-odd rule).
+  /// The pixels whose middles are within an odd number of the outlines (even-odd rule).
   void fill(std::span<const Outline> outlines) {
-    std::vector<double> cuts;
-    for (int row = 0; row < plan_.solid.height; ++row) {
-      const double y = plan_.X_WI.y + (plan_.solid.height - row - 0.5) * plan_.resolution;
-      cuts.clear();
-      for (const Outline outline : outlines)
-        for (std::size_t i = 0; i < outline.size(); ++i) {
-          const Vec2 a = outline[i], b = outline[(i + 1) % outline.size()];
-          if ((a.y > y) != (b.y > y)) cuts.push_back(a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y)));
-        }
-      std::ranges::sort(cuts);
-      for (std::size_t i = 0; i + 1 < cuts.size(); i += 2) {
-        const int first = column_after(cuts[i]), last = column_after(cuts[i + 1]);
+    std::vector<std::vector<Vec2>> loops;
+    for (const Outline outline : outlines)
+      for (loops.emplace_back(); const Vec2 p : outline) loops.back().push_back(in_pixels(p));
+    const std::vector<Outline> in_plan(loops.begin(), loops.end());
+    for (const geom::Trapezoid& part : geom::trapezoids(in_plan))
+      geom::each_line(part, 0, plan_.solid.height, [&](int row, double left, double right) {
+        const int first = column_after(left), last = column_after(right);
         for (int x = std::max(first, 0); x < std::min(last, plan_.solid.width); ++x) mark(x, row);
-      }
-    }
+      });
   }
 
   /// The pixels that an outline goes through.
@@ -56,10 +51,13 @@ class Canvas {
   }
 
  private:
-  /// The first column whose middle is right of x.
-  int column_after(double x) const {
-    return static_cast<int>(std::ceil((x - plan_.X_WI.x) / plan_.resolution - 0.5));
+  /// From the left upper corner, y down.
+  Vec2 in_pixels(Vec2 p) const {
+    return {(p.x - plan_.X_WI.x) / plan_.resolution,
+            plan_.solid.height - (p.y - plan_.X_WI.y) / plan_.resolution};
   }
+  /// The first column whose middle is right of x. [pixels]
+  static int column_after(double x) { return static_cast<int>(std::ceil(x - 0.5)); }
   void mark(int x, int row) {
     plan_.solid.solid[static_cast<std::size_t>(row) * static_cast<std::size_t>(plan_.solid.width) +
                       static_cast<std::size_t>(x)] = 1;

@@ -93,6 +93,8 @@ inline constexpr std::size_t kSensors = 1u << 21;                 // of all rang
 inline constexpr std::size_t kOldParts = 1u << 18;                // of rangers and bodies, that worlds of Stage 2 tell of by numbered words
 inline constexpr std::size_t kOldPartsOfOne = 1024;               // the same of one model
 inline constexpr std::size_t kGlbBytes = 1u << 30;                // of a world as glTF
+inline constexpr std::size_t kPicturePixels = 1u << 26;           // of a world from above
+inline constexpr std::size_t kFilmBytes = 1u << 30;               // of a film that is an animated PNG
 inline constexpr int kRangerSamples = 1 << 16;                    // beams of one sensor
 inline constexpr std::size_t kBeams = 1u << 26;                   // of all sensors of a world, and pixels of its cameras
 

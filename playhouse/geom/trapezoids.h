@@ -3,6 +3,8 @@
 /// Areas between closed outlines, cut into trapezoids with level sides: what pictures and meshes are made of.
 /// Pure functions.
 
+#include <algorithm>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -23,5 +25,17 @@ struct Trapezoid {
 /// other between the heights of two corners count there in the order that they have halfway. Cost   O(n log n
 /// + n k) for n corners, k sides at the height of one
 std::vector<Trapezoid> trapezoids(std::span<const Outline> outlines);
+
+/// Calls visit(line, left, right) for the level lines y = line + 0.5, from `first` to `last` - 1, that go
+/// through a trapezoid, with the x at which they enter and leave it: how pictures are filled.
+template <typename Visit>
+void each_line(const Trapezoid& t, int first, int last, const Visit& visit) {
+  const double from = std::max(static_cast<double>(first), std::ceil(t.y_low - 0.5));
+  for (double line = from; line < last && line + 0.5 < t.y_high; ++line) {
+    const double share = (line + 0.5 - t.y_low) / (t.y_high - t.y_low);
+    visit(static_cast<int>(line), t.left_low + share * (t.left_high - t.left_low),
+          t.right_low + share * (t.right_high - t.right_low));
+  }
+}
 
 }  // namespace playhouse::geom

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <array>
 #include <cmath>
 
 namespace playhouse::geom {
@@ -44,6 +45,21 @@ TEST(Trapezoids, leave_holes_out_and_fill_what_is_in_a_hole) {
 
 TEST(Trapezoids, of_a_shape_that_is_not_convex_have_its_area) {
   EXPECT_DOUBLE_EQ(area(cut({{{0, 0}, {3, 0}, {3, 3}, {1.5, 1}, {0, 3}}})), 6);
+}
+
+TEST(EachLine, goes_through_the_middles_of_rows_within_its_limits) {
+  const Trapezoid t =
+      cut({{{0, 0.5}, {4, 0.5}, {4, 4.5}}}).at(0);  // a triangle, its left side from (0, 0.5) to (4, 4.5)
+  std::vector<std::array<double, 3>> lines;
+  each_line(t, 1, 3, [&](int line, double left, double right) {
+    lines.push_back({line + 0.0, left, right});
+  });
+  EXPECT_EQ(lines, (std::vector<std::array<double, 3>>{{1, 1, 4}, {2, 2, 4}}));
+  lines.clear();
+  each_line(t, -9, 99, [&](int line, double left, double right) {
+    lines.push_back({line + 0.0, left, right});
+  });
+  EXPECT_EQ(lines.size(), 4u);
 }
 
 /// A star about the origin: its corners are in order of their bearings, so it never crosses itself. The

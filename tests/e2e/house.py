@@ -228,7 +228,7 @@ class HouseTest(unittest.TestCase):
         return House("run", world or self.world(), "--port", 0, "--headless", *arguments)
 
 
-def finish(*arguments, program=None) -> subprocess.CompletedProcess:
+def finish(*arguments, program=None, env=None) -> subprocess.CompletedProcess:
     """Runs the program to its end."""
     return subprocess.run([program or PROGRAM, *map(str, arguments)], stdin=subprocess.DEVNULL, capture_output=True,
-                          text=True, timeout=PATIENCE)
+                          text=True, timeout=PATIENCE, env=env)

@@ -231,7 +231,7 @@ class Examples(HouseTest):
                         self.assertNotEqual(done.stdout, "")
 
     def test_those_of_check_and_convert_and_kinds_and_bench_end_well(self):
-        for command in ("check", "convert", "kinds", "bench"):
+        for command in ("check", "convert", "picture", "film", "kinds", "bench"):
             for line in self.examples(command):
                 with self.subTest(line):
                     done = self.shell(line)

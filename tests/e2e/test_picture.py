@@ -1,0 +1,130 @@
+"""Pictures and films of worlds, drawn without a screen: read back byte by byte, so that nothing that draws is trusted."""
+
+import os
+import struct
+import unittest
+import zlib
+
+from house import HouseTest, finish
+
+# A square of red, 2 m wide, half of it under blue that is higher, and a driving robot, in 8 m by 8 m.
+WORLD = """
+interval_sim 100
+model( name "edge" size [8 8 0.1] color "white" obstacle_return 0 ranger_return -1 )
+model( name "low" pose [2 0 0 0] size [2 2 0.5] color "red" )
+model( name "high" pose [2.5 0 0 0] size [1 2 1] color "blue" )
+position( name "r" pose [-3 0 0 0] size [1 1 0.3] color "green" ctrl "expand_swarm"
+  ranger( size [0 0 0] sensor( range [0 5] ) ) )
+"""
+
+
+def chunks_of(data: bytes):
+    """Type and content of each chunk; every check sum is right."""
+    assert data[:8] == b"\x89PNG\r\n\x1a\n"
+    at, chunks = 8, []
+    while at < len(data):
+        length, kind = struct.unpack_from(">I4s", data, at)
+        content = data[at + 8:at + 8 + length]
+        assert struct.unpack_from(">I", data, at + 8 + length)[0] == zlib.crc32(kind + content), kind
+        chunks.append((kind.decode(), content))
+        at += 12 + length
+    return chunks
+
+
+def pixels_of(packed: bytes, width: int, height: int):
+    """Rows of red, green and blue, filters undone."""
+    data, stride, rows = zlib.decompress(packed), 3 * width, []
+    before = bytes(stride)
+    for y in range(height):
+        kind, row = data[y * (stride + 1)], bytearray(data[y * (stride + 1) + 1:(y + 1) * (stride + 1)])
+        for x in range(stride):
+            left, up, corner = (row[x - 3] if x >= 3 else 0), before[x], (before[x - 3] if x >= 3 else 0)
+            near = left + up - corner
+            paeth = min((left, up, corner), key=lambda value: abs(near - value))
+            row[x] = (row[x] + (0, left, up, (left + up) // 2, paeth)[kind]) & 255
+        rows.append([tuple(row[x:x + 3]) for x in range(0, stride, 3)])
+        before = row
+    return rows
+
+
+class Pictures(HouseTest):
+    def drawn(self, *words):
+        file = self.folder / "made.png"
+        world = self.write("w.world", WORLD)
+        done = finish(words[0], world, "-o", file, *words[1:])
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
+        return chunks_of(file.read_bytes())
+
+    def test_a_picture_shows_what_is_higher_over_what_is_lower_where_it_is(self):
+        chunks = self.drawn("picture", "--width", 212)       # 8 m and a margin of 3 % on each side: 25 pixels a metre
+        width, height = struct.unpack_from(">II", dict(chunks)["IHDR"])
+        self.assertEqual((width, height), (212, 212))
+        rows = pixels_of(b"".join(content for kind, content in chunks if kind == "IDAT"), width, height)
+
+        def at(x, y):
+            return rows[round(106 - 25 * y)][round(106 + 25 * x)]
+        self.assertEqual(at(1.5, 0), (255, 0, 0))
+        self.assertEqual(at(2.5, 0), (0, 0, 255))
+        self.assertEqual(at(0, 3), (255, 255, 255))
+        self.assertEqual(at(-3.3, 0)[0::2], (0, 0))
+        self.assertLess(at(-2.7, 0)[1], at(-3.3, 0)[1], "the nose is darker")
+
+    def test_edges_between_pixels_are_mixed(self):
+        chunks = self.drawn("picture", "--width", 100)
+        rows = pixels_of(b"".join(content for kind, content in chunks if kind == "IDAT"), 100, 100)
+        self.assertTrue([pixel for row in rows for pixel in row if pixel[0] == 255 and 0 < pixel[1] < 255 and pixel[1] == pixel[2]])
+
+    def test_a_film_is_an_animated_png_in_which_things_move(self):
+        chunks = self.drawn("film", "--duration", 1, "--rate", 5, "--width", 106)
+        kinds = [kind for kind, _ in chunks]
+        self.assertEqual((kinds[:2], kinds[-1]), (["IHDR", "acTL"], "IEND"))
+        self.assertLess(kinds.index("fcTL"), kinds.index("IDAT"))
+        about = dict(chunks)
+        self.assertEqual(struct.unpack(">II", about["acTL"]), (6, 0))
+        frames = [content for kind, content in chunks if kind == "fcTL"]
+        self.assertEqual([struct.unpack(">IIIIIHHBB", frame)[1:7] for frame in frames], [(106, 106, 0, 0, 200, 1000)] * 6)
+        numbers = [struct.unpack_from(">I", content)[0] for kind, content in chunks if kind in ("fcTL", "fdAT")]
+        self.assertEqual(numbers, list(range(len(numbers))))
+        pictures, packed = [], b""
+        for kind, content in [*chunks, ("fcTL", b"")]:
+            if kind == "fcTL" and packed:
+                pictures.append(pixels_of(packed, 106, 106))
+                packed = b""
+            packed += content if kind == "IDAT" else content[4:] if kind == "fdAT" else b""
+        self.assertEqual(len(pictures), 6)
+        self.assertEqual(pictures[0][10], pictures[5][10])
+        self.assertNotEqual(pictures[0][53], pictures[5][53], "the robot drives")
+
+    def test_other_films_are_for_ffmpeg_which_may_not_be_there(self):
+        world, film = self.write("w.world", WORLD), self.folder / "a.mp4"
+        done = finish("film", world, "-o", film, env={**os.environ, "PATH": str(self.folder)})
+        self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
+        self.assertIn("ffmpeg makes, which is not in PATH; -o FILE.png makes an animated PNG", done.stderr)
+        tool = self.folder / "ffmpeg"
+        tool.write_text(f'#!/bin/sh\n/usr/bin/wc -c > "{self.folder}/bytes"\necho "$@" > "{self.folder}/words"\n')
+        tool.chmod(0o755)
+        done = finish("film", world, "-o", film, "--duration", 1, "--width", 32, env={**os.environ, "PATH": str(self.folder)})
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(int((self.folder / "bytes").read_text()), 11 * 32 * 32 * 3)
+        self.assertIn(f"file:{film}", (self.folder / "words").read_text())
+        tool.write_text("#!/bin/sh\nexit 3\n")
+        done = finish("film", world, "-o", film, "--duration", 1, env={**os.environ, "PATH": str(self.folder)})
+        self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
+
+    def test_faults_are_told_in_a_line(self):
+        world = self.write("w.world", WORLD)
+        for words, code, told in (
+                (("picture", world, "-o", "a.jpg"), 2, "a picture is a .png"),
+                (("picture", world, "-o", self.folder / "no" / "a.png"), 1, "a.png"),
+                (("picture", self.folder / "gone.world", "-o", self.folder / "a.png"), 2, "gone.world"),
+                (("picture", world), 2, "--output is required"),
+                (("picture", world, "-o", "a.png", "--width", 0), 2, "--width"),
+                (("film", world, "-o", "a.png", "--rate", 0), 2, "--rate")):
+            with self.subTest(words):
+                done = finish(*words)
+                self.assertEqual((done.returncode, len(done.stderr.splitlines())), (code, 1), done.stderr)
+                self.assertIn(told, done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
