@@ -1,5 +1,6 @@
 #include "playhouse/app/picture_of_world.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -74,8 +75,12 @@ int film(const FilmOptions& options) {
   const Result<View> view = view_of(run->world(), options.width);
   if (!view) return fail({escaped(options.world), view.error().text}, kUsage);
   const double tick = run->scene.interval;
-  const auto ticks = static_cast<std::uint64_t>(std::max(1.0, std::round(1 / (options.rate * tick))));
+  constexpr double kMost = 1e9;  // of pictures, and of ticks between two
+  const auto ticks =
+      static_cast<std::uint64_t>(std::clamp(std::round(1 / (options.rate * tick)), 1.0, kMost));
   const double period = static_cast<double>(ticks) * tick;
+  if (options.duration / period > kMost)
+    return fail({"", "--duration: a film has at most a billion pictures"}, kUsage);
   const auto pictures = static_cast<std::uint64_t>(options.duration / period + 1e-9) + 1;
   const auto each = [&](const PictureTaker& take) -> Result<void> {
     for (std::uint64_t k = 0; k < pictures; ++k) {

@@ -95,6 +95,9 @@ class Pictures(HouseTest):
         self.assertEqual(pictures[0][10], pictures[5][10])
         self.assertNotEqual(pictures[0][53], pictures[5][53], "the robot drives")
 
+    def test_a_rate_that_no_film_reaches_gives_one_picture(self):
+        self.assertEqual(struct.unpack(">II", dict(self.drawn("film", "--rate", "1e-300", "--width", 32))["acTL"]), (1, 0))
+
     def test_other_films_are_for_ffmpeg_which_may_not_be_there(self):
         world, film = self.write("w.world", WORLD), self.folder / "a.mp4"
         done = finish("film", world, "-o", film, env={**os.environ, "PATH": str(self.folder)})
@@ -119,6 +122,7 @@ class Pictures(HouseTest):
                 (("picture", self.folder / "gone.world", "-o", self.folder / "a.png"), 2, "gone.world"),
                 (("picture", world), 2, "--output is required"),
                 (("picture", world, "-o", "a.png", "--width", 0), 2, "--width"),
+                (("film", world, "-o", "a.png", "--duration", "1e300"), 2, "a billion pictures"),
                 (("film", world, "-o", "a.png", "--rate", 0), 2, "--rate")):
             with self.subTest(words):
                 done = finish(*words)
