@@ -2,6 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { chooseRobot, results, startBrowser, startProgram, watch } from './program.mjs';
 
@@ -88,6 +89,25 @@ test('labels are names, of what is large enough on the screen', async () => {
   await page.mouse.wheel(0, 1400);
   await page.waitForFunction(() => window.playhouse.labels.length <= 1);
   await fit();
+});
+
+test('what is on the screen is saved as a picture', async () => {
+  const coming = page.waitForEvent('download');
+  await page.getByTestId('picture').click();
+  const download = await coming;
+  assert.match(download.suggestedFilename(), /^\w+\.\d+\.\ds\.png$/);
+  const file = join(results, 'picture-of-the-page.png');
+  await download.saveAs(file);
+  const bytes = readFileSync(file);
+  assert.deepEqual([...bytes.subarray(1, 4)], [...Buffer.from('PNG')]);
+  assert.deepEqual([bytes.readUInt32BE(16), bytes.readUInt32BE(20)], [1280, 800]);
+  const colors = await page.evaluate(async (png) => {
+    const image = await createImageBitmap(new Blob([Uint8Array.from(atob(png), (byte) => byte.charCodeAt(0))], { type: 'image/png' }));
+    const context = new OffscreenCanvas(image.width, image.height).getContext('2d');
+    context.drawImage(image, 0, 0);
+    return new Set(new Uint32Array(context.getImageData(0, 0, image.width, image.height).data.buffer)).size;
+  }, bytes.toString('base64'));
+  assert.ok(colors > 20, `${colors} colors`);
 });
 
 test('everything on the screen uses the screen, and nothing lies over it', async () => {

@@ -12,7 +12,7 @@ import { listenForHeldKeys, listenForKeys } from './ui/keyboard';
 import { RobotList } from './ui/robot_list';
 import { SpeedWish, fasterBy } from './ui/speed_wish';
 import { Stick } from './ui/stick';
-import { Toolbar } from './ui/toolbar';
+import { Toolbar, worldTitle } from './ui/toolbar';
 import { Pointer } from './view/pointer';
 import type { Margins } from './view/camera_rig';
 import { StageView } from './view/stage_view';
@@ -52,7 +52,7 @@ class Page {
     population: (scene, replica) => this.showPopulation(scene, replica),
     packet: () => this.showPacket(),
     history: (history) => this.clock.follow(history),
-    file: (world) => download(world.file, world.text),
+    file: (world) => download(world.file, new Blob([world.text], { type: 'text/plain' })),
     notice: (text) => {
       this.awaited = 0; // it may tell why nobody comes
       this.showNotice(text);
@@ -69,6 +69,7 @@ class Page {
     toggleList: () => byId('robots').classList.toggle('desk'),
     add: (robot) => this.add(robot),
     save: () => this.link.send({ do: 'save' }),
+    picture: () => void this.savePicture(),
     help: () => this.help.showModal(),
   });
   private readonly clock = new Clock(byId('clock'), {
@@ -137,6 +138,14 @@ class Page {
       },
       pixelAt: (x: number, y: number) => view.rig.pixelOf(x, y, 0),
     };
+  }
+
+  /** What is on the screen of the world, as `cave.42.5s.png` by the world's name and its time. */
+  private async savePicture(): Promise<void> {
+    const { scene, replica } = this;
+    if (!scene || !replica) return;
+    const seconds = (replica.tick * scene.interval).toFixed(1);
+    download(`${worldTitle(scene.name)}.${seconds}s.png`, await this.view.picturePng());
   }
 
   private frame(now: number): void {
@@ -324,6 +333,7 @@ class Page {
       n: () => this.toolbar.toggle('names'),
       b: () => this.toolbar.toggle('speech'),
       g: () => this.toolbar.toggle('grid'),
+      p: () => void this.savePicture(),
       '/': () => this.robots.focus(),
       '?': () => this.help.showModal(),
       c: () => this.copy(),

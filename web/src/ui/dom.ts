@@ -29,9 +29,9 @@ export function setText(node: Node, text: string): void {
 
 const kFetchMs = 60000; // in which the browser has taken a file
 
-/** Gives the person at the page a text as a file. */
-export function download(name: string, text: string): void {
-  const url = URL.createObjectURL(new Blob([text], { type: 'text/plain' }));
+/** Gives the person at the page a file. */
+export function download(name: string, content: Blob): void {
+  const url = URL.createObjectURL(content);
   el('a', { href: url, download: name }).click();
   window.setTimeout(() => URL.revokeObjectURL(url), kFetchMs);
 }

@@ -11,6 +11,7 @@ const kKeys: [string[], string][] = [
   [['F'], 'everything on the screen'],
   [['L'], 'follow the selected robot'],
   [['V', 'M', 'R', 'N', 'B', 'G'], 'sensors, markers, trails, names, speech and flags, grid'],
+  [['P'], 'what is on the screen, as a picture'],
   [['/'], 'find a robot'],
   [['C'], 'another robot like the selected one, beside it'],
   [['Delete'], 'remove the selected robot'],

@@ -14,6 +14,8 @@ export interface ToolbarEvents {
   add(robot: number): void;
   /** The world as it stands, as a file. */
   save(): void;
+  /** What is on the screen, as a file. */
+  picture(): void;
   help(): void;
 }
 
@@ -40,7 +42,7 @@ function isOpen(select: HTMLSelectElement): boolean {
 }
 
 /** A world that has no name of its own is called by its file's path; people know the file. */
-function worldTitle(name: string): string {
+export function worldTitle(name: string): string {
   return name.endsWith('.world') ? name.slice(name.lastIndexOf('/') + 1, -'.world'.length) : name;
 }
 
@@ -66,6 +68,7 @@ export class Toolbar {
   ) {
     const list = el('button', { class: 'phone', title: 'Robots', 'aria-label': 'Robots', 'data-testid': 'list' }, icon('list'));
     const fit = el('button', { class: 'desk', title: 'Everything on the screen (F)', 'data-testid': 'fit' }, 'Fit');
+    const picture = el('button', { class: 'desk', 'data-testid': 'picture', title: 'What is on the screen, as a PNG file (P)' }, 'Picture');
     const help = el('button', { title: 'Help (?)', 'aria-label': 'Help', 'data-testid': 'help' }, '?');
     this.pause.onclick = events.togglePause;
     this.stepButton.onclick = events.step;
@@ -73,6 +76,7 @@ export class Toolbar {
     fit.onclick = events.fit;
     help.onclick = events.help;
     this.saveButton.onclick = events.save;
+    picture.onclick = events.picture;
     this.tiltButton.onclick = events.tilt;
     this.speeds.onchange = () => events.speed(Number(this.speeds.value));
     // Arrows belong to the choice while it has the focus: chosen with a mouse, it gives them back to who drives.
@@ -81,7 +85,7 @@ export class Toolbar {
     bar.append(
       el('span', { class: 'brand' }, this.dot, el('span', { class: 'desk' }, 'Playhouse'), this.world),
       list, el('span', { class: 'rule' }), this.pause, this.stepButton, this.speeds, el('span', { class: 'gap' }),
-      this.menu(this.addButton, this.addSheet), this.saveButton, this.tiltButton, fit, this.layerMenu(), help,
+      this.menu(this.addButton, this.addSheet), this.saveButton, picture, this.tiltButton, fit, this.layerMenu(), help,
     );
     this.showPaused(false);
     this.showTilted(false);

@@ -255,6 +255,17 @@ export class StageView {
     if (!free) this.goTo(row, 0);
   }
 
+  /** The picture as it is on the screen, with names and bubbles, as a PNG file. */
+  picturePng(): Promise<Blob> {
+    this.draw(); // a drawing buffer lasts until the browser has shown it, so it is copied at once
+    const { domElement } = this.renderer;
+    const copy = document.createElement('canvas');
+    [copy.width, copy.height] = [domElement.width, domElement.height];
+    const context = copy.getContext('2d')!;
+    for (const layer of [domElement, this.overlay]) context.drawImage(layer, 0, 0, copy.width, copy.height);
+    return new Promise((done, fail) => copy.toBlob((png) => (png ? done(png) : fail(new Error('the picture is too large for this browser')))));
+  }
+
   private draw(): void {
     const { drawn, layers } = this;
     if (drawn) {
