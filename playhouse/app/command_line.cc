@@ -439,7 +439,8 @@ void add_commands(CLI::App& app, Raw& raw) {
       ->add_option("FILE", raw.convert.input, "a .world file of any version, an image, or a map.yaml of ROS")
       ->required();
   convert->add_option("-o,--output", raw.convert.output,
-                      "where to write (standard output); a .yaml: the walls of a world as a map of ROS; a .glb: its bodies as glTF");
+                      "where to write (standard output); a .yaml: the walls of a world as a map of ROS; a "
+                      ".glb: its bodies as glTF");
   convert
       ->add_option("--scale", raw.convert.scale, "metres that a pixel of an image measures (of a map 0.05)")
       ->check(check_positive);
@@ -463,7 +464,8 @@ void add_commands(CLI::App& app, Raw& raw) {
   CLI::App* film = app.add_subcommand("film", "draw a run from above, without a screen");
   film->footer(kFilmExamples);
   film->add_option("WORLD", raw.film.world, "a .world file")->required();
-  film->add_option("-o,--output", raw.film.output, "the film: an animated .png, or what ffmpeg makes of its ending")
+  film->add_option("-o,--output", raw.film.output,
+                   "the film: an animated .png, or what ffmpeg makes of its ending")
       ->type_name("FILE")
       ->required();
   film->add_option("--duration", raw.film.duration, "simulated seconds")
@@ -482,12 +484,18 @@ void add_commands(CLI::App& app, Raw& raw) {
   kinds->add_option("NAME", raw.kinds.name, "one of them, with its words");
   kinds->add_flag("--json", raw.kinds.json, "a JSON object per kind, one a line");
 
-  CLI::App* bench = app.add_subcommand("bench", "measure scenes, loading and the server (docs/benchmarks.md)");
+  CLI::App* bench =
+      app.add_subcommand("bench", "measure scenes, loading and the server (docs/benchmarks.md)");
   bench->footer(kBenchExamples);
-  bench->add_option("SCENARIO", raw.bench.scenario, "sonar, laser, cave, hospital, vaughan2008, diffusion, world, load, open or server")
+  bench
+      ->add_option("SCENARIO", raw.bench.scenario,
+                   "sonar, laser, cave, hospital, vaughan2008, diffusion, world, load, open or server")
       ->required();
   bench->add_option("WORLD", raw.bench.world, "a .world file, of bench world");
-  bench->add_option("--robots", raw.bench.robots, "how many (the scenario's own number; of vaughan2008 and diffusion 1, 10, ... 100000 in turn)")
+  bench
+      ->add_option(
+          "--robots", raw.bench.robots,
+          "how many (the scenario's own number; of vaughan2008 and diffusion 1, 10, ... 100000 in turn)")
       ->check(check_robots);
   bench
       ->add_option("--duration", raw.bench.duration,

@@ -42,8 +42,8 @@ struct Running {
   std::string save_world;                 // the file into which clients may save the world; empty: none
   std::optional<LockStepping> lock_step;  // none: for nobody
   double lock_step_timeout = 0;           // s of silence after which the others go on; 0: never
-  std::string record;       // the file that the run is recorded into; empty: none
-  std::string record_only;  // what of it, record::Selection; empty: everything
+  std::string record;                     // the file that the run is recorded into; empty: none
+  std::string record_only;                // what of it, record::Selection; empty: everything
   bool paused = false;
   bool json = false;  // the result as the last line of standard output
 };
@@ -56,7 +56,7 @@ struct SaveAt {
 
 struct RunOptions {
   std::string world;
-  std::string from;  // a saved run, in place of a world
+  std::string from;   // a saved run, in place of a world
   std::string again;  // a recording that is run again, in place of a world
   std::vector<SaveAt> saves;
   Serving serving;

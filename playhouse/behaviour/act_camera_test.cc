@@ -20,7 +20,8 @@ class CameraActTest : public ::testing::Test {
   double tilt() const { return geom::degrees(world_.cameras.tilt[0]); }
   double zoom() const { return geom::degrees(world_.cameras.zoom[0]); }
   void aim(double pan, double tilt, double zoom) {
-    EXPECT_TRUE(world::aim_camera(world_, {0}, {geom::radians(pan), geom::radians(tilt), geom::radians(zoom)}));
+    EXPECT_TRUE(
+        world::aim_camera(world_, {0}, {geom::radians(pan), geom::radians(tilt), geom::radians(zoom)}));
   }
 
  private:

@@ -29,7 +29,7 @@ std::size_t pixels_of(const CameraDesc& camera) {
 void check_camera(const Properties& properties, const CameraDesc& camera) {
   if (camera.image != ImageKind::kDepth || camera.compression != ImageCompression::kJpeg) return;
   properties.state().warnings.add(Warning::kValue, properties.where("compression"),
-                            "images of distances are sent raw; \"compression\" has no effect");
+                                  "images of distances are sent raw; \"compression\" has no effect");
 }
 
 }  // namespace playhouse::scene

@@ -10,9 +10,9 @@
 #include "playhouse/base/folders_of.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/scene/actuator.h"
-#include "playhouse/scene/camera.h"
 #include "playhouse/scene/bitmap.h"
 #include "playhouse/scene/body.h"
+#include "playhouse/scene/camera.h"
 #include "playhouse/scene/expand.h"
 #include "playhouse/scene/expansion.h"
 #include "playhouse/scene/generated/bodies.h"
@@ -527,10 +527,11 @@ void WorldLoader::warn_of_margin(const std::string& path, const Bitmap& bitmap, 
       std::max({dark.x_min, bitmap.width - dark.x_max, dark.y_min, bitmap.height - dark.y_max});
   const double x = size.x / width, y = size.y / height;  // m, of a pixel
   if (margin <= kMost || std::fabs(x - y) <= kSquare * std::max(x, y)) return;
-  state_.warnings.add(Warning::kShape, where,
-                      fmt::format("bitmap {} has a margin: the size is that of its {} x {} dark pixels, not of all "
-                                  "{} x {}, so a pixel is {:.4g} x {:.4g} m",
-                                  in_quotes(path), width, height, bitmap.width, bitmap.height, x, y));
+  state_.warnings.add(
+      Warning::kShape, where,
+      fmt::format("bitmap {} has a margin: the size is that of its {} x {} dark pixels, not of all "
+                  "{} x {}, so a pixel is {:.4g} x {:.4g} m",
+                  in_quotes(path), width, height, bitmap.width, bitmap.height, x, y));
 }
 
 const WorldLoader::TracedBitmap* WorldLoader::fail_bitmap(const std::string& path, SourceLine where,

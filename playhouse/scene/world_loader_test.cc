@@ -835,7 +835,8 @@ TEST(WorldModels, every_type_is_simulated) {
 
 TEST(WorldModels, cameras_have_lenses_limits_and_an_image_that_counts) {
   const SceneDesc scene = loaded(
-      "camera( resolution [80 60] fov [60 40] pantilt [10 -20] range [0.1 5] image \"depth\" noise [0 0.02] )");
+      "camera( resolution [80 60] fov [60 40] pantilt [10 -20] range [0.1 5] image \"depth\" noise [0 0.02] "
+      ")");
   const CameraDesc& camera = *scene.models[0].camera;
   EXPECT_EQ(camera.width, 80);
   EXPECT_EQ(camera.height, 60);
@@ -852,9 +853,9 @@ TEST(WorldModels, cameras_have_lenses_limits_and_an_image_that_counts) {
 }
 
 TEST(WorldModels, words_of_older_blobfinders_say_what_to_write) {
-  EXPECT_THAT(
-      loaded("blobfinder( channels_count 1 )").warnings,
-      testing::Contains(HasSubstr("\"channels_count\" of blobfinder is of older versions: write colors_count")));
+  EXPECT_THAT(loaded("blobfinder( channels_count 1 )").warnings,
+              testing::Contains(
+                  HasSubstr("\"channels_count\" of blobfinder is of older versions: write colors_count")));
 }
 
 TEST(WorldModels, types_and_forms_that_nobody_reads_are_errors_that_say_what_to_write) {

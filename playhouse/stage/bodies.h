@@ -49,10 +49,10 @@ struct Shape {
   double radius = 0;                // of the circle about the centre that holds the solid     [m]
   double width = 0;                 // smallest extent                                         [m]
   bool convex = false;
-  bool full = false;      // what is inside of it is solid: a block, not a line of a bitmap
-  bool hole = false;      // what is inside of it is free: an inner contour of a bitmap
-  std::uint32_t body = 0; // the first of the shapes that are one body with it: those of a bitmap
-  std::vector<Vec2> p_M;  // counter-clockwise vertices, the first again at the end  [m]
+  bool full = false;       // what is inside of it is solid: a block, not a line of a bitmap
+  bool hole = false;       // what is inside of it is free: an inner contour of a bitmap
+  std::uint32_t body = 0;  // the first of the shapes that are one body with it: those of a bitmap
+  std::vector<Vec2> p_M;   // counter-clockwise vertices, the first again at the end  [m]
 };
 
 class Shapes {

@@ -80,7 +80,8 @@ void slice_columns(const Image& image, double range_max, Lens& lens) {
     const double along = std::sqrt(sight.ahead * sight.ahead + sight.left * sight.left);
     lens.ahead.push_back({sight.ahead / along, sight.left / along});
   }
-  sort_into_slices(image, range_max, [](std::uint32_t, std::uint32_t column) { return column; }, lens);
+  sort_into_slices(
+      image, range_max, [](std::uint32_t, std::uint32_t column) { return column; }, lens);
 }
 
 /// Slices at equal angles over all bearings that pixels have.

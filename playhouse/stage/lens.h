@@ -5,8 +5,9 @@
 /// worked on together.
 ///
 /// Source: a pinhole's image on a plane at distance 1 along the way it looks, turned up by the tilt. A level
-///   camera's columns are slices, exactly. Those of a tilted one are not in a vertical plane: its pixels go to
-///   the nearest of slices that are half a mean column apart, which is off by a quarter of a pixel at most.
+///   camera's columns are slices, exactly. Those of a tilted one are not in a vertical plane: its pixels go
+///   to the nearest of slices that are half a mean column apart, which is off by a quarter of a pixel at
+///   most.
 
 #include <cstddef>
 #include <cstdint>
@@ -25,7 +26,7 @@ struct Lens {
   /// m on the floor for each that it rises, not 0; kSpare more to read.                       (pixels)
   std::vector<double> run;
   static constexpr std::size_t kSpare = 4;
-  std::vector<double> depth;          // m along the way it looks for each on the floor        (pixels)
+  std::vector<double> depth;  // m along the way it looks for each on the floor        (pixels)
 };
 
 /// The lens of a camera that is tilted up by `tilt` and has this horizontal field of view. [rad]

@@ -1,5 +1,6 @@
-/// CameraSense: the phase that takes the images of cameras that are subscribed and due. A pixel shows the first
-/// body, or the floor, that the straight line through its middle enters; from within a body, what is behind it.
+/// CameraSense: the phase that takes the images of cameras that are subscribed and due. A pixel shows the
+/// first body, or the floor, that the straight line through its middle enters; from within a body, what is
+/// behind it.
 ///
 /// In: poses, bodies, colours of models; where each camera looks, its lens.
 /// Out: its pixels.
@@ -43,8 +44,8 @@ struct Thing {
   double number;
 };
 
-/// Keeps the nearest of what pixels see already and a thing, where that is not nearer than `least`. Works on up
-/// to kFour - 1 pixels behind the last one.
+/// Keeps the nearest of what pixels see already and a thing, where that is not nearer than `least`. Works on
+/// up to kFour - 1 pixels behind the last one.
 PLAYHOUSE_INLINE void show(const Thing& thing, const double* run, const double* least, std::size_t pixels,
                            const Seen& seen) {
   for (std::size_t i = 0; i < pixels; i += kFour) {
@@ -167,11 +168,10 @@ class CameraSense final : public SensePhase {
       const bool shown = depth <= camera.range_max;
       const auto thing = static_cast<std::size_t>(seen.thing[i]);
       scratch.far[at] = shown ? depth : 0;
-      scratch.color[at] =
-          !shown ? kSkyColor
-          : thing == 0
-              ? kFloorColor
-              : rgb(world.models.color[space.solids.model[stretches[thing - 1].solid]]);
+      scratch.color[at] = !shown ? kSkyColor
+                          : thing == 0
+                              ? kFloorColor
+                              : rgb(world.models.color[space.solids.model[stretches[thing - 1].solid]]);
     }
   }
 

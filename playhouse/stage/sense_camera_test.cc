@@ -50,10 +50,11 @@ class Picture {
     EXPECT_EQ((*engine)->world().cameras.measured_tick[0], 1u);
     pixels_ = (*engine)->world().cameras.pixels[0];
   }
-  std::uint32_t at(std::size_t column, std::size_t row) const { return pixels_[row * width_ + column].sample; }
+  std::uint32_t at(std::size_t column, std::size_t row) const {
+    return pixels_[row * width_ + column].sample;
+  }
   std::size_t count(std::uint32_t sample) const {
-    return static_cast<std::size_t>(
-        std::ranges::count(pixels_, sample, &world::Pixel::sample));
+    return static_cast<std::size_t>(std::ranges::count(pixels_, sample, &world::Pixel::sample));
   }
   const std::vector<world::Pixel>& pixels() const { return pixels_; }
 
@@ -189,7 +190,8 @@ TEST(CameraSense, sees_what_a_line_through_each_pixel_meets_step_by_step) {
     if (trial % 2 == 1) camera.tilt = rng.uniform(-1.2, 0.8);
     for (int k = 0; k < 40; ++k) {
       const double bearing = rng.uniform(-3.1, 3.1), distance = rng.uniform(1.2, 7);
-      add(scene, kRed, {distance * std::cos(bearing), distance * std::sin(bearing), rng.uniform(0, 0.6), bearing},
+      add(scene, kRed,
+          {distance * std::cos(bearing), distance * std::sin(bearing), rng.uniform(0, 0.6), bearing},
           {rng.uniform(0.1, 0.6), rng.uniform(0.1, 0.6), rng.uniform(0.1, 1)});
     }
     const Picture picture(scene);

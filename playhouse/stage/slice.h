@@ -1,7 +1,7 @@
 #pragma once
 
-/// Slice: what a vertical plane cuts out of the world on one side of a place: stretches of bodies, each from a
-/// distance to a distance and from a height to a height.
+/// Slice: what a vertical plane cuts out of the world on one side of a place: stretches of bodies, each from
+/// a distance to a distance and from a height to a height.
 ///
 /// In: outlines of what stands still along the plane, and of what moves near the place; their heights.
 /// Out: stretches, at heights from that of the eye.
@@ -36,8 +36,8 @@ class Slicer {
  private:
   /// An edge of a body on the way.
   struct Crossing {
-    std::uint32_t body;    // the first solid of it
-    double t;              // m
+    std::uint32_t body;  // the first solid of it
+    double t;            // m
     bool enters;
     std::uint32_t number;  // of the edge, to tell the same one in two cells
   };

@@ -393,9 +393,9 @@ TEST_F(Device, a_camera_turns_to_a_place_or_at_a_velocity) {
   EXPECT_FLOAT_EQ(static_cast<float>(cameras.goal_pan[0]), 0.5f);
   EXPECT_FLOAT_EQ(static_cast<float>(cameras.goal_tilt[0]), -0.2f);
   EXPECT_DOUBLE_EQ(cameras.goal_zoom[0], geom::radians(70));
-  EXPECT_TRUE(ask(wire::ptz::kReqControlMode,
-                  wire::encode(wire::ptz::ReqControlMode{
-                      static_cast<std::uint32_t>(wire::ptz::kVelocityControl)})).ack);
+  EXPECT_TRUE(ask(wire::ptz::kReqControlMode, wire::encode(wire::ptz::ReqControlMode{
+                                                  static_cast<std::uint32_t>(wire::ptz::kVelocityControl)}))
+                  .ack);
   command(wire::ptz::kCmdState, wire::ptz::Cmd{1, 1, 1, -0.25f, 0.125f});
   EXPECT_EQ(cameras.command_pan[0], -0.25);
   EXPECT_EQ(cameras.command_tilt[0], 0.125);

@@ -13,8 +13,8 @@ namespace playhouse::drivers {
 namespace {
 
 namespace ptz = wire::ptz;
-using world::ControlMode;
 using wire::MessageType;
+using world::ControlMode;
 
 class Ptz final : public SimulatedDevice {
  public:
@@ -22,8 +22,7 @@ class Ptz final : public SimulatedDevice {
       : SimulatedDevice(simulation, simulation.world().id(model)),
         update_ticks_(world::update_ticks(simulation.world(), model)) {
     const world::World& world = simulation.world();
-    geometry_ = wire::encode(
-        ptz::Geom{pose3d(pose_on_robot(world, model)), bbox3d(world.desc(model).size)});
+    geometry_ = wire::encode(ptz::Geom{pose3d(pose_on_robot(world, model)), bbox3d(world.desc(model).size)});
   }
 
   world::ModelId robot() const override { return model(); }
