@@ -193,7 +193,8 @@ class Export {
     const bool is_known = schema != reader.schemas().end() && schema->second.encoding == kSchemaEncoding &&
                           channel.encoding == kMessageEncoding;
     if (!is_known) return leave_out(channel, "its messages are not those of ROS 2");
-    if (schema->second.name == kState || schema->second.name == kEdit) return nullptr;
+    for (const char* const bytes : {kState, kEdit, kImage})
+      if (schema->second.name == bytes) return nullptr;
     Result<MessageType> type = MessageType::parse(schema->second.text);
     if (!type) return leave_out(channel, type.error().text);
     std::string file = file_of(channel.topic);

@@ -34,6 +34,10 @@ const std::map<std::string, std::string>& fixed_schemas() {
        "float32 time_increment\nfloat32 scan_time\nfloat32 range_min\nfloat32 range_max\n"
        "float32[] ranges\nfloat32[] intensities\n" +
            kHeader},
+      {kImage,
+       "std_msgs/Header header\nuint32 height\nuint32 width\nstring encoding\nuint8 is_bigendian\n"
+       "uint32 step\nuint8[] data\n" +
+           kHeader},
       {kRanges, "builtin_interfaces/Time stamp\nfloat32[] ranges  # m\nfloat32[] intensities\n" + kTime},
       {kWorldChange,
        "builtin_interfaces/Time stamp\nstring change\nstring model\nuint32 id\nstring other\n" + kTime},
@@ -115,8 +119,10 @@ void put_field(CdrWriter& out, const T& value) {
   }
 }
 
+/// Images have messages of their own.
 template <typename Column>
 bool is_told(const Column& column) {
+  if (std::is_same_v<typename Column::Values::value_type, std::vector<world::Pixel>>) return false;
   return world::is_saved(column.role) && !std::string_view(column.name).ends_with(".measured_tick");
 }
 
@@ -149,38 +155,43 @@ world::Range rows_of(const world::World& world, world::ModelRow model) {
   return world::range_of<Table>(world, model.index, world::Per::kRow);
 }
 
+template <typename Table>
+concept Measuring = requires(Table rows) {
+  rows.measured_tick;
+};
+
 template <typename Table, Table world::Tables::*kTable>
 TableMessages messages_of(const std::string& word) {
   std::string name = word;
   name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
-  return {.schema = "playhouse/msg/" + name,
-          .topic = word,
-          .text = table_schema<Table>(),
-          .measures = requires(Table rows){rows.measured_tick;
+  return {
+      .schema = "playhouse/msg/" + name,
+      .topic = word,
+      .text = table_schema<Table>(),
+      .measures = Measuring<Table>,
+      .has =
+          [](const world::World& world, world::ModelRow model) {
+            const world::Range rows = rows_of<Table>(world, model);
+            return rows.begin != rows.end;
+          },
+      .is_fresh =
+          [](const world::World& world, world::ModelRow model) {
+            if constexpr (Measuring<Table>)
+              return (world.*kTable).measured_tick[rows_of<Table>(world, model).begin] == world.tick();
+            return false;
+          },
+      .message =
+          [](std::uint64_t ns, const world::World& world, world::ModelRow model) {
+            const std::uint32_t row = rows_of<Table>(world, model).begin;
+            CdrWriter out;
+            out.time(ns);
+            world::each_column_of<Table>([&](const auto& column) {
+              if (is_told(column)) put_field(out, (world.*kTable.*column.values)[row]);
+            });
+            return out.message();
+          },
+  };
 }
-,
-    .has =
-        [](const world::World& world, world::ModelRow model) {
-          const world::Range rows = rows_of<Table>(world, model);
-          return rows.begin != rows.end;
-        },
-    .is_fresh =
-        [](const world::World& world, world::ModelRow model) {
-          if constexpr (requires(Table rows) { rows.measured_tick; })
-            return (world.*kTable).measured_tick[rows_of<Table>(world, model).begin] == world.tick();
-          return false;
-        },
-    .message = [](std::uint64_t ns, const world::World& world, world::ModelRow model) {
-      const std::uint32_t row = rows_of<Table>(world, model).begin;
-      CdrWriter out;
-      out.time(ns);
-      world::each_column_of<Table>([&](const auto& column) {
-        if (is_told(column)) put_field(out, (world.*kTable.*column.values)[row]);
-      });
-      return out.message();
-    },
-};  // namespace
-}  // namespace playhouse::record
 
 template <std::size_t kNth>
 void add_kind(std::vector<TableMessages>& all) {
@@ -259,6 +270,29 @@ Bytes scan_message(std::uint64_t ns, const std::string& frame, const world::Worl
     out.number(static_cast<float>(number));
   out.floats(std::span(world.sensors.ranges).subspan(first, count));
   out.floats(std::span(world.sensors.intensities).subspan(first, count));
+  return out.message();
+}
+
+Bytes image_message(std::uint64_t ns, const std::string& frame, const world::World& world,
+                    world::ModelRow model) {
+  const scene::CameraDesc& camera = *world.desc(model).camera;
+  const bool in_color = camera.image == scene::ImageKind::kColor;
+  const std::uint32_t size = in_color ? 3 : camera.image == scene::ImageKind::kDepth ? 2 : 1;  // bytes
+  const auto width = static_cast<std::uint32_t>(camera.width);
+  CdrWriter out;
+  put_header(out, ns, frame);
+  out.number(static_cast<std::uint32_t>(camera.height));
+  out.number(width);
+  out.text(in_color ? "rgb8" : size == 2 ? "16UC1" : "mono8");
+  out.number(std::uint8_t{0});
+  out.number(width * size);
+  std::vector<std::byte> data;
+  const std::vector<world::Pixel>& pixels = world.cameras.pixels[world.models.part[model.index]];
+  data.reserve(pixels.size() * size);
+  for (const world::Pixel pixel : pixels)
+    for (std::uint32_t k = 0; k < size; ++k)
+      data.push_back(static_cast<std::byte>(pixel.sample >> 8 * (in_color ? size - 1 - k : k)));
+  out.bytes(data);
   return out.message();
 }
 

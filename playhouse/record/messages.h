@@ -22,6 +22,7 @@ inline constexpr const char* kMessageEncoding = "cdr";
 /// Names of schemas.
 inline constexpr const char* kTransforms = "tf2_msgs/msg/TFMessage";
 inline constexpr const char* kLaserScan = "sensor_msgs/msg/LaserScan";
+inline constexpr const char* kImage = "sensor_msgs/msg/Image";
 inline constexpr const char* kRanges = "playhouse/msg/Ranges";
 inline constexpr const char* kWorldChange = "playhouse/msg/Change";
 inline constexpr const char* kState = "playhouse/msg/State";
@@ -44,6 +45,10 @@ Bytes scan_message(std::uint64_t ns, const std::string& frame, const world::Worl
                    world::ModelRow model, world::SensorRow sensor);
 /// What all sensors of a ranger measured last.
 Bytes ranges_message(std::uint64_t ns, const world::World& world, world::ModelRow model);
+
+/// The newest image of a camera.
+Bytes image_message(std::uint64_t ns, const std::string& frame, const world::World& world,
+                    world::ModelRow model);
 
 /// What a table tells of a model's row.
 struct TableMessages {

@@ -157,6 +157,14 @@ void Recorder::add_model(const world::World& world, world::ModelRow model) {
     recorded = true;
     add_ranger(world, model);
   }
+  if (kind == scene::ModelKind::kCamera && selection_.has(world, model, "camera")) {
+    Recorded entry;
+    entry.model = id;
+    entry.images = true;
+    entry.frame = label(world, world::ModelRow{models.root[model.index]});
+    entry.topic = "/" + label(world, model) + "/image";
+    recorded_.push_back(std::move(entry));
+  }
   if (recorded && replicate::may_be_watched(kind)) measuring_.push_back(id);
 }
 
@@ -292,6 +300,11 @@ void Recorder::record_poses(const world::World& world, bool all) {
 void Recorder::record_models(const world::World& world) {
   for (Recorded& each : recorded_) {
     const world::ModelRow row = world.row(each.model);
+    if (each.images) {
+      if (world.cameras.measured_tick[world.models.part[row.index]] == world.tick())
+        put_message(world, each.topic, kImage, image_message(ns(), each.frame, world, row));
+      continue;
+    }
     if (each.table == nullptr) {
       const std::uint32_t ranger = world.models.part[row.index];
       if (world.rangers.measured_tick[ranger] != world.tick()) continue;

@@ -46,9 +46,10 @@ class Recorder final : public world::Witness {
   /// What one model's messages need.
   struct Recorded {
     world::ModelId model;
-    const TableMessages* table = nullptr;  // null: a ranger
+    const TableMessages* table = nullptr;  // null: a ranger, or the images of a camera
     std::uint32_t sensor = 0;              // of the ranger, where each has a scan
     bool scans = false;
+    bool images = false;
     std::string topic, frame;
     Bytes last;  // message without its time
   };

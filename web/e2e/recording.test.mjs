@@ -99,6 +99,27 @@ test('there are poses in every tick in which somebody moved', async () => {
   assert.ok(Math.abs(Math.hypot(...q) - 1) < 1e-12);
 });
 
+test('what cameras see are Images of ROS', async () => {
+  const seen = join(folder, 'camera.mcap');
+  execFileSync(program, ['run', 'worlds/camera.world', '--fast', '--headless', '--port', '0', '--duration', '1', '--record', seen, '--record-only', 'camera'], { cwd: root, stdio: 'ignore' });
+  const bytes = readFileSync(seen);
+  const reader = await McapIndexedReader.Initialize({
+    readable: { size: async () => BigInt(bytes.length), read: async (offset, size) => bytes.subarray(Number(offset), Number(offset + size)) },
+    ...unpack,
+  });
+  const images = await messagesOf(reader, { topics: ['/r0/color/image'] });
+  assert.equal(images.length, 10);
+  const channel = [...reader.channelsById.values()].find((each) => each.topic === '/r0/color/image');
+  assert.equal(reader.schemasById.get(channel.schemaId).name, 'sensor_msgs/msg/Image');
+  const cdr = new Cdr(images.at(-1).data);
+  assert.deepEqual([cdr.u32(), cdr.u32(), cdr.text()], [1, 0, 'r0']);
+  assert.deepEqual([cdr.u32(), cdr.u32(), cdr.text()], [120, 160, 'rgb8']);
+  assert.deepEqual([cdr.number('Uint8', 1), cdr.u32(), cdr.u32()], [0, 480, 160 * 120 * 3]);
+  const colors = new Set();
+  for (let k = 0; k < 160 * 120; ++k) colors.add([0, 1, 2].map(() => cdr.number('Uint8', 1)).join());
+  assert.ok(colors.has('255,0,0'), [...colors].join(' '));
+});
+
 test('scans are LaserScans of ROS', async () => {
   const reader = await open();
   const channel = [...reader.channelsById.values()].find((each) => each.topic.endsWith('/scan'));
