@@ -54,7 +54,8 @@ std::vector<int> room_of(const Bitmap& free) {
   return room;
 }
 
-constexpr double kRobotSize = 0.4;  // m
+constexpr double kRobotSize = 0.4;         // m
+constexpr double kLeastResolution = 1e-5;  // m; a world file has micrometres
 
 /// The middle of a free pixel, in metres from the lower left corner: the one nearest to the middle of the
 /// walls about which a robot has room, or else the one with most room.
@@ -103,6 +104,7 @@ Result<Plan> plan_of_image(std::string_view bytes, std::string name, double reso
 Result<std::string> world_of_plan(const Plan& plan, const std::string& bitmap, double height) {
   const std::optional<Extent> walls = extent_of(plan.solid);
   if (!walls) return Error{"", "has no dark pixel, so it has no walls"};
+  if (plan.resolution < kLeastResolution) return Error{"", "has pixels of less than 0.01 mm"};
   if (!can_be_quoted(plan.name) || !can_be_quoted(bitmap))
     return Error{"", "has a name that a world file cannot hold: " + in_quotes(bitmap)};
   // A bitmap fills the size of its model with its dark pixels; what is about them does not count.

@@ -47,6 +47,15 @@ TEST(Plan, has_its_walls_where_the_pixels_are_whatever_the_margin) {
   EXPECT_THAT(*world, HasSubstr("1.5]"));
 }
 
+TEST(Plan, has_pixels_that_a_world_file_can_tell) {
+  for (const double resolution : {2e-85, 9e-6}) {
+    const auto world = world_of_plan(*plan_of_image(kRoom, "room", resolution), "room.pbm", 1);
+    ASSERT_FALSE(world);
+    EXPECT_EQ(world.error().text, "has pixels of less than 0.01 mm");
+  }
+  EXPECT_TRUE(world_of_plan(*plan_of_image(kRoom, "room", 1e-5), "room.pbm", 1));
+}
+
 TEST(Plan, puts_the_robot_where_it_has_room) {
   const auto plan = plan_of_image(kRoom, "room", 0.5);
   const auto world = world_of_plan(*plan, "room.pbm", 1);
