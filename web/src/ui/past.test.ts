@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { nearest, neighbour } from './past';
+import { merged, nearest, neighbour, untold } from './past';
 
 const ticks = [5, 10, 20, 30];
 
@@ -20,4 +20,16 @@ test('keys go from instant to instant', () => {
   expect(neighbour(ticks, 5, 'End')).toBe(30);
   expect(neighbour(ticks, 30, 'PageDown')).toBe(5);
   expect(neighbour(ticks, 30, 'a')).toBe(null);
+});
+
+test('the instant that a run was taken back from is there before the program tells of it', () => {
+  const left = untold([27], ticks);
+  expect(merged(ticks, left)).toEqual([5, 10, 20, 27, 30]);
+  expect(neighbour(merged([5, 10], untold([14], [5, 10])), 5, 'End')).toBe(14);
+});
+
+test('an instant that was told, or is older than what the program keeps, is forgotten', () => {
+  expect(untold([20, 27], ticks)).toEqual([27]);
+  expect(untold([3, 27], ticks)).toEqual([27]);
+  expect(untold([27], [])).toEqual([]);
 });

@@ -19,6 +19,8 @@ const kNoPast = 'There is no way back in this run: ';
 export class Past {
   readonly slider = el('input', { type: 'range', class: 'past', 'data-testid': 'past', 'aria-label': 'Time', title: 'Drag to go back, and on from there', hidden: true });
   private ticks: number[] = [];
+  /** Where a run that stood was taken back from: the program keeps that, and tells so within a second or two. */
+  private left: number[] = [];
   private replica: Replica | null = null;
   private interval = 1;
   private live = false;
@@ -46,7 +48,9 @@ export class Past {
   }
 
   follow(history: History): void {
-    this.ticks = 'ticks' in history ? history.ticks : [];
+    const told = 'ticks' in history ? history.ticks : [];
+    this.left = untold(this.left, told);
+    this.ticks = merged(told, this.left);
     this.whyNot.title = 'none' in history ? kNoPast + history.none : '';
     this.whyNot.classList.toggle('says', 'none' in history);
     this.update();
@@ -86,7 +90,9 @@ export class Past {
     this.held = true;
     this.asked = this.sent = null;
     this.resumes = !this.replica.paused;
-    if (this.resumes) this.events.pause();
+    if (this.resumes) return this.events.pause();
+    this.left = untold([...this.left, this.replica.tick], this.ticks);
+    this.ticks = merged(this.ticks, this.left);
   }
 
   private release(): void {
@@ -125,6 +131,15 @@ export class Past {
     window.clearTimeout(this.keysTimer);
     this.keysTimer = window.setTimeout(() => this.release(), kKeysMs);
   }
+}
+
+/** Instants that a list does not have, of those that it could have. */
+export function untold(instants: number[], told: number[]): number[] {
+  return instants.filter((each) => told.length > 0 && each > told[0] && !told.includes(each));
+}
+
+export function merged(ticks: number[], others: number[]): number[] {
+  return [...new Set([...ticks, ...others])].sort((a, b) => a - b);
 }
 
 export function nearest(ticks: number[], tick: number): number {
