@@ -7,6 +7,7 @@
 
 #include "playhouse/base/assert.h"
 #include "playhouse/replicate/views.h"
+#include "playhouse/world/camera.h"
 #include "playhouse/world/columns.h"
 #include "playhouse/world/values.h"
 
@@ -276,23 +277,18 @@ Bytes scan_message(std::uint64_t ns, const std::string& frame, const world::Worl
 Bytes image_message(std::uint64_t ns, const std::string& frame, const world::World& world,
                     world::ModelRow model) {
   const scene::CameraDesc& camera = *world.desc(model).camera;
-  const bool in_color = camera.image == scene::ImageKind::kColor;
-  const std::uint32_t size = in_color ? 3 : camera.image == scene::ImageKind::kDepth ? 2 : 1;  // bytes
   const auto width = static_cast<std::uint32_t>(camera.width);
+  const auto size = static_cast<std::uint32_t>(world::bytes_per_pixel(camera.image));
   CdrWriter out;
   put_header(out, ns, frame);
   out.number(static_cast<std::uint32_t>(camera.height));
   out.number(width);
-  out.text(in_color ? "rgb8" : size == 2 ? "16UC1" : "mono8");
+  out.text(size == 3 ? "rgb8" : size == 2 ? "16UC1" : "mono8");
   out.number(std::uint8_t{0});
   out.number(width * size);
-  std::vector<std::byte> data;
-  const std::vector<world::Pixel>& pixels = world.cameras.pixels[world.models.part[model.index]];
-  data.reserve(pixels.size() * size);
-  for (const world::Pixel pixel : pixels)
-    for (std::uint32_t k = 0; k < size; ++k)
-      data.push_back(static_cast<std::byte>(pixel.sample >> 8 * (in_color ? size - 1 - k : k)));
-  out.bytes(data);
+  const std::uint32_t row = world.models.part[model.index];
+  const std::vector<std::uint8_t> data = world::image_bytes(camera.image, world.cameras.pixels[row]);
+  out.bytes(std::as_bytes(std::span(data)));
   return out.message();
 }
 

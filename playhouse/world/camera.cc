@@ -43,4 +43,27 @@ void set_camera_mode(World& world, CameraRow camera, ControlMode mode) {
   cameras.command_pan[camera.index] = cameras.command_tilt[camera.index] = 0;
 }
 
+std::size_t bytes_per_pixel(scene::ImageKind image) {
+  switch (image) {
+    case scene::ImageKind::kColor:
+      return 3;
+    case scene::ImageKind::kDepth:
+      return 2;
+    case scene::ImageKind::kGray:
+      break;
+  }
+  return 1;
+}
+
+std::vector<std::uint8_t> image_bytes(scene::ImageKind image, std::span<const Pixel> pixels) {
+  const std::size_t size = bytes_per_pixel(image);
+  const bool low_first = image == scene::ImageKind::kDepth;
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(pixels.size() * size);
+  for (const Pixel& pixel : pixels)
+    for (std::size_t k = 0; k < size; ++k)
+      bytes.push_back(static_cast<std::uint8_t>(pixel.sample >> 8 * (low_first ? k : size - 1 - k)));
+  return bytes;
+}
+
 }  // namespace playhouse::world

@@ -1,6 +1,11 @@
 #pragma once
 
-/// What cameras are told about where to look. Thread: the tick thread, between steps.
+/// What cameras are told about where to look, and their images as bytes. Thread: the tick thread, between
+/// steps.
+
+#include <cstdint>
+#include <span>
+#include <vector>
 
 #include "playhouse/world/world.h"
 
@@ -20,5 +25,12 @@ bool turn_camera(World& world, CameraRow camera, double pan_speed, double tilt_s
 
 /// What commands mean from now on; a change stops it. kVelocity and kPosition alone.
 void set_camera_mode(World& world, CameraRow camera, ControlMode mode);
+
+/// How many bytes a pixel of such an image has.
+std::size_t bytes_per_pixel(scene::ImageKind image);
+
+/// Pixels one after the other: red, green, blue; brightness; or distances [mm] with the low byte first, as
+/// they are in the memory of most clients.
+std::vector<std::uint8_t> image_bytes(scene::ImageKind image, std::span<const Pixel> pixels);
 
 }  // namespace playhouse::world

@@ -4,24 +4,15 @@
 
 #include <memory>
 
+#include "playhouse/world/camera.h"
+
 namespace playhouse::drivers {
 namespace {
 
 namespace cam = wire::camera;
 using scene::ImageKind;
 
-std::vector<std::uint8_t> bytes_of(std::span<const world::Pixel> pixels, std::size_t bytes_per_pixel,
-                                   bool low_first) {
-  std::vector<std::uint8_t> bytes;
-  bytes.reserve(pixels.size() * bytes_per_pixel);
-  for (const world::Pixel& pixel : pixels)
-    for (std::size_t k = 0; k < bytes_per_pixel; ++k)
-      bytes.push_back(
-          static_cast<std::uint8_t>(pixel.sample >> 8 * (low_first ? k : bytes_per_pixel - 1 - k)));
-  return bytes;
-}
-
-/// The same image as a JPEG file; empty if the library cannot, which is when memory ran out.
+/// An image as a JPEG file; empty if the library cannot, which is when memory ran out.
 std::vector<std::uint8_t> compressed(const std::vector<std::uint8_t>& bytes, int width, int height,
                                      bool in_color, int quality) {
   const std::unique_ptr<void, int (*)(tjhandle)> library(tjInitCompress(), tjDestroy);
@@ -41,11 +32,11 @@ cam::Data image_of(const scene::CameraDesc& camera, std::span<const world::Pixel
   data.width = static_cast<std::uint32_t>(camera.width);
   data.height = static_cast<std::uint32_t>(camera.height);
   const bool in_color = camera.image == ImageKind::kColor, in_depth = camera.image == ImageKind::kDepth;
-  data.bpp = in_color ? 24 : in_depth ? 16 : 8;
+  data.bpp = static_cast<std::uint32_t>(8 * world::bytes_per_pixel(camera.image));
   data.format = in_color ? cam::kFormatRgb888 : in_depth ? cam::kFormatMono16 : cam::kFormatMono8;
   data.fdiv = 1;
   data.compression = cam::kCompressRaw;
-  data.image = bytes_of(pixels, data.bpp / 8, in_depth);
+  data.image = world::image_bytes(camera.image, pixels);
   if (in_depth || camera.compression == scene::ImageCompression::kRaw) return data;
   data.image = compressed(data.image, static_cast<int>(data.width), static_cast<int>(data.height), in_color,
                           static_cast<int>(camera.quality));
