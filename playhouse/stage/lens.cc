@@ -42,7 +42,8 @@ class Image {
 
 /// Puts pixels into the slices `slice_of(row, column)`, in the order of the image.
 template <typename SliceOf>
-void sort_into_slices(const Image& image, double range_max, const SliceOf& slice_of, Lens& lens) {
+void sort_into_slices(const Image& image, const scene::CameraDesc& camera, const SliceOf& slice_of,
+                      Lens& lens) {
   const std::size_t slices = lens.ahead.size(), pixels = std::size_t{image.width} * image.height;
   const auto each = [&](const auto& visit) {
     for (std::uint32_t row = 0; row < image.height; ++row)
@@ -59,6 +60,7 @@ void sort_into_slices(const Image& image, double range_max, const SliceOf& slice
   std::vector<std::uint32_t> next(lens.first.begin(), lens.first.end() - 1);
   lens.place.resize(pixels);
   lens.run.resize(pixels + Lens::kSpare);
+  lens.least.resize(pixels + Lens::kSpare);
   lens.depth.resize(pixels);
   lens.reach.assign(slices, 0);
   each([&](std::uint32_t row, std::uint32_t column) {
@@ -69,23 +71,24 @@ void sort_into_slices(const Image& image, double range_max, const SliceOf& slice
     lens.place[i] = at;
     lens.run[i] = along / up;
     lens.depth[i] = 1 / along;
-    lens.reach[s] = std::max(lens.reach[s], range_max * along);
+    lens.least[i] = camera.range_min * along;
+    lens.reach[s] = std::max(lens.reach[s], camera.range_max * along);
   });
 }
 
 /// One slice for each column.
-void slice_columns(const Image& image, double range_max, Lens& lens) {
+void slice_columns(const Image& image, const scene::CameraDesc& camera, Lens& lens) {
   for (std::uint32_t column = 0; column < image.width; ++column) {
     const Sight sight = image.sight(0, column);
     const double along = std::sqrt(sight.ahead * sight.ahead + sight.left * sight.left);
     lens.ahead.push_back({sight.ahead / along, sight.left / along});
   }
   sort_into_slices(
-      image, range_max, [](std::uint32_t, std::uint32_t column) { return column; }, lens);
+      image, camera, [](std::uint32_t, std::uint32_t column) { return column; }, lens);
 }
 
 /// Slices at equal angles over all bearings that pixels have.
-void slice_bearings(const Image& image, double zoom, double range_max, Lens& lens) {
+void slice_bearings(const Image& image, double zoom, const scene::CameraDesc& camera, Lens& lens) {
   std::vector<double> bearing;
   for (std::uint32_t row = 0; row < image.height; ++row)
     for (std::uint32_t column = 0; column < image.width; ++column) {
@@ -97,7 +100,7 @@ void slice_bearings(const Image& image, double zoom, double range_max, Lens& len
   const auto slices = static_cast<std::uint32_t>((most - least) / step) + 1;
   for (std::uint32_t s = 0; s < slices; ++s) lens.ahead.push_back(Rotation::of(least + (s + 0.5) * step));
   sort_into_slices(
-      image, range_max,
+      image, camera,
       [&](std::uint32_t row, std::uint32_t column) {
         const double s = (bearing[std::size_t{row} * image.width + column] - least) / step;
         return std::min(static_cast<std::uint32_t>(s), slices - 1);
@@ -111,9 +114,9 @@ Lens make_lens(const scene::CameraDesc& camera, double tilt, double zoom) {
   const Image image(camera, tilt, zoom);
   Lens lens;
   if (tilt == 0) {
-    slice_columns(image, camera.range_max, lens);
+    slice_columns(image, camera, lens);
   } else {
-    slice_bearings(image, zoom, camera.range_max, lens);
+    slice_bearings(image, zoom, camera, lens);
   }
   return lens;
 }

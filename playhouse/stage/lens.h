@@ -25,6 +25,7 @@ struct Lens {
   std::vector<std::uint32_t> place;   // in the image, row by row from the top left corner     (pixels)
   /// m on the floor for each that it rises, not 0; kSpare more to read.                       (pixels)
   std::vector<double> run;
+  std::vector<double> least;  // m on the floor to the nearest that is shown; as many   (pixels)
   static constexpr std::size_t kSpare = 4;
   std::vector<double> depth;  // m along the way it looks for each on the floor        (pixels)
 };

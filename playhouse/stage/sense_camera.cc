@@ -107,9 +107,9 @@ class CameraSense final : public SensePhase {
   struct Scratch {
     std::map<std::uint32_t, Fitted> lenses;  // by row of SceneDesc::models
     Slicer slicer;
-    std::vector<double> distance, thing, least;  // of the pixels of a slice
-    std::vector<double> far;                     // m along the way it looks                    (image)
-    std::vector<std::uint32_t> color;            // 0xRRGGBB                                    (image)
+    std::vector<double> distance, thing;  // of the pixels of a slice
+    std::vector<double> far;              // m along the way it looks                    (image)
+    std::vector<std::uint32_t> color;     // 0xRRGGBB                                    (image)
   };
 
   static const Lens& fit(const world::World& world, std::uint32_t row, Scratch& scratch) {
@@ -150,11 +150,9 @@ class CameraSense final : public SensePhase {
     const std::size_t first = lens.first[slice], pixels = lens.first[slice + 1] - first;
     scratch.distance.assign(pixels + kFour, kNothing);
     scratch.thing.assign(pixels + kFour, 0);
-    scratch.least.resize(pixels + kFour);
-    for (std::size_t i = 0; i < pixels; ++i) scratch.least[i] = camera.range_min / lens.depth[first + i];
     const Seen seen{scratch.distance.data(), scratch.thing.data()};
     const auto meet = [&](const Thing& thing) {
-      in_vectors<show>(thing, lens.run.data() + first, scratch.least.data(), pixels, seen);
+      in_vectors<show>(thing, lens.run.data() + first, lens.least.data() + first, pixels, seen);
     };
     meet({0, kNothing, -kNothing, -eye, 0});
     for (std::size_t k = 0; k < stretches.size(); ++k) {
