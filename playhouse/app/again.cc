@@ -13,23 +13,6 @@
 #include "playhouse/scene/world_loader.h"
 
 namespace playhouse::app {
-namespace {
-
-Outcome outcome_of(record::Rerun& rerun, double wall_time) {
-  const world::World& world = rerun.world();
-  Outcome outcome;
-  outcome.sim_time = world.time();
-  outcome.wall_time = wall_time;
-  outcome.real_time_factor = wall_time > 0 ? world.time() / wall_time : 0;
-  outcome.ticks = world.tick();
-  outcome.robots = count_robots(world);
-  outcome.rays = rerun.rays();
-  outcome.hash = world.hash();
-  outcome.sensed_hash = world.sensed_hash();
-  return outcome;
-}
-
-}  // namespace
 
 Result<std::unique_ptr<OpenedRecording>> open_recording(const std::string& file, const Running& running,
                                                         std::vector<Error>* others) {

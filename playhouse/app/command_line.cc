@@ -262,8 +262,11 @@ LockStepping lock_stepping(const std::string& text) {
   return {.clients = names.size(), .names = std::move(names)};
 }
 
-/// What of a run is drawn depends on.
-void add_drawn_run(CLI::App& app, Running& running) {
+/// How large a drawing of a run is, and what it depends on.
+void add_drawn_run(CLI::App& app, int& width, Running& running) {
+  app.add_option("--width", width, "pixels; the height follows from the world")
+      ->check(check_width)
+      ->capture_default_str();
   app.add_option("--seed", running.seed, "seed of all random numbers")
       ->check(check_count<std::uint64_t>)
       ->capture_default_str();
@@ -456,10 +459,7 @@ void add_commands(CLI::App& app, Raw& raw) {
   picture->add_option("--at", raw.picture.at, "after so many simulated seconds")
       ->check(check_not_negative)
       ->capture_default_str();
-  picture->add_option("--width", raw.picture.width, "pixels; the height follows from the world")
-      ->check(check_width)
-      ->capture_default_str();
-  add_drawn_run(*picture, raw.picture.running);
+  add_drawn_run(*picture, raw.picture.width, raw.picture.running);
 
   CLI::App* film = app.add_subcommand("film", "draw a run from above, without a screen");
   film->footer(kFilmExamples);
@@ -474,10 +474,7 @@ void add_commands(CLI::App& app, Raw& raw) {
   film->add_option("--rate", raw.film.rate, "pictures per simulated second, one a tick at most")
       ->check(check_positive)
       ->capture_default_str();
-  film->add_option("--width", raw.film.width, "pixels; the height follows from the world")
-      ->check(check_width)
-      ->capture_default_str();
-  add_drawn_run(*film, raw.film.running);
+  add_drawn_run(*film, raw.film.width, raw.film.running);
 
   CLI::App* kinds = app.add_subcommand("kinds", "list what world files can hold, and its words");
   kinds->footer(kKindsExamples);

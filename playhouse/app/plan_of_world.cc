@@ -90,29 +90,24 @@ Result<scene::Plan> plan_of_world(const scene::SceneDesc& scene, double resoluti
   const world::World world(scene, 1);
   stage::Shapes shapes(scene);
   const stage::Solids solids = stage::make_fixed_solids(world, shapes);
-  // Outlines of one model's bitmap hold each other's holes; a block is whole by itself.
-  std::map<std::uint32_t, std::vector<Outline>> of_bitmaps;
-  std::vector<Outline> blocks, thin;
+  std::map<std::uint32_t, std::vector<Outline>> bodies;  // those of a bitmap hold each other's holes
+  std::vector<Outline> thin;
   geom::Box all;
   for (std::size_t row = 0; row < solids.size(); ++row) {
     if (height < solids.z_min[row] || solids.z_max[row] < height) continue;
     const Outline outline = solids.polygon(row);
     for (const Vec2 p : outline) all.add(p);
-    if (solids.full[row] != 0)
-      blocks.push_back(outline);
-    else
-      of_bitmaps[solids.model[row]].push_back(outline);
+    bodies[solids.body[row]].push_back(outline);
     if (solids.width[row] < resolution) thin.push_back(outline);
   }
-  if (blocks.empty() && of_bitmaps.empty())
+  if (bodies.empty())
     return Error{
         "",
         fmt::format("nothing stands still {} m above the floor (--height says where else to look)", height)};
   Result<scene::Plan> plan = empty_plan(all, resolution);
   if (!plan) return plan;
   Canvas canvas(*plan);
-  for (const auto& [model, outlines] : of_bitmaps) canvas.fill(outlines);
-  for (const Outline& block : blocks) canvas.fill({&block, 1});
+  for (const auto& [body, outlines] : bodies) canvas.fill(outlines);
   for (const Outline outline : thin) canvas.draw(outline);
   return plan;
 }

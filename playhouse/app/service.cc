@@ -52,6 +52,20 @@ std::set<std::uint16_t> ports_of(const scene::CfgFile& file) {
 
 }  // namespace
 
+Outcome outcome_of(world::Engine& engine, double wall_time) {
+  const world::World& world = engine.world();
+  Outcome outcome;
+  outcome.sim_time = world.time();
+  outcome.wall_time = wall_time;
+  outcome.real_time_factor = wall_time > 0 ? world.time() / wall_time : 0;
+  outcome.ticks = world.tick();
+  outcome.robots = count_robots(world);
+  outcome.rays = engine.rays();
+  outcome.hash = world.hash();
+  outcome.sensed_hash = world.sensed_hash();
+  return outcome;
+}
+
 std::string Outcome::json() const {
   return fmt::format(
       R"({{"sim_time":{},"wall_time":{:.6f},"real_time_factor":{:.3f},"ticks":{},"robots":{},"rays":{},"hash":"{:016x}","sensed_hash":"{:016x}"}})",
@@ -322,21 +336,7 @@ Outcome Service::run(const std::function<void(int signal)>& ended) {
   for (const SaveAt& save : saves_)
     log::error("{}: not saved: the run ended at {} s, before {} s", escaped(save.file),
                simulation().world().time(), save.seconds);
-  return outcome(wall_time);
-}
-
-Outcome Service::outcome(double wall_time) {
-  world::Engine& engine = simulation().engine();
-  const world::World& world = engine.world();
-  Outcome outcome;
-  outcome.sim_time = world.time();
-  outcome.wall_time = wall_time;
-  outcome.real_time_factor = wall_time > 0 ? world.time() / wall_time : 0;
-  outcome.ticks = world.tick();
-  outcome.robots = count_robots(world);
-  outcome.rays = engine.rays();
-  outcome.hash = world.hash();
-  outcome.sensed_hash = world.sensed_hash();
+  Outcome outcome = outcome_of(simulation().engine(), wall_time);
   outcome.signal = signal_.load();
   return outcome;
 }

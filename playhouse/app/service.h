@@ -48,6 +48,9 @@ struct Outcome {
   std::string json() const;
 };
 
+/// Of what an engine has run, in so much time. [s]
+Outcome outcome_of(world::Engine& engine, double wall_time);
+
 class Service final : private drivers::Surroundings {
  public:
   Service(Serving serving, Running running, QuitTime quit_time);
@@ -125,7 +128,6 @@ class Service final : private drivers::Surroundings {
   void show_progress();
   void save_due(const world::World& world);
   Result<void> save(const world::World& world, const std::string& file) const;
-  Outcome outcome(double wall_time);
 
   Serving serving_;
   Running running_;
