@@ -10,6 +10,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "playhouse/base/testing_folder.h"
 #include "playhouse/controllers/attach.h"
 #include "playhouse/controllers/testing/scenes.h"
 
@@ -178,12 +179,11 @@ TEST(Library, that_is_no_controller_is_refused) {
 }
 
 TEST(Library, that_is_no_library_is_refused) {
-  const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "no_library";
-  std::filesystem::create_directories(folder);
+  const TestFolder folder;
   std::ofstream(folder / "text.so") << "this is no shared library\n";
   const scene::SceneDesc scene = testing::robots(1, testing::ring(4), "text");
   world::World world(scene, 7);
-  const auto attached = attach(world, {.folders = {folder}});
+  const auto attached = attach(world, {.folders = {folder.path()}});
   ASSERT_FALSE(attached);
   EXPECT_THAT(attached.error().line(), HasSubstr("can't be loaded"));
 }

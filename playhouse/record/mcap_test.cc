@@ -2,12 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
 #include <vector>
 
+#include "playhouse/base/testing_folder.h"
 #include "playhouse/record/mcap_reader.h"
 #include "playhouse/record/mcap_writer.h"
 #include "playhouse/record/testing/memory_source.h"
@@ -43,7 +43,6 @@ class Mcap : public testing::Test {
     put(records, Channel{7, 1, "/words", "cdr"});
     writer_->add(records);
   }
-  ~Mcap() override { std::filesystem::remove(path_); }
 
   Bytes file() const {
     std::ifstream in(path_, std::ios::binary);
@@ -65,7 +64,8 @@ class Mcap : public testing::Test {
                         }});
   }
 
-  const std::string path_ = testing::TempDir() + "mcap_test_" + std::to_string(getpid()) + ".mcap";
+  const TestFolder folder_;
+  const std::string path_ = folder_ / "test.mcap";
   std::unique_ptr<McapWriter> writer_;
   std::vector<std::string> said_;
 };

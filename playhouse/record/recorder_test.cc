@@ -2,11 +2,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
 #include <set>
 
+#include "playhouse/base/testing_folder.h"
 #include "playhouse/record/mcap_reader.h"
 #include "playhouse/record/rerun.h"
 #include "playhouse/scene/world_loader.h"
@@ -60,8 +59,6 @@ class Shy final : public world::Decider {
 
 class RecorderTest : public testing::Test {
  protected:
-  ~RecorderTest() override { std::filesystem::remove(path_); }
-
   void begin() {
     file_ = std::make_unique<RecordThread>(*McapWriter::create(path_, "ros2"));
     recorder_ = std::make_unique<Recorder>(*file_, Selection(), control_);
@@ -93,7 +90,8 @@ class RecorderTest : public testing::Test {
   }
   Result<Recording> recording() const { return read_recording(**open_source(path_)); }
 
-  const std::string path_ = testing::TempDir() + "recorder_test_" + std::to_string(getpid()) + ".mcap";
+  const TestFolder folder_;
+  const std::string path_ = folder_ / "test.mcap";
   scene::SourceFiles sources_{.path = "t.world", .files = {{"t.world", kWorld}}, .search_path = {}};
   scene::MemoryFiles files_{{}};
   scene::SceneDesc scene_ = *scene::load_world_text(kWorld, "t.world", files_);

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <thread>
 
+#include "playhouse/base/testing_folder.h"
 #include "playhouse/scene/charge.h"
 #include "playhouse/scene/kinds.h"
 #include "playhouse/scene/testing_expanded.h"
@@ -957,7 +958,8 @@ TEST(WorldWarnings, words_for_display_and_scheduling_are_silent) {
 // -------------------------------------------------------------------------------------------------------
 
 TEST(WorldFiles, a_world_is_found_in_stagepath_by_its_base_name) {
-  const auto folder = std::filesystem::path(testing::TempDir()) / "scene_stagepath";
+  const TestFolder own;
+  const std::filesystem::path folder = own.path();
   std::filesystem::create_directories(folder / "deep");
   std::ofstream(folder / "deep" / "there.world") << "include \"it.inc\"";
   std::ofstream(folder / "deep" / "it.inc") << "model( name \"found\" )";
@@ -998,7 +1000,8 @@ TEST(WorldFiles, an_include_is_looked_for_beside_the_files_and_then_in_the_searc
 }
 
 TEST(WorldFiles, what_comes_with_the_program_is_included_from_any_folder) {
-  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "scene_search";
+  const TestFolder own;
+  const std::filesystem::path folder = own.path();
   std::filesystem::create_directories(folder / "own");
   std::ofstream(folder / "own" / "thing.inc") << "define thing model( )";
   const std::string world = (folder / "t.world").string();
@@ -1045,8 +1048,8 @@ TEST(WorldWarnings, more_values_than_a_property_takes_are_told) {
 }
 
 TEST(WorldFiles, what_a_file_names_is_a_regular_file) {
-  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "scene_special";
-  std::filesystem::remove_all(folder);
+  const TestFolder own;
+  const std::filesystem::path folder = own.path();
   std::filesystem::create_directories(folder / "folder");
   const std::string pipe = (folder / "pipe").string();  // nobody writes: who opens it waits for ever
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
@@ -1066,14 +1069,13 @@ TEST(WorldFiles, what_a_file_names_is_a_regular_file) {
 }
 
 TEST(WorldFiles, a_pipe_is_read_to_its_end_and_a_file_that_fails_midway_is_an_error) {
-  const std::string path = testing::TempDir() + "scene_pipe";
-  std::filesystem::remove(path);
+  const TestFolder folder;
+  const std::string path = folder / "pipe";
   ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
   std::thread writer(
       [&path] { std::ofstream(path) << repeated("# comment\n", 10'000) << "model( name \"piped\" )"; });
   const auto scene = load_world(path);
   writer.join();
-  std::filesystem::remove(path);
   ASSERT_TRUE(scene.ok()) << scene.error().line();
   EXPECT_EQ(scene->models.at(0).name, "piped");
   if (std::filesystem::exists("/proc/self/mem")) {

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -13,6 +11,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "playhouse/base/testing_folder.h"
 #include "playhouse/base/testing_reference.h"
 #include "playhouse/scene/world_loader.h"
 #include "playhouse/stage/engine.h"
@@ -257,8 +256,8 @@ TEST(Compat, a_scan_of_boxes_is_within_a_cell_and_a_half_of_stage) {
 
 TEST(Compat, scans_in_the_cave_are_within_two_cells_and_a_half_of_stage) {
   SKIP_WITHOUT_REFERENCE();
-  const fs::path folder = fs::temp_directory_path() / ("playhouse_compat_" + std::to_string(::getpid()));
-  fs::create_directories(folder);
+  const TestFolder own;
+  const fs::path folder = own.path();
   for (const fs::directory_entry& entry : fs::directory_iterator(kWorlds))
     if (entry.path().extension() == ".inc") fs::copy(entry.path(), folder / entry.path().filename());
   fs::copy(kWorlds / "bitmaps", folder / "bitmaps");
@@ -266,7 +265,6 @@ TEST(Compat, scans_in_the_cave_are_within_two_cells_and_a_half_of_stage) {
   const scene::SceneDesc scene = load(folder / "simple_scan.world");
   fs::permissions(folder, fs::perms::owner_all, fs::perm_options::add);
   fs::permissions(folder / "bitmaps", fs::perms::owner_all, fs::perm_options::add);
-  fs::remove_all(folder);
 
   const auto engine = subscribed(scene);
   engine->step();
