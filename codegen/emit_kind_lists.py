@@ -80,14 +80,22 @@ def _moves(kinds: Kinds) -> str:
 
 
 def _devices(kinds: Kinds) -> str:
-    found = {s.name: s.code for k in kinds.simulated() + kinds.traits() for s in k.interfaces}
+    found = []  # name of the maker, interface, kind
+    for kind in kinds.simulated() + kinds.traits():
+        for served in kind.interfaces:
+            is_first = served.name not in {name for name, _, _ in found}
+            found.append((served.name if is_first else f"{kind.name}_{served.name}", served.code, kind))
     lines = [BANNER.rstrip(), "#pragma once", "",
-             "/// The device of each interface that a simulated model can have; playhouse/drivers/simulated/NAME.cc defines it.", "",
-             "#include <cstdint>", "#include <memory>", "", '#include "playhouse/drivers/simulated/simulated_device.h"', "",
+             "/// The device of each interface that a simulated model can have; playhouse/drivers/simulated/NAME.cc defines it,",
+             "/// and those that further kinds have for an interface, NAME of a kind.", "",
+             "#include <cstdint>", "#include <memory>", "#include <optional>", "", '#include "playhouse/drivers/simulated/simulated_device.h"', "",
              "namespace playhouse::drivers {", "", "/// `model` fits the interface (model_interfaces.h)."]
-    lines += [f"std::unique_ptr<SimulatedDevice> make_{name}_device(Simulation& simulation, world::ModelRow model);" for name in found]
+    lines += [f"std::unique_ptr<SimulatedDevice> make_{name}_device(Simulation& simulation, world::ModelRow model);" for name, _, _ in found]
     lines += ["", "struct DeviceMaker {", "  std::uint16_t interf;",
+              "  std::optional<scene::ModelKind> kind;  // of any, if there is none",
               "  std::unique_ptr<SimulatedDevice> (*make)(Simulation& simulation, world::ModelRow model);", "};",
               "inline constexpr DeviceMaker kDeviceMakers[] = {"]
-    lines += [f"    {{{code}, make_{name}_device}}," for name, code in found.items()]
+    for name, code, kind in found:
+        of = f"scene::ModelKind::{enumerator(kind.kind)}" if kind.entity == "model" and kind.name != BASE else "std::nullopt"
+        lines.append(f"    {{{code}, {of}, make_{name}_device}},")
     return "\n".join([*lines, "};", "", "}  // namespace playhouse::drivers", ""])

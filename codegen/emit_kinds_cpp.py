@@ -321,6 +321,9 @@ def _check(word: Word, key: str, to: str) -> list[str]:
     if word.above is not None:
         unit = f" {word.unit}" if word.type == "number" and word.unit != "1" else ""
         return [f"require({to} > 0, properties, {key}, {_text('must be above 0' + unit)});"]
+    if word.max is not None:
+        most = f"geom::radians({word.max})" if word.type == "angle" else f"{word.max}"
+        return [f"require({to} >= 0 && {to} <= {most}, properties, {key}, {_text('must be ' + limits_text(word))});"]
     return [f"require({to} >= 0, properties, {key}, \"must not be negative\");"]
 
 

@@ -284,8 +284,8 @@ def _limits(where: str, out: Word) -> None:
         return
     if out.above not in (None, 0) or (out.min not in (None, 0) and out.type != "count"):
         raise SchemaError(f"{where}: a limit other than 0 is for a count, which has no unit")
-    if out.max is not None and (out.type != "count" or out.min is None):
-        raise SchemaError(f"{where}: max is for a count that has a min")
+    if out.max is not None and (out.type not in ("count", "number", "angle") or out.min is None or out.clamp or out.optional):
+        raise SchemaError(f"{where}: max is for a count, a number or an angle that has a min and is always there")
     if out.type == "count" and (out.min is None or out.min < 0):
         raise SchemaError(f"{where}: a count needs a min of 0 or more")
     if out.limit and out.max is None:

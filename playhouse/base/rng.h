@@ -31,6 +31,8 @@ enum class Purpose : std::uint64_t {
   kFading = 10,        // entity: id of a radio; part: id of the one that it hears
   kAgentPlace = 11,    // entity: id of a model; detail: how often it has been placed
   kPixel = 12,         // entity: id of a camera
+  kEcho = 13,          // entity: id of a detector; part: which of its beams
+  kDetection = 14,     // entity: id of a detector; part: id of the top of what it may notice
   kCount
 };
 

@@ -13,6 +13,7 @@
 #include "playhouse/scene/bitmap.h"
 #include "playhouse/scene/body.h"
 #include "playhouse/scene/camera.h"
+#include "playhouse/scene/detector.h"
 #include "playhouse/scene/expand.h"
 #include "playhouse/scene/expansion.h"
 #include "playhouse/scene/generated/bodies.h"
@@ -55,7 +56,7 @@ class WorldLoader {
         pixels_{limits.pixels, limits.pixels, "pixels of bitmaps"},
         outlines_{limits.corners, limits.corners, "corners of bitmaps"},
         corners_{limits.corners, limits.corners, "corners of bodies"},
-        beams_{limits.beams, limits.beams, "beams of rangers and pixels of cameras"},
+        beams_{limits.beams, limits.beams, "beams of rangers, lines of detectors and pixels of cameras"},
         text_bytes_{limits.text_bytes, limits.text_bytes, "bytes of names and texts"} {}
 
   Result<SceneDesc> load();
@@ -354,6 +355,10 @@ void WorldLoader::read_words(const Properties& properties, const Kind& kind, Mod
   if (model.camera) {
     check_camera(properties, *model.camera);
     spend(beams_, pixels_of(*model.camera), properties.where("resolution"));
+  }
+  if (model.detector) {
+    check_detector(properties, *model.detector);
+    spend(beams_, lines_of(*model.detector), properties.where("samples"));
   }
   // Where nothing had a height, what a laser stood on was no higher than the walls that it sees.
   model.stacks_children = properties.flag("stack_children", !properties.has_flat_size());

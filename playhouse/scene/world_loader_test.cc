@@ -307,8 +307,13 @@ TEST(WorldMacros, a_few_lines_cannot_make_bodies_beams_and_pixels_without_bound)
   EXPECT_EQ(fault("define m model( bitmap \"plan\" )\nm( ) m( ) m( )\n m( )"),
             "w/t.world:1: the world holds more than 100 corners of bodies");
   EXPECT_EQ(fault("define r ranger( sensor( samples 300 ) )\nr( ) r( ) r( )"), "none");
+  EXPECT_EQ(fault("detector( samples 10 rays 10 layers 10 )"), "none");
+  EXPECT_EQ(fault("detector( samples 10 rays 11 layers 10 )"),
+            "w/t.world:1: the world holds more than 1000 beams of rangers, lines of detectors and pixels of "
+            "cameras");
   EXPECT_EQ(fault("define r ranger( sensor( samples 300 ) )\nr( ) r( ) r( )\nr( )"),
-            "w/t.world:1: the world holds more than 1000 beams of rangers and pixels of cameras");
+            "w/t.world:1: the world holds more than 1000 beams of rangers, lines of detectors and pixels of "
+            "cameras");
 }
 
 // ---- names
@@ -1040,6 +1045,22 @@ TEST(WorldErrors, of_a_file_are_told_all_once_and_within_a_limit) {
                           HasSubstr("w/t.world:6: \"pose\""), HasSubstr("w/t.world:5: \"drive\""),
                           HasSubstr("w/t.world:7: bitmap \"w/gone\" cannot")));
   EXPECT_EQ(errors(repeated("modle( )\n", 100)).size(), limits::kWarningsOfAKind);
+}
+
+TEST(WorldErrors, of_conditions_and_limits_of_detectors_are_told_where_they_are) {
+  const auto fault = [](const std::string& text) {
+    MemoryFiles none({});
+    const Result<SceneDesc> scene = load_world_text("detector(\n" + text + " )", "w/t.world", none);
+    return scene ? "none" : scene.error().line();
+  };
+  EXPECT_EQ(fault("sees [\"kind=position\" \"colour=red\"]"),
+            "w/t.world:2: \"sees\" has an unknown property \"colour\" (did you mean \"color\"?)");
+  EXPECT_EQ(fault("through \"material\""),
+            "w/t.world:2: \"through\" needs =, !=, < or > behind \"material\"");
+  EXPECT_EQ(fault("miss 1.5"), "w/t.world:2: \"miss\" must be from 0 to 1");
+  EXPECT_EQ(fault("fov 361"), "w/t.world:2: \"fov\" must be from 0 to 360");
+  EXPECT_EQ(fault("fov 360 fov_vertical 170 miss 1 attenuation [3 4]"), "none");
+  EXPECT_EQ(fault("attenuation [-1 0]"), "w/t.world:2: \"attenuation\" needs numbers from 0 to 1000");
 }
 
 TEST(WorldWarnings, more_values_than_a_property_takes_are_told) {

@@ -153,10 +153,10 @@ TEST(WriteWorld, every_world_here_and_of_the_original_is_read_back_the_same) {
 std::string any_value(const Word& word) {
   if (word.type == "flag") return word.otherwise == "1" || word.name == "gui_move" ? "0" : "1";
   if (word.type == "integer" || word.type == "count") return "7";
-  if (word.type == "number") return "212.375";
+  if (word.type == "number") return word.limits == "from 0 to 1" ? "0.375" : "212.375";
   if (word.type == "length" || word.type == "angle") return "0.37";
   if (word.type == "text") return "\"plan\"";
-  if (word.type == "texts") return "[\"a b\" \"c\"]";
+  if (word.type == "texts") return "[\"name=a mass>1\" \"color=red\"]";  // conditions are
   if (word.type == "color") return "\"SteelBlue3\"";
   if (word.type == "colors") return "[\"red\" \"teal\" \"gray51\" \"DarkGreen\"]";
   if (word.type == "choice") {

@@ -30,6 +30,7 @@ define bot position( size [0.4 0.4 0.3] alwayson 1 velocity [0.3 0 0 20] joules 
   gripper( pose [0.3 0 -0.3 0] alwayson 1 autosnatch 1 )
   wifi( alwayson 1 fading 2 )
   camera( alwayson 1 resolution [4 3] pantilt [10 -10] noise [0.1 0] )
+  detector( alwayson 1 samples 3 rays 2 layers 2 fov_vertical 20 sees "kind=wifi" walls 1 noise [0.1 0 1] miss 0.2 )
   blinkenlight( alwayson 1 )
   lightindicator()
   actuator( pose [0 0 0 0] type "rotational" max_position 90 alwayson 1 model( size [0.1 0.1 0.1] ) ) )

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "playhouse/scene/kinds.h"
+#include "playhouse/scene/world_loader.h"
 #include "playhouse/world/columns.h"
 #include "playhouse/world/population.h"
 #include "playhouse/world/state.h"
@@ -301,8 +302,10 @@ class EveryColumn : public ::testing::Test {
                             kind.kind == scene::ModelKind::kPosition ||
                             kind.kind == scene::ModelKind::kRanger;
       if (kind.entity != scene::EntityForm::kModel || !kind.simulated || is_there) continue;
-      scene::ModelDesc model;
-      model.kind = kind.kind;
+      scene::MemoryFiles none({});
+      const auto loaded =
+          scene::load_world_text(std::string(kind.name) + "( size [0.1 0.1 0.1] )", "t.world", none);
+      scene::ModelDesc model = loaded.value().models.at(0);  // with the words of its kind
       model.parent = 0;
       model.joules = 5;
       place = scene.models.insert(place, model) + 1;

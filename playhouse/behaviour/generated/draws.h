@@ -20,6 +20,8 @@ inline double draw_of(const scene::ModelDesc& model) {
       return 2;
     case scene::ModelKind::kWifi:
       return 1;
+    case scene::ModelKind::kDetector:
+      return 1;
     default:
       return model.watts;
   }

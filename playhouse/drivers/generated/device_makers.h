@@ -1,10 +1,12 @@
 // Generated from kinds/ by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
-/// The device of each interface that a simulated model can have; playhouse/drivers/simulated/NAME.cc defines it.
+/// The device of each interface that a simulated model can have; playhouse/drivers/simulated/NAME.cc defines it,
+/// and those that further kinds have for an interface, NAME of a kind.
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "playhouse/drivers/simulated/simulated_device.h"
 
@@ -20,33 +22,40 @@ std::unique_ptr<SimulatedDevice> make_fiducial_device(Simulation& simulation, wo
 std::unique_ptr<SimulatedDevice> make_blobfinder_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_bumper_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_blinkenlight_device(Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_lightindicator_blinkenlight_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_gripper_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_actarray_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_wifi_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_camera_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_ptz_device(Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_detector_ranger_device(Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_detector_fiducial_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_power_device(Simulation& simulation, world::ModelRow model);
 
 struct DeviceMaker {
   std::uint16_t interf;
+  std::optional<scene::ModelKind> kind;  // of any, if there is none
   std::unique_ptr<SimulatedDevice> (*make)(Simulation& simulation, world::ModelRow model);
 };
 inline constexpr DeviceMaker kDeviceMakers[] = {
-    {12, make_speech_device},
-    {4, make_position2d_device},
-    {62, make_ranger_device},
-    {6, make_laser_device},
-    {5, make_sonar_device},
-    {10, make_fiducial_device},
-    {7, make_blobfinder_device},
-    {14, make_bumper_device},
-    {33, make_blinkenlight_device},
-    {3, make_gripper_device},
-    {53, make_actarray_device},
-    {23, make_wifi_device},
-    {40, make_camera_device},
-    {8, make_ptz_device},
-    {2, make_power_device},
+    {12, std::nullopt, make_speech_device},
+    {4, scene::ModelKind::kPosition, make_position2d_device},
+    {62, scene::ModelKind::kRanger, make_ranger_device},
+    {6, scene::ModelKind::kRanger, make_laser_device},
+    {5, scene::ModelKind::kRanger, make_sonar_device},
+    {10, scene::ModelKind::kFiducial, make_fiducial_device},
+    {7, scene::ModelKind::kBlobfinder, make_blobfinder_device},
+    {14, scene::ModelKind::kBumper, make_bumper_device},
+    {33, scene::ModelKind::kBlinkenlight, make_blinkenlight_device},
+    {33, scene::ModelKind::kLightindicator, make_lightindicator_blinkenlight_device},
+    {3, scene::ModelKind::kGripper, make_gripper_device},
+    {53, scene::ModelKind::kActuator, make_actarray_device},
+    {23, scene::ModelKind::kWifi, make_wifi_device},
+    {40, scene::ModelKind::kCamera, make_camera_device},
+    {8, scene::ModelKind::kCamera, make_ptz_device},
+    {62, scene::ModelKind::kDetector, make_detector_ranger_device},
+    {10, scene::ModelKind::kDetector, make_detector_fiducial_device},
+    {2, std::nullopt, make_power_device},
 };
 
 }  // namespace playhouse::drivers

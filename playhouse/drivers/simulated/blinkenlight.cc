@@ -167,7 +167,11 @@ class Lightindicator final : public Light {
 }  // namespace
 
 std::unique_ptr<SimulatedDevice> make_blinkenlight_device(Simulation& simulation, world::ModelRow model) {
-  if (simulation.world().desc(model).blinkenlight) return std::make_unique<Blinkenlight>(simulation, model);
+  return std::make_unique<Blinkenlight>(simulation, model);
+}
+
+std::unique_ptr<SimulatedDevice> make_lightindicator_blinkenlight_device(Simulation& simulation,
+                                                                         world::ModelRow model) {
   return std::make_unique<Lightindicator>(simulation, model);
 }
 

@@ -18,7 +18,10 @@ std::unique_ptr<SimulatedDevice> make_device(Simulation& simulation, std::uint16
     return std::make_unique<SimulationDevice>(simulation);
   }
   PLAYHOUSE_ASSERT(fits(simulation.world(), model, interf));
-  const auto found = std::ranges::find(kDeviceMakers, interf, &DeviceMaker::interf);
+  const scene::ModelKind kind = simulation.world().models.kind[model.index];
+  const auto found = std::ranges::find_if(kDeviceMakers, [&](const DeviceMaker& maker) {
+    return maker.interf == interf && maker.kind.value_or(kind) == kind;
+  });
   PLAYHOUSE_ASSERT(found != std::end(kDeviceMakers));
   return found->make(simulation, model);
 }

@@ -1,25 +1,58 @@
 #include "playhouse/drivers/simulated/fiducial.h"
 
 #include "playhouse/drivers/simulated/shapes.h"
-#include "playhouse/wire/generated/fiducial.h"
 
 namespace playhouse::drivers {
 
 namespace fid = wire::fiducial;
 using wire::MessageType;
 
-Fiducial::Fiducial(Simulation& simulation, world::ModelRow model)
-    : SimulatedDevice(simulation, simulation.world().id(model)) {
-  const world::World& world = simulation.world();
-  const scene::ModelDesc& desc = world.desc(model);
-  geometry_ = wire::encode(fid::Geom{pose3d(pose_on_robot(world, model)), bbox3d(desc.size), {}});
-  const scene::FiducialDesc finder = desc.fiducial.value_or(scene::FiducialDesc{});
-  field_of_view_ =
-      wire::encode(fid::Fov{static_cast<float>(finder.range_min), static_cast<float>(finder.range_max),
-                            static_cast<float>(finder.fov)});
+namespace {
+
+fid::Fov field_of_view(const world::World& world, world::ModelRow model) {
+  const scene::FiducialDesc& finder = *world.desc(model).fiducial;
+  return {static_cast<float>(finder.range_min), static_cast<float>(finder.range_max),
+          static_cast<float>(finder.fov)};
 }
 
-std::span<const Served> Fiducial::served() const {
+class Fiducial final : public FiducialDevice {
+ public:
+  Fiducial(Simulation& simulation, world::ModelRow model)
+      : FiducialDevice(simulation, model, field_of_view(simulation.world(), model)) {}
+
+ private:
+  std::optional<fid::Data> read(const world::World& world) const override {
+    const world::ModelRow row = world.row(model());
+    if (!row) return std::nullopt;
+    const std::uint32_t finder = world.models.part[row.index];
+    if (world.fiducials.measured_tick[finder] != world.tick()) return std::nullopt;
+    fid::Data data;
+    for (const world::FiducialHit& hit : world.fiducials.hits[finder])
+      data.fiducials.push_back(fiducial_item(hit.id, hit.range, hit.bearing, hit.heading));
+    return data;
+  }
+};
+
+}  // namespace
+
+fid::Item fiducial_item(std::int32_t id, double range, double bearing, double heading) {
+  const geom::SinCos ahead = geom::sincos(bearing);
+  fid::Item item;
+  item.id = id;
+  item.pose.px = range * ahead.cos;
+  item.pose.py = range * ahead.sin;
+  item.pose.pyaw = heading;
+  return item;
+}
+
+FiducialDevice::FiducialDevice(Simulation& simulation, world::ModelRow model, const fid::Fov& field_of_view)
+    : SimulatedDevice(simulation, simulation.world().id(model)),
+      geometry_(wire::encode(fid::Geom{pose3d(pose_on_robot(simulation.world(), model)),
+                                       bbox3d(simulation.world().desc(model).size),
+                                       {}})),
+      field_of_view_(wire::encode(field_of_view)) {}
+
+std::span<const Served> FiducialDevice::served() const {
   static constexpr Served kServed[] = {
       {MessageType::kReq, fid::kReqGetGeom},
       {MessageType::kReq, fid::kReqGetFov},
@@ -29,7 +62,7 @@ std::span<const Served> Fiducial::served() const {
   return kServed;
 }
 
-void Fiducial::request(const device::Message& message, device::Replier replier) {
+void FiducialDevice::request(const device::Message& message, device::Replier replier) {
   switch (message.subtype) {
     case fid::kReqGetGeom:
       replier.ack(geometry_);
@@ -47,7 +80,7 @@ void Fiducial::request(const device::Message& message, device::Replier replier) 
 }
 
 /// Sets the id if the message is SET_ID; answers with the id either way.
-void Fiducial::exchange_id(const device::Message& message, device::Replier replier) {
+void FiducialDevice::exchange_id(const device::Message& message, device::Replier replier) {
   std::optional<std::int32_t> wanted;
   if (message.subtype == fid::kReqSetId) {
     const auto value = wire::decode<fid::Id>(message.body);
@@ -63,22 +96,8 @@ void Fiducial::exchange_id(const device::Message& message, device::Replier repli
   });
 }
 
-void Fiducial::emit(const world::World& world, std::vector<device::Publication>& out) {
-  const world::ModelRow row = world.row(model());
-  if (!row) return;
-  const std::uint32_t finder = world.models.part[row.index];
-  if (world.fiducials.measured_tick[finder] != world.tick()) return;
-  fid::Data data;
-  for (const world::FiducialHit& hit : world.fiducials.hits[finder]) {
-    const geom::SinCos bearing = geom::sincos(hit.bearing);
-    fid::Item item;
-    item.id = hit.id;
-    item.pose.px = hit.range * bearing.cos;
-    item.pose.py = hit.range * bearing.sin;
-    item.pose.pyaw = hit.heading;
-    data.fiducials.push_back(item);
-  }
-  publish(world, fid::kDataScan, data, out);
+void FiducialDevice::emit(const world::World& world, std::vector<device::Publication>& out) {
+  if (const std::optional<fid::Data> data = read(world)) publish(world, fid::kDataScan, *data, out);
 }
 
 std::unique_ptr<SimulatedDevice> make_fiducial_device(Simulation& simulation, world::ModelRow model) {

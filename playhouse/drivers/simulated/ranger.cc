@@ -1,7 +1,6 @@
 #include "playhouse/drivers/simulated/ranger.h"
 
 #include "playhouse/drivers/simulated/shapes.h"
-#include "playhouse/wire/generated/ranger.h"
 #include "playhouse/world/periods.h"
 
 namespace playhouse::drivers {
@@ -25,7 +24,7 @@ rng::Config configuration(const world::World& world, world::ModelRow model) {
   const scene::ModelDesc& desc = world.desc(model);
   rng::Config config;
   config.range_res = world.scene().resolution;
-  config.frequency = 1 / (static_cast<double>(world::update_ticks(world, model)) * world.scene().interval);
+  config.frequency = measuring_frequency(world, model);
   if (desc.sensors.empty()) return config;
   const scene::RangerSensorDesc& sensor = desc.sensors.front();
   config.min_angle = -sensor.fov / 2;
@@ -36,14 +35,33 @@ rng::Config configuration(const world::World& world, world::ModelRow model) {
   return config;
 }
 
+class Ranger final : public RangerDevice {
+ public:
+  Ranger(Simulation& simulation, world::ModelRow model)
+      : RangerDevice(simulation, model, geometry(simulation.world(), model),
+                     configuration(simulation.world(), model)) {}
+
+ private:
+  bool read(const world::World& world, std::vector<Reading>& out) const override {
+    const std::optional<RangerRows> rows = fresh_rows(world, model());
+    if (rows) readings(world, *rows, out);
+    return rows.has_value();
+  }
+};
+
 }  // namespace
 
-Ranger::Ranger(Simulation& simulation, world::ModelRow model)
-    : SimulatedDevice(simulation, simulation.world().id(model)),
-      geometry_(wire::encode(geometry(simulation.world(), model))),
-      configuration_(wire::encode(configuration(simulation.world(), model))) {}
+double measuring_frequency(const world::World& world, world::ModelRow model) {
+  return 1 / (static_cast<double>(world::update_ticks(world, model)) * world.scene().interval);
+}
 
-std::span<const Served> Ranger::served() const {
+RangerDevice::RangerDevice(Simulation& simulation, world::ModelRow model, const rng::Geom& geometry,
+                           const rng::Config& configuration)
+    : SimulatedDevice(simulation, simulation.world().id(model)),
+      geometry_(wire::encode(geometry)),
+      configuration_(wire::encode(configuration)) {}
+
+std::span<const Served> RangerDevice::served() const {
   static constexpr Served kServed[] = {
       {MessageType::kReq, rng::kReqGetGeom},
       {MessageType::kReq, rng::kReqGetConfig},
@@ -53,7 +71,7 @@ std::span<const Served> Ranger::served() const {
   return kServed;
 }
 
-void Ranger::request(const device::Message& message, device::Replier replier) {
+void RangerDevice::request(const device::Message& message, device::Replier replier) {
   switch (message.subtype) {
     case rng::kReqGetGeom:
       replier.ack(geometry_);
@@ -72,10 +90,8 @@ void Ranger::request(const device::Message& message, device::Replier replier) {
   }
 }
 
-void Ranger::emit(const world::World& world, std::vector<device::Publication>& out) {
-  const std::optional<RangerRows> rows = fresh_rows(world, model());
-  if (!rows) return;
-  readings(world, *rows, readings_);
+void RangerDevice::emit(const world::World& world, std::vector<device::Publication>& out) {
+  if (!read(world, readings_)) return;
   rng::DataRange ranges;
   rng::DataIntns intensities;
   ranges.ranges.reserve(readings_.size());

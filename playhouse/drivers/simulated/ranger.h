@@ -1,24 +1,32 @@
 #pragma once
 
-/// A ranger as interface ranger: one scanner, or an array of transducers (docs/drivers.md).
+/// What tells ranges along beams, as interface ranger: one scanner, or an array of transducers
+/// (docs/drivers.md). A kind of model that does has a subclass.
 
 #include "playhouse/drivers/generated/device_makers.h"
 #include "playhouse/drivers/simulated/scan.h"
+#include "playhouse/wire/generated/ranger.h"
 
 namespace playhouse::drivers {
 
-class Ranger final : public SimulatedDevice {
+class RangerDevice : public SimulatedDevice {
  public:
-  /// `model` is of kind kRanger.
-  Ranger(Simulation& simulation, world::ModelRow model);
+  RangerDevice(Simulation& simulation, world::ModelRow model, const wire::ranger::Geom& geometry,
+               const wire::ranger::Config& configuration);
 
   std::span<const Served> served() const override;
   void request(const device::Message& message, device::Replier replier) override;
   void emit(const world::World& world, std::vector<device::Publication>& out) override;
 
  private:
+  /// Replaces `out` by what was measured in this very tick. False where that is nothing.
+  virtual bool read(const world::World& world, std::vector<Reading>& out) const = 0;
+
   Bytes geometry_, configuration_;
   std::vector<Reading> readings_;  // kept for its memory
 };
+
+/// How often a model measures.  [Hz]
+double measuring_frequency(const world::World& world, world::ModelRow model);
 
 }  // namespace playhouse::drivers

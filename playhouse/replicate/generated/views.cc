@@ -133,6 +133,22 @@ bool capture_camera(const world::World& world, std::uint32_t row, std::vector<st
   return true;
 }
 
+std::uint32_t row_of_detector(const world::World& world, std::uint32_t model) {
+  return world.models.kind[model] == scene::ModelKind::kDetector ? world.models.part[model] : world::ModelRow::kNone;
+}
+
+bool capture_detector(const world::World& world, std::uint32_t row, std::vector<std::int32_t>& out) {
+  if (world.detectors.measured_tick[row] == 0) return false;
+  for (const auto& item : world.detectors.finds[row]) {
+    out.push_back(static_cast<std::int32_t>(item.target.value));
+    out.push_back(quantize(item.range, 1000));
+    out.push_back(quantize_angle(item.bearing));
+    out.push_back(quantize(item.level, 1000));
+    out.push_back(static_cast<std::int32_t>(item.bodies));
+  }
+  return true;
+}
+
 std::uint32_t row_of_pack(const world::World& world, std::uint32_t model) {
   return world::trait_row(world.packs, model);
 }
@@ -154,9 +170,10 @@ constexpr Code kCodesOfGripper[] = {Code::kVarint, Code::kZigzag, Code::kVarint,
 constexpr Code kCodesOfActuator[] = {Code::kZigzag, Code::kZigzag};
 constexpr Code kCodesOfWifi[] = {Code::kVarint, Code::kZigzag, Code::kVarint};
 constexpr Code kCodesOfCamera[] = {Code::kVarint};
+constexpr Code kCodesOfDetector[] = {Code::kVarint, Code::kVarint, Code::kTurn, Code::kVarint, Code::kVarint};
 constexpr Code kCodesOfPack[] = {Code::kZigzag, Code::kZigzag, Code::kZigzag, Code::kVarint};
 
-constexpr View kViews[10] = {
+constexpr View kViews[11] = {
     {When::kSelected, false, false, kCodesOfPosition, row_of_position, capture_position},
     {When::kShown, true, true, kCodesOfFiducial, row_of_fiducial, capture_fiducial},
     {When::kShown, true, true, kCodesOfBlobfinder, row_of_blobfinder, capture_blobfinder},
@@ -166,6 +183,7 @@ constexpr View kViews[10] = {
     {When::kSelected, false, false, kCodesOfActuator, row_of_actuator, capture_actuator},
     {When::kShown, true, true, kCodesOfWifi, row_of_wifi, capture_wifi},
     {When::kSelected, true, true, kCodesOfCamera, row_of_camera, capture_camera},
+    {When::kShown, true, true, kCodesOfDetector, row_of_detector, capture_detector},
     {When::kSelected, false, false, kCodesOfPack, row_of_pack, capture_pack},
 };
 
@@ -207,6 +225,7 @@ bool may_be_watched(scene::ModelKind kind) {
     case scene::ModelKind::kBumper:
     case scene::ModelKind::kWifi:
     case scene::ModelKind::kCamera:
+    case scene::ModelKind::kDetector:
       return true;
     default:
       return false;
@@ -276,6 +295,12 @@ void tell_camera(const scene::ModelDesc& model, std::string& text) {
   text += ",\"shows\":" + quoted(kWordsOfImage[static_cast<std::size_t>(model.camera->image)]);
 }
 
+void tell_detector(const scene::ModelDesc& model, std::string& text) {
+  if (!model.detector) return;
+  text += ",\"reach\":[" + number(model.detector->range_min) + ',' + number(model.detector->range_max) + "]";
+  fmt::format_to(std::back_inserter(text), ",\"fov\":{}", number(model.detector->fov));
+}
+
 }  // namespace
 
 void tell_kind(const scene::ModelDesc& model, std::string& text) {
@@ -303,6 +328,9 @@ void tell_kind(const scene::ModelDesc& model, std::string& text) {
       break;
     case scene::ModelKind::kCamera:
       tell_camera(model, text);
+      break;
+    case scene::ModelKind::kDetector:
+      tell_detector(model, text);
       break;
     default:
       break;
@@ -338,6 +366,8 @@ std::string_view kind_name(scene::ModelKind kind) {
       return "wifi";
     case scene::ModelKind::kCamera:
       return "camera";
+    case scene::ModelKind::kDetector:
+      return "detector";
   }
   return "";
 }

@@ -28,6 +28,7 @@ enum class ModelKind : std::uint8_t {
   kActuator = 9,
   kWifi = 10,
   kCamera = 11,
+  kDetector = 12,
 };
 
 /// A plain body; its words are those of every model, whatever its kind.
@@ -57,6 +58,8 @@ struct PlainDesc {
   /// How much its faces rub. In the plane nothing slides, so that it means nothing, as in Stage; it is kept
   /// for engines with forces.
   double friction = 0;
+  /// What it is made of, as "glass": a name that detectors may look for, or through.
+  std::string material;
   /// Time between two measurements of a sensor, at least a tick. [s]
   double update_interval = 0.1;
   /// It moves or measures although nobody has opened it.
@@ -314,6 +317,53 @@ struct CameraDesc {
   friend bool operator==(const CameraDesc&, const CameraDesc&) = default;
 };
 
+/// A sensor made up in the world file: what it sees, what it sees through, how far, how finely and how well
+/// (docs/detectors.md).
+struct DetectorDesc {
+  /// The field of view, half to each side. Its beams have equal shares of it, the first the rightmost. [rad]
+  double fov = geom::radians(60);
+  /// The field of view upwards and downwards, half to each; with 0 it sees what is at half its own height.
+  /// [rad]
+  double fov_vertical = 0;
+  /// The nearest and the farthest thing that it tells of, along the line to it. [m]
+  double range_min = 0;
+  double range_max = 8;
+  /// How many beams it has. A beam tells the range of the nearest thing in its share of the field of view.
+  std::uint32_t samples = 1;
+  /// The lines along which each beam looks, evenly spread over its share: 1 is as thin as a laser, many are
+  /// as wide as a sonar.
+  std::uint32_t rays = 1;
+  /// How often each of them looks, evenly spread from below upwards.
+  std::uint32_t layers = 1;
+  /// What it tells of: conditions of which one holds, as "kind=position color=red" (docs/detectors.md);
+  /// without any, everything.
+  std::vector<std::string> sees;
+  /// What is no hindrance: conditions as of sees, as "material=glass".
+  std::vector<std::string> through;
+  /// How many bodies it sees through on a line, beside those of through.
+  std::uint32_t walls = 0;
+  /// What is lost in each body that it sees through, and for each metre of the way in it. [dB]
+  double loss_per_body = 0;
+  double loss_per_metre = 0;
+  /// The power of the distance by which what comes back gets weaker, from 1 m on: 2 for a lamp, 4 for a
+  /// radar's echo.
+  double spread = 0;
+  /// How much may be lost on the way to what it still tells of. What is left of that is told as the level.
+  /// [dB]
+  double budget = 100;
+  /// Ranges are told in steps of this; 0: as they are. [m]
+  double resolution = 0;
+  /// Standard deviations of errors: of a range, as a length and as a share of it, and of the bearing of what
+  /// is found. [m, 1, rad]
+  double noise_constant = 0;
+  double noise_proportional = 0;
+  double noise_angular = 0;
+  /// The probability that something in view is not noticed, for each thing in each measurement.
+  double miss = 0;
+
+  friend bool operator==(const DetectorDesc&, const DetectorDesc&) = default;
+};
+
 /// One transducer or scanner of a ranger.
 struct RangerSensorDesc {
   /// Where the sensor is in the ranger. [frame X_BS, m, m, m, rad]
@@ -386,6 +436,7 @@ struct KindDescs {
   std::optional<ActuatorDesc> actuator;  // kActuator
   std::optional<WifiDesc> wifi;  // kWifi
   std::optional<CameraDesc> camera;  // kCamera
+  std::optional<DetectorDesc> detector;  // kDetector
 
   friend bool operator==(const KindDescs&, const KindDescs&) = default;
 };

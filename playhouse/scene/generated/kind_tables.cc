@@ -25,7 +25,7 @@ constexpr Meaning kOld_model_polygon{.how = Meaning::How::kNested, .part = "bloc
 constexpr Meaning kOld_model_blocks{.how = Meaning::How::kCount, .part = "block"};
 constexpr SaidWord kOld_model_block_part_words[] = {{"z", "0 1"}};
 constexpr Meaning kOld_model_block{.how = Meaning::How::kNested, .part = "block", .part_words = kOld_model_block_part_words};
-constexpr Word kWordsOfModel[58] = {
+constexpr Word kWordsOfModel[59] = {
     {.name = "name", .use = Use::kRead, .type = "text", .told = "the type and its number, as position:0", .doc = "What the model is called; inside a parent it is parent.name, with a leading / it stands as it is."},
     {.name = "pose", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .otherwise = "[0 0 0 0]", .doc = "Where the model is in its parent."},
     {.name = "origin", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .otherwise = "[0 0 0 0]", .doc = "Where body and sensors are, from the pose."},
@@ -43,6 +43,7 @@ constexpr Word kWordsOfModel[58] = {
     {.name = "gripper_return", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "Grippers see it, and take it up with all its parts: it has to be at the top level, and holds nothing that drives."},
     {.name = "mass", .use = Use::kRead, .type = "number", .unit = "kg", .otherwise = "0", .limits = "not negative", .doc = "Driving it takes 10 W for each kg and m/s, and for each rad/s. In the plane nothing is pushed, so that it means nothing else; it is kept for engines with forces."},
     {.name = "friction", .use = Use::kRead, .type = "number", .otherwise = "0", .limits = "not negative", .doc = "How much its faces rub. In the plane nothing slides, so that it means nothing, as in Stage; it is kept for engines with forces."},
+    {.name = "material", .use = Use::kRead, .type = "text", .otherwise = "\"\"", .doc = "What it is made of, as \"glass\": a name that detectors may look for, or through."},
     {.name = "update_interval", .use = Use::kRead, .type = "number", .unit = "ms", .otherwise = "100", .limits = "not negative", .doc = "Time between two measurements of a sensor, at least a tick."},
     {.name = "alwayson", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "It moves or measures although nobody has opened it."},
     {.name = "gui_move", .use = Use::kRead, .type = "flag", .told = "1, inside another model 0", .doc = "A person may drag it in the page."},
@@ -280,6 +281,29 @@ constexpr KindInterface kInterfacesOfCamera[2] = {
     {"ptz", 8, Index::kCount, Need::kNothing, Need::kNothing, false},
 };
 
+constexpr Word kWordsOfDetector[15] = {
+    {.name = "fov", .use = Use::kRead, .type = "angle", .unit = "deg", .otherwise = "60", .limits = "from 0 to 360", .doc = "The field of view, half to each side. Its beams have equal shares of it, the first the rightmost."},
+    {.name = "fov_vertical", .use = Use::kRead, .type = "angle", .unit = "deg", .otherwise = "0", .limits = "from 0 to 170", .doc = "The field of view upwards and downwards, half to each; with 0 it sees what is at half its own height."},
+    {.name = "range", .use = Use::kRead, .type = "tuple", .form = "[min max]", .unit = "m", .otherwise = "[0 8]", .limits = "0 <= min <= max", .doc = "The nearest and the farthest thing that it tells of, along the line to it."},
+    {.name = "samples", .use = Use::kRead, .type = "count", .otherwise = "1", .limits = "from 1 to 65536", .doc = "How many beams it has. A beam tells the range of the nearest thing in its share of the field of view."},
+    {.name = "rays", .use = Use::kRead, .type = "count", .otherwise = "1", .limits = "from 1 to 1024", .doc = "The lines along which each beam looks, evenly spread over its share: 1 is as thin as a laser, many are as wide as a sonar."},
+    {.name = "layers", .use = Use::kRead, .type = "count", .otherwise = "1", .limits = "from 1 to 256", .doc = "How often each of them looks, evenly spread from below upwards."},
+    {.name = "sees", .use = Use::kRead, .type = "texts", .doc = "What it tells of: conditions of which one holds, as \"kind=position color=red\" (docs/detectors.md); without any, everything."},
+    {.name = "through", .use = Use::kRead, .type = "texts", .doc = "What is no hindrance: conditions as of sees, as \"material=glass\"."},
+    {.name = "walls", .use = Use::kRead, .type = "count", .otherwise = "0", .limits = "from 0 to 1000", .doc = "How many bodies it sees through on a line, beside those of through."},
+    {.name = "attenuation", .use = Use::kRead, .type = "tuple", .form = "[body metre]", .unit = "dB", .otherwise = "[0 0]", .limits = "from 0 to 1000", .doc = "What is lost in each body that it sees through, and for each metre of the way in it."},
+    {.name = "spread", .use = Use::kRead, .type = "number", .otherwise = "0", .limits = "not negative", .doc = "The power of the distance by which what comes back gets weaker, from 1 m on: 2 for a lamp, 4 for a radar's echo."},
+    {.name = "budget", .use = Use::kRead, .type = "number", .unit = "dB", .otherwise = "100", .limits = "not negative", .doc = "How much may be lost on the way to what it still tells of. What is left of that is told as the level."},
+    {.name = "resolution", .use = Use::kRead, .type = "length", .unit = "m", .otherwise = "0", .limits = "not negative", .doc = "Ranges are told in steps of this; 0: as they are."},
+    {.name = "noise", .use = Use::kRead, .type = "tuple", .form = "[constant proportional angular]", .unit = "m, 1, deg", .otherwise = "[0 0 0]", .limits = "from 0 to 360", .doc = "Standard deviations of errors: of a range, as a length and as a share of it, and of the bearing of what is found."},
+    {.name = "miss", .use = Use::kRead, .type = "number", .otherwise = "0", .limits = "from 0 to 1", .doc = "The probability that something in view is not noticed, for each thing in each measurement."},
+};
+
+constexpr KindInterface kInterfacesOfDetector[2] = {
+    {"ranger", 62, Index::kCount, Need::kNothing, Need::kNothing, false},
+    {"fiducial", 10, Index::kCount, Need::kNothing, Need::kNothing, false},
+};
+
 constexpr std::string_view kOld_block_height_to[] = {"z.1"};
 constexpr Meaning kOld_block_height{.how = Meaning::How::kWords, .to = kOld_block_height_to};
 constexpr Word kWordsOfBlock[7] = {
@@ -403,7 +427,7 @@ constexpr KindInterface kInterfacesOfWorld[1] = {
     {"simulation", 31, Index::kOne, Need::kNothing, Need::kNothing, false},
 };
 
-constexpr Kind kKinds[17] = {
+constexpr Kind kKinds[18] = {
     {.name = "model", .doc = "A plain body; its words are those of every model, whatever its kind.", .entity = EntityForm::kModel, .table = "models", .kind = ModelKind::kPlain, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfModel, .interfaces = kInterfacesOfModel},
     {.name = "position", .doc = "A robot that drives in the plane.", .entity = EntityForm::kModel, .table = "positions", .kind = ModelKind::kPosition, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfPosition, .interfaces = kInterfacesOfPosition},
     {.name = "ranger", .doc = "Range finders of any kind: a laser has one sensor with many samples, a ring of sonars many with one.", .entity = EntityForm::kModel, .table = "rangers", .kind = ModelKind::kRanger, .simulated = true, .solid = false, .size = {0.15, 0.15, 0.2}, .color = {0, 0, 0.5f, 1}, .words = kWordsOfRanger, .interfaces = kInterfacesOfRanger},
@@ -416,6 +440,7 @@ constexpr Kind kKinds[17] = {
     {.name = "actuator", .doc = "A joint that slides or turns, with what it carries.", .entity = EntityForm::kModel, .table = "actuators", .kind = ModelKind::kActuator, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfActuator, .interfaces = kInterfacesOfActuator},
     {.name = "wifi", .doc = "A radio: tells which others of its network it hears, and how well.", .entity = EntityForm::kModel, .table = "wifis", .kind = ModelKind::kWifi, .simulated = true, .solid = false, .size = {0, 0, 0}, .color = {0.2f, 0.6f, 0.9f, 1}, .words = kWordsOfWifi, .interfaces = kInterfacesOfWifi},
     {.name = "camera", .doc = "A camera: takes images of the bodies, the floor and the sky, in colours, in grey, or of distances, and pans, tilts and zooms.", .entity = EntityForm::kModel, .table = "cameras", .kind = ModelKind::kCamera, .simulated = true, .solid = true, .size = {0.1, 0.07, 0.05}, .color = {0, 0, 0, 1}, .words = kWordsOfCamera, .interfaces = kInterfacesOfCamera},
+    {.name = "detector", .doc = "A sensor made up in the world file: what it sees, what it sees through, how far, how finely and how well (docs/detectors.md).", .entity = EntityForm::kModel, .table = "detectors", .kind = ModelKind::kDetector, .simulated = true, .solid = false, .size = {0.1, 0.1, 0.1}, .color = {0.4f, 0.1f, 0.6f, 1}, .words = kWordsOfDetector, .interfaces = kInterfacesOfDetector},
     {.name = "block", .doc = "A prism, as a part of a model's body; all blocks together are stretched to fill the model's size.", .entity = EntityForm::kPart, .inside = "model", .simulated = true, .words = kWordsOfBlock},
     {.name = "sensor", .doc = "One transducer or scanner of a ranger.", .entity = EntityForm::kPart, .inside = "ranger", .table = "sensors", .simulated = true, .words = kWordsOfSensor},
     {.name = "pack", .doc = "A battery, from which a model draws, and what is inside it and has none of its own.", .entity = EntityForm::kTrait, .table = "packs", .simulated = true, .interfaces = kInterfacesOfPack, .has = has_pack},

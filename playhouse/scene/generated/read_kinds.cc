@@ -171,6 +171,44 @@ void read(const Properties& properties, CameraDesc& to) {
   to.noise_depth = noise[1];
 }
 
+void read(const Properties& properties, DetectorDesc& to) {
+  to.fov = properties.angle("fov", to.fov);
+  require(to.fov >= 0 && to.fov <= geom::radians(360), properties, "fov", "must be from 0 to 360");
+  to.fov_vertical = properties.angle("fov_vertical", to.fov_vertical);
+  require(to.fov_vertical >= 0 && to.fov_vertical <= geom::radians(170), properties, "fov_vertical", "must be from 0 to 170");
+  double range[2] = {to.range_min, to.range_max};
+  properties.tuple("range", "LL", range, "[min max]");
+  require(0 <= range[0] && range[0] <= range[1], properties, "range", "needs 0 <= min <= max");
+  to.range_min = range[0];
+  to.range_max = range[1];
+  static_assert(limits::kRangerSamples == 65536);
+  to.samples = read_count(properties, "samples", to.samples, 1, limits::kRangerSamples);
+  to.rays = read_count(properties, "rays", to.rays, 1, 1024);
+  to.layers = read_count(properties, "layers", to.layers, 1, 256);
+  to.sees = read_texts(properties, "sees");
+  to.through = read_texts(properties, "through");
+  to.walls = read_count(properties, "walls", to.walls, 0, 1000);
+  double attenuation[2] = {to.loss_per_body, to.loss_per_metre};
+  properties.tuple("attenuation", "NN", attenuation, "[body metre]");
+  require(attenuation[0] >= 0 && attenuation[0] <= 1000 && attenuation[1] >= 0 && attenuation[1] <= 1000, properties, "attenuation", "needs numbers from 0 to 1000");
+  to.loss_per_body = attenuation[0];
+  to.loss_per_metre = attenuation[1];
+  to.spread = properties.number("spread", to.spread);
+  require(to.spread >= 0, properties, "spread", "must not be negative");
+  to.budget = properties.number("budget", to.budget);
+  require(to.budget >= 0, properties, "budget", "must not be negative");
+  to.resolution = properties.length("resolution", to.resolution);
+  require(to.resolution >= 0, properties, "resolution", "must not be negative");
+  double noise[3] = {to.noise_constant, to.noise_proportional, to.noise_angular};
+  properties.tuple("noise", "LNA", noise, "[constant proportional angular]");
+  require(noise[0] >= 0 && noise[0] <= 360 && noise[1] >= 0 && noise[1] <= 360 && noise[2] >= geom::radians(0) && noise[2] <= geom::radians(360), properties, "noise", "needs numbers from 0 to 360");
+  to.noise_constant = noise[0];
+  to.noise_proportional = noise[1];
+  to.noise_angular = noise[2];
+  to.miss = properties.number("miss", to.miss);
+  require(to.miss >= 0 && to.miss <= 1, properties, "miss", "must be from 0 to 1");
+}
+
 }  // namespace
 
 void read(const Properties& properties, std::size_t row, PlainDesc& to) {
@@ -187,6 +225,7 @@ void read(const Properties& properties, std::size_t row, PlainDesc& to) {
   to.mass = at_least_zero(properties, "mass", to.mass, "no mass is meant");
   to.friction = properties.number("friction", to.friction);
   to.friction = at_least_zero(properties, "friction", to.friction, "no friction is meant");
+  to.material = properties.text("material", to.material);
   to.update_interval = read_milliseconds(properties, "update_interval", to.update_interval);
   to.update_interval = at_least_zero(properties, "update_interval", to.update_interval, "every tick is meant");
   to.alwayson = properties.flag("alwayson", to.alwayson);
@@ -285,6 +324,9 @@ void read_kind(const Properties& properties, ModelKind kind, KindDescs& to) {
     case ModelKind::kCamera:
       read(properties, to.camera.emplace());
       break;
+    case ModelKind::kDetector:
+      read(properties, to.detector.emplace());
+      break;
     case ModelKind::kPlain:
     case ModelKind::kRanger:
     case ModelKind::kLightindicator:
@@ -312,6 +354,8 @@ bool is_described(ModelKind kind, const KindDescs& by) {
       return by.wifi.has_value();
     case ModelKind::kCamera:
       return by.camera.has_value();
+    case ModelKind::kDetector:
+      return by.detector.has_value();
     default:
       return true;
   }

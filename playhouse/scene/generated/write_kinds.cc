@@ -113,6 +113,27 @@ void write(const CameraDesc& from, const CameraDesc& unsaid, Words& to) {
   if (from.noise_value != unsaid.noise_value || from.noise_depth != unsaid.noise_depth) to.tuple("noise", "NN", noise);
 }
 
+void write(const DetectorDesc& from, const DetectorDesc& unsaid, Words& to) {
+  if (from.fov != unsaid.fov) to.angle("fov", from.fov);
+  if (from.fov_vertical != unsaid.fov_vertical) to.angle("fov_vertical", from.fov_vertical);
+  const double range[] = {from.range_min, from.range_max};
+  if (from.range_min != unsaid.range_min || from.range_max != unsaid.range_max) to.tuple("range", "LL", range);
+  if (from.samples != unsaid.samples) to.integer("samples", from.samples);
+  if (from.rays != unsaid.rays) to.integer("rays", from.rays);
+  if (from.layers != unsaid.layers) to.integer("layers", from.layers);
+  if (from.sees != unsaid.sees) to.texts("sees", from.sees);
+  if (from.through != unsaid.through) to.texts("through", from.through);
+  if (from.walls != unsaid.walls) to.integer("walls", from.walls);
+  const double attenuation[] = {from.loss_per_body, from.loss_per_metre};
+  if (from.loss_per_body != unsaid.loss_per_body || from.loss_per_metre != unsaid.loss_per_metre) to.tuple("attenuation", "NN", attenuation);
+  if (from.spread != unsaid.spread) to.number("spread", from.spread);
+  if (from.budget != unsaid.budget) to.number("budget", from.budget);
+  if (from.resolution != unsaid.resolution) to.length("resolution", from.resolution);
+  const double noise[] = {from.noise_constant, from.noise_proportional, from.noise_angular};
+  if (from.noise_constant != unsaid.noise_constant || from.noise_proportional != unsaid.noise_proportional || from.noise_angular != unsaid.noise_angular) to.tuple("noise", "LNA", noise);
+  if (from.miss != unsaid.miss) to.number("miss", from.miss);
+}
+
 void write(const RangerSensorDesc& from, const RangerSensorDesc& unsaid, Words& to) {
   if (from.X_BS != unsaid.X_BS) to.pose("pose", from.X_BS);
   if (from.size != unsaid.size) to.size("size", from.size);
@@ -139,6 +160,7 @@ void write(const PlainDesc& from, const PlainDesc& unsaid, double z, Words& to) 
   if (from.gripper_return != unsaid.gripper_return) to.flag("gripper_return", from.gripper_return);
   if (from.mass != unsaid.mass) to.number("mass", from.mass);
   if (from.friction != unsaid.friction) to.number("friction", from.friction);
+  if (from.material != unsaid.material) to.text("material", from.material);
   if (from.update_interval != unsaid.update_interval) to.milliseconds("update_interval", from.update_interval);
   if (from.alwayson != unsaid.alwayson) to.flag("alwayson", from.alwayson);
   if (from.gui_move != unsaid.gui_move) to.flag("gui_move", from.gui_move);
@@ -186,6 +208,7 @@ void write_kind(const KindDescs& from, const Units& units, Entity& to) {
   if (from.actuator) write(*from.actuator, {}, words);
   if (from.wifi) write(*from.wifi, {}, words);
   if (from.camera) write(*from.camera, {}, words);
+  if (from.detector) write(*from.detector, {}, words);
   for (const RangerSensorDesc& part : from.sensors) {
     Words words_of_part(units, to.parts.emplace_back(Entity{"sensor", {}, {}}).words);
     write(part, {}, words_of_part);

@@ -17,6 +17,7 @@ std::unique_ptr<SensePhase> make_bumper_sense(unsigned workers);
 std::unique_ptr<SensePhase> make_gripper_sense(unsigned workers);
 std::unique_ptr<SensePhase> make_wifi_sense(unsigned workers);
 std::unique_ptr<SensePhase> make_camera_sense(unsigned workers);
+std::unique_ptr<SensePhase> make_detector_sense(unsigned workers);
 
 inline void add_senses(Senses& senses, unsigned workers) {
   senses.add(make_ranger_sense(workers));
@@ -26,6 +27,7 @@ inline void add_senses(Senses& senses, unsigned workers) {
   senses.add(make_gripper_sense(workers));
   senses.add(make_wifi_sense(workers));
   senses.add(make_camera_sense(workers));
+  senses.add(make_detector_sense(workers));
 }
 
 }  // namespace playhouse::stage

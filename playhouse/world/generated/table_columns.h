@@ -128,6 +128,14 @@ inline constexpr auto kColumns<Cameras> = std::tuple{
 };
 
 template <>
+inline constexpr auto kColumns<Detectors> = std::tuple{
+    Column{"detectors.model", Role::kDerived, "", "", "", &Detectors::model},
+    Column{"detectors.echoes", Role::kSensed, "", "", "sense", &Detectors::echoes},
+    Column{"detectors.finds", Role::kSensed, "", "", "sense", &Detectors::finds},
+    Column{"detectors.measured_tick", Role::kSensed, "", "", "sense", &Detectors::measured_tick},
+};
+
+template <>
 inline constexpr auto kColumns<Packs> = std::tuple{
     Column{"packs.model", Role::kDerived, "", "", "", &Packs::model},
     Column{"packs.stored", Role::kMotion, "J", "", "energy", &Packs::stored},
@@ -164,6 +172,8 @@ template <>
 inline constexpr scene::ModelKind kKindOf<Wifis> = scene::ModelKind::kWifi;
 template <>
 inline constexpr scene::ModelKind kKindOf<Cameras> = scene::ModelKind::kCamera;
+template <>
+inline constexpr scene::ModelKind kKindOf<Detectors> = scene::ModelKind::kDetector;
 
 /// The trait whose models have a row each; of other tables there is none.
 template <typename Table>
@@ -175,10 +185,10 @@ inline constexpr auto kTraitTable = nullptr;
 template <>
 inline constexpr auto kTraitTable<Packs> = &Tables::packs;
 
-inline constexpr std::tuple kTables{&Tables::models, &Tables::positions, &Tables::rangers, &Tables::sensors, &Tables::fiducials, &Tables::blobfinders, &Tables::bumpers, &Tables::blinkenlights, &Tables::lightindicators, &Tables::grippers, &Tables::actuators, &Tables::wifis, &Tables::cameras, &Tables::packs};
+inline constexpr std::tuple kTables{&Tables::models, &Tables::positions, &Tables::rangers, &Tables::sensors, &Tables::fiducials, &Tables::blobfinders, &Tables::bumpers, &Tables::blinkenlights, &Tables::lightindicators, &Tables::grippers, &Tables::actuators, &Tables::wifis, &Tables::cameras, &Tables::detectors, &Tables::packs};
 
 /// Those of kinds: a row for each model of the kind, in the order of the models.
-inline constexpr std::tuple kKindTables{&Tables::positions, &Tables::rangers, &Tables::fiducials, &Tables::blobfinders, &Tables::bumpers, &Tables::blinkenlights, &Tables::lightindicators, &Tables::grippers, &Tables::actuators, &Tables::wifis, &Tables::cameras};
+inline constexpr std::tuple kKindTables{&Tables::positions, &Tables::rangers, &Tables::fiducials, &Tables::blobfinders, &Tables::bumpers, &Tables::blinkenlights, &Tables::lightindicators, &Tables::grippers, &Tables::actuators, &Tables::wifis, &Tables::cameras, &Tables::detectors};
 
 /// Those of traits: a row for each model that has it, in the order of the models.
 inline constexpr std::tuple kTraitTables{&Tables::packs};

@@ -24,6 +24,7 @@ using GripperRow = Row<struct GripperTable>;
 using ActuatorRow = Row<struct ActuatorTable>;
 using WifiRow = Row<struct WifiTable>;
 using CameraRow = Row<struct CameraTable>;
+using DetectorRow = Row<struct DetectorTable>;
 using PackRow = Row<struct PackTable>;
 
 /// A robot that drives in the plane.
@@ -246,6 +247,58 @@ struct Cameras {
   std::size_t size() const { return model.size(); }
 };
 
+/// What a beam tells.
+struct Echo {
+  float range = 0;  // The nearest thing; the largest range where there is none. [m]
+  float level = 0;  // How far that is above the faintest that it tells of; 0 where there is none. [dB]
+  friend bool operator==(const Echo&, const Echo&) = default;
+};
+
+/// Calls visit(part) for every part.
+template <typename Visit>
+void each_part(Echo& value, const Visit& visit) {
+  auto& [range, level] = value;
+  visit(range), visit(level);
+}
+template <typename Visit>
+void each_part(const Echo& value, const Visit& visit) {
+  const auto& [range, level] = value;
+  visit(range), visit(level);
+}
+
+/// A thing that is found: a model of the top level with all that is part of it.
+struct Detection {
+  ModelId target;  // The model of the top level.
+  std::int32_t number = 0;  // The fiducial_return of what is seen of it.
+  double range = 0;  // To the nearest that is seen of it. [m]
+  double bearing = 0;  // The middle of the lines along which it is seen. [rad]
+  double level = 0;  // How far it is above the faintest that is told of, where it is nearest. [dB]
+  std::uint32_t bodies = 0;  // How many bodies are before it there.
+  friend bool operator==(const Detection&, const Detection&) = default;
+};
+
+/// Calls visit(part) for every part.
+template <typename Visit>
+void each_part(Detection& value, const Visit& visit) {
+  auto& [target, number, range, bearing, level, bodies] = value;
+  visit(target), visit(number), visit(range), visit(bearing), visit(level), visit(bodies);
+}
+template <typename Visit>
+void each_part(const Detection& value, const Visit& visit) {
+  const auto& [target, number, range, bearing, level, bodies] = value;
+  visit(target), visit(number), visit(range), visit(bearing), visit(level), visit(bodies);
+}
+
+/// A sensor made up in the world file: what it sees, what it sees through, how far, how finely and how well
+/// (docs/detectors.md).
+struct Detectors {
+  std::vector<ModelRow> model;  // The model that sees.
+  std::vector<std::vector<Echo>> echoes;  // What each beam tells, from right to left.
+  std::vector<std::vector<Detection>> finds;  // The things that are found, by id.
+  std::vector<std::uint64_t> measured_tick;  // Tick of the newest measurement; 0: none yet.
+  std::size_t size() const { return model.size(); }
+};
+
 /// A battery, from which a model draws, and what is inside it and has none of its own.
 struct Packs {
   std::vector<ModelRow> model;  // The model that has it.
@@ -285,6 +338,7 @@ struct Tables {
   Actuators actuators;
   Wifis wifis;
   Cameras cameras;
+  Detectors detectors;
   Packs packs;
 };
 

@@ -2,7 +2,7 @@
 import type { Pose, Rgba } from '../scene';
 
 /** What a model is. */
-export type Kind = 'plain' | 'position' | 'ranger' | 'fiducial' | 'blobfinder' | 'bumper' | 'blinkenlight' | 'lightindicator' | 'gripper' | 'actuator' | 'wifi' | 'camera';
+export type Kind = 'plain' | 'position' | 'ranger' | 'fiducial' | 'blobfinder' | 'bumper' | 'blinkenlight' | 'lightindicator' | 'gripper' | 'actuator' | 'wifi' | 'camera' | 'detector';
 
 /** What models of any kind may have. */
 export type Trait = 'pack';
@@ -83,6 +83,15 @@ export interface CameraView {
   sample: number;
 }
 
+/** A sensor made up in the world file: what it sees, what it sees through, how far, how finely and how well (docs/detectors.md). SI units and radians. */
+export interface DetectorView {
+  target: number;
+  range: number; // m
+  bearing: number; // rad, in (-pi, pi]
+  level: number;
+  bodies: number;
+}
+
 /** A battery, from which a model draws, and what is inside it and has none of its own. SI units and radians. */
 export interface PackView {
   stored: number; // J
@@ -102,6 +111,7 @@ export interface Views {
   actuator: ActuatorView;
   wifi: WifiView[];
   camera: CameraView[];
+  detector: DetectorView[];
   pack: PackView;
 }
 
@@ -124,6 +134,7 @@ export const kViews: readonly ViewFormat[] = [
   { kind: 'actuator', list: false, fields: [['position', 'zigzag', 0.001], ['velocity', 'zigzag', 0.001]] },
   { kind: 'wifi', list: true, fields: [['station', 'varint', 1], ['level', 'zigzag', 1], ['quality', 'varint', 1]] },
   { kind: 'camera', list: true, fields: [['sample', 'varint', 1]] },
+  { kind: 'detector', list: true, fields: [['target', 'varint', 1], ['range', 'varint', 0.001], ['bearing', 'turn', 1], ['level', 'varint', 0.001], ['bodies', 'varint', 1]] },
   { kind: 'pack', list: false, fields: [['stored', 'zigzag', 1], ['capacity', 'zigzag', 1], ['watts', 'zigzag', 0.001], ['charging', 'varint', 1]] },
 ];
 
@@ -155,5 +166,6 @@ export interface KindStart {
   resolution?: [number, number]; // px
   view?: [number, number]; // rad
   shows?: 'color' | 'gray' | 'depth';
+  reach?: [number, number]; // m
   traits?: Trait[];
 }
