@@ -63,19 +63,19 @@ constexpr std::size_t kMeetings = 256;
 
 /// Puts the places of bodies that rays may meet, by where they are in `meets`, into `place`, and which rays
 /// into `rays`; returns how many.
-PLAYHOUSE_INLINE std::size_t find_bodies(const Bundle& bundle, const DiscIndex& index, Vec2 p_WM, Rotation r,
+PLAYHOUSE_INLINE std::size_t find_bodies(const Bundle& bundle, const DiscIndex::Places& places,
+                                         const std::vector<DiscIndex::Run>& runs, Vec2 p_WM, Rotation r,
                                          double z_low, double z_high, std::uint32_t* __restrict place,
                                          std::uint16_t* __restrict rays) {
   const double per_cell = 1.0 / bundle.cell, middle = bundle.half * per_cell + 1;
   const double c = r.c * per_cell, s = r.s * per_cell, far = bundle.half * bundle.half;
-  const DiscIndex::Places& places = index.places();
   const double *const from_x = places.x.data(), *const from_y = places.y.data();
   const double *const z_min = places.z_min.data(), *const z_max = places.z_max.data();
   const std::uint16_t* const meets = bundle.meets.data();
   const Four number = {0, 1, 2, 3};
   std::size_t count = 0;
-  index.runs(p_WM, bundle.reach, z_low, z_high, [&](std::uint32_t begin, std::uint32_t end) {
-    for (std::uint32_t i = begin; i < end; i += kFour) {
+  for (const DiscIndex::Run& run : runs) {
+    for (std::uint32_t i = run.begin; i < run.end; i += kFour) {
       Four x, y, low, high;
       load(x, from_x + i);
       load(y, from_y + i);
@@ -83,8 +83,8 @@ PLAYHOUSE_INLINE std::size_t find_bodies(const Bundle& bundle, const DiscIndex& 
       load(high, z_max + i);
       x -= p_WM.x;
       y -= p_WM.y;
-      const auto matters =
-          (x * x + y * y < far) & (low <= z_high) & (high >= z_low) & (number < static_cast<double>(end - i));
+      const auto matters = (x * x + y * y < far) & (low <= z_high) & (high >= z_low) &
+                           (number < static_cast<double>(run.end - i));
       const Four row = matters ? c * y - s * x + middle : 0, column = matters ? c * x + s * y + middle : 0;
       const FourInts cell =
           __builtin_convertvector(row, FourInts) * static_cast<std::int32_t>(Bundle::kSide) +
@@ -95,7 +95,7 @@ PLAYHOUSE_INLINE std::size_t find_bodies(const Bundle& bundle, const DiscIndex& 
         count += rays[count] != 0;
       }
     }
-  });
+  }
   return count;
 }
 
@@ -191,8 +191,10 @@ void RangerSense::run_bundle(const Space& space, const View& view, const Bundle&
   in_vectors<put_rays>(bundle, view.X_WM, rotation, scratch.first_beam, rays);
   const Rays::Part part = rays.parts[rays.part_count - 1];
   const double z_low = view.X_WM.z + bundle.z_min, z_high = view.X_WM.z + bundle.z_max;
-  const std::size_t count = in_vectors<find_bodies>(bundle, space.index, view.X_WM.xy(), rotation, z_low,
-                                                    z_high, scratch.place.data(), scratch.met_by.data());
+  space.index.find_runs(view.X_WM.xy(), bundle.reach, z_low, z_high, scratch.runs);
+  const std::size_t count =
+      in_vectors<find_bodies>(bundle, space.index.places(), scratch.runs, view.X_WM.xy(), rotation, z_low,
+                              z_high, scratch.place.data(), scratch.met_by.data());
   in_vectors<meet_bodies>(space, view.root, scratch.place.data(), scratch.met_by.data(), count, part.begin,
                           z_low != z_high, rays);
 

@@ -48,17 +48,18 @@ class DiscIndex {
 
   double radius_max() const { return radius_max_; }
 
-  /// Calls visit(begin, end) for runs of places in places() and discs(): all in layers that reach those
-  /// heights and cells that meet the box about p, widened by the largest radius.
-  template <typename Visit>
-  void runs(geom::Vec2 p, double reach, double z_low, double z_high, const Visit& visit) const {
-    for (const Layer& layer : layers_) {
-      if (layer.z_min > z_high || layer.z_max < z_low) continue;
-      const std::uint32_t* const first_of = first_.data() + layer.first_cell;
-      torus_.runs(box_about(p, reach + layer.radius_max), [&](std::size_t first, std::size_t last) {
-        if (first_of[first] != first_of[last + 1]) visit(first_of[first], first_of[last + 1]);
-      });
-    }
+  /// Places begin .. end - 1 of places() and discs().
+  struct Run {
+    std::uint32_t begin, end;
+  };
+  /// Replaces `out` by the runs of all in layers that reach those heights and in cells that meet the box
+  /// about p, widened by the largest radius. A list, not a visitor: a loop over what is in the runs has to be
+  /// a part of a vector function itself, or it is compiled for any processor (vectors.h).
+  void find_runs(geom::Vec2 p, double reach, double z_low, double z_high, std::vector<Run>& out) const {
+    out.clear();
+    each_run(p, reach, z_low, z_high, [&](std::uint32_t begin, std::uint32_t end) {
+      out.push_back({begin, end});
+    });
   }
   /// What is looked at for every disc near a place, as columns in the order of discs(); kSpare more rows may
   /// be read.
@@ -69,16 +70,27 @@ class DiscIndex {
   const Places& places() const { return places_; }
   const Disc* discs() const { return discs_.data(); }
 
-  /// Calls visit(disc) for everything of runs(). The caller tests what it needs: there may be far things
+  /// Calls visit(disc) for everything of find_runs(). The caller tests what it needs: there may be far things
   /// among them.
   template <typename Visit>
   void near(geom::Vec2 p, double reach, double z_low, double z_high, const Visit& visit) const {
-    runs(p, reach, z_low, z_high, [&](std::uint32_t begin, std::uint32_t end) {
+    each_run(p, reach, z_low, z_high, [&](std::uint32_t begin, std::uint32_t end) {
       for (std::uint32_t i = begin; i < end; ++i) visit(discs_[i]);
     });
   }
 
  private:
+  template <typename Visit>
+  void each_run(geom::Vec2 p, double reach, double z_low, double z_high, const Visit& visit) const {
+    for (const Layer& layer : layers_) {
+      if (layer.z_min > z_high || layer.z_max < z_low) continue;
+      const std::uint32_t* const first_of = first_.data() + layer.first_cell;
+      torus_.runs(box_about(p, reach + layer.radius_max), [&](std::size_t first, std::size_t last) {
+        if (first_of[first] != first_of[last + 1]) visit(first_of[first], first_of[last + 1]);
+      });
+    }
+  }
+
   /// What is in a layer.
   struct Extent {
     double z_min = 1e300, z_max = -1e300, radius_max = 0;  // m

@@ -208,6 +208,53 @@ void put_beams(const Row& row, double range_max, double z, std::size_t first, Ra
   }
 }
 
+/// Where discs matter: within `reach` of p, at this height, and along `ahead` no further back than `behind`.
+struct Sector {
+  Vec2 p;
+  double reach, z;
+  Vec2 ahead{0, 0};
+  double behind = 0;
+};
+
+/// Centres from a sector's p along W's axes, and their places in the index.
+struct Gathered {
+  double *x, *y;  // m
+  std::uint32_t* place;
+};
+
+/// Finds what is in a sector, among what is in the runs; returns how many. Behind the last there is room for
+/// three.
+PLAYHOUSE_INLINE std::size_t gather(const Sector& sector, double radius_max, const DiscIndex::Places& places,
+                                    const std::vector<DiscIndex::Run>& runs, const Gathered& out) {
+  const double *const from_x = places.x.data(), *const from_y = places.y.data();
+  const double *const z_min = places.z_min.data(), *const z_max = places.z_max.data();
+  const Sector s = sector;
+  const double far = (s.reach + radius_max) * (s.reach + radius_max) + kMargin;
+  const Four number = {0, 1, 2, 3};
+  std::size_t count = 0;
+  for (const DiscIndex::Run& run : runs) {
+    for (std::uint32_t i = run.begin; i < run.end; i += kFour) {
+      Four x, y, low, high;
+      load(x, from_x + i);
+      load(y, from_y + i);
+      load(low, z_min + i);
+      load(high, z_max + i);
+      x -= s.p.x;
+      y -= s.p.y;
+      const FourTruths is_in = (low <= s.z) & (high >= s.z) & (x * x + y * y <= far) &
+                               (x * s.ahead.x + y * s.ahead.y >= s.behind) &
+                               (number < static_cast<double>(run.end - i));
+      for (std::uint32_t lane = 0; lane < kFour; ++lane) {  // what is not in it is overwritten
+        out.x[count] = x[lane];
+        out.y[count] = y[lane];
+        out.place[count] = i + lane;
+        count -= static_cast<std::size_t>(is_in[lane]);
+      }
+    }
+  }
+  return count;
+}
+
 /// Turns centres into the scanner's frame and measures their distances and rough bearings.
 PLAYHOUSE_INLINE void find_distances(Rotation r, std::size_t count, double* __restrict x,
                                      double* __restrict y, double* __restrict distance,
@@ -286,12 +333,15 @@ void RangerSense::scan_bodies(const Space& space, const Pose& X_WS, Rotation rot
   const Row row(scan, X_WS.xy(), scratch.beam_x.data(), scratch.beam_y.data(),
                 scratch.range.data() + scratch.first_beam, scratch.solid.data() + scratch.first_beam);
   const double radius_max = space.index.radius_max() + kMargin;
-  Sector sector{X_WS.xy(), scan.range_max + kMargin, z, z, {0, 0}, 0};
+  Sector sector{X_WS.xy(), scan.range_max + kMargin, z, {0, 0}, 0};
   if (scan.fov <= geom::kPi) {  // no beam points back, so none meets what is all behind
     sector.ahead = {rotation.c, rotation.s};
     sector.behind = -radius_max;
   }
-  const std::size_t near = scratch.gather(space.index, sector);
+  space.index.find_runs(sector.p, sector.reach, z, z, scratch.runs);
+  const std::size_t near =
+      in_vectors<gather>(sector, space.index.radius_max(), space.index.places(), scratch.runs,
+                         Gathered{scratch.x.data(), scratch.y.data(), scratch.place.data()});
   const DiscIndex::Disc* const discs = space.index.discs();
   for (std::size_t i = 0; i < near; ++i) scratch.radius[i] = discs[scratch.place[i]].radius + kMargin;
   in_vectors<find_distances>(rotation, near, scratch.x.data(), scratch.y.data(), scratch.distance.data(),

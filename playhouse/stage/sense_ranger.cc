@@ -144,30 +144,6 @@ void RangerSense::finish(world::World& world, std::uint32_t ranger, std::uint64_
   in_vectors<report>(returns_.data(), solid, kind.beams, intensities);
 }
 
-std::size_t RangerSense::Scratch::gather(const DiscIndex& index, const Sector& sector) {
-  std::size_t count = 0;
-  const DiscIndex::Places& places = index.places();
-  const double *const from_x = places.x.data(), *const from_y = places.y.data();
-  const double *const z_min = places.z_min.data(), *const z_max = places.z_max.data();
-  double *const to_x = x.data(), *const to_y = y.data();
-  std::uint32_t* const to_place = place.data();
-  const Sector s = sector;
-  const double far = (s.reach + index.radius_max()) * (s.reach + index.radius_max()) + kMargin;
-  index.runs(s.p, s.reach, s.z_low, s.z_high, [&](std::uint32_t begin, std::uint32_t end) {
-    std::size_t at = count;
-    for (std::uint32_t i = begin; i < end; ++i) {  // without branches: what does not matter is overwritten
-      const double dx = from_x[i] - s.p.x, dy = from_y[i] - s.p.y;
-      to_x[at] = dx;
-      to_y[at] = dy;
-      to_place[at] = i;
-      at += (z_min[i] <= s.z_high) & (z_max[i] >= s.z_low) & (dx * dx + dy * dy <= far) &
-            (dx * s.ahead.x + dy * s.ahead.y >= s.behind);
-    }
-    count = at;
-  });
-  return count;
-}
-
 void RangerSense::run_jitter(const Space& space, const View& view, const Jitter& jitter, double bearing,
                              Scratch& scratch) {
   const Pose X_WS = geom::compose(view.X_WM, jitter.X_MS);

@@ -22,14 +22,6 @@ class RangerSense final : public SensePhase {
                       std::uint64_t tick, world::Workers& workers) override;
 
  private:
-  /// Where discs matter: within `reach` of p, at these heights, and along `ahead` no further back than
-  /// `behind`.
-  struct Sector {
-    Vec2 p;
-    double reach, z_low, z_high;
-    Vec2 ahead{0, 0};
-    double behind = 0;
-  };
   /// Scratch memory of one worker.
   struct Scratch {
     std::vector<double> range, solid;    // m, number_of() what was met: beams of the rangers of a batch
@@ -38,6 +30,7 @@ class RangerSense final : public SensePhase {
     Rays rays;                           // still to go through the walls
     // Moving solids near the ranger: centres from it along W's axes, then along its own; places in the index.
     std::vector<double> x, y, distance, bearing, radius;  // m, m, m, rad, m
+    std::vector<DiscIndex::Run> runs;                     // of the index, near the ranger
     std::vector<std::uint32_t> place, order;
     std::vector<std::int32_t> ring, first, last;  // the last two: beams
     std::vector<std::uint16_t> met_by;            // bit k: ray k of a bundle may meet it
@@ -45,7 +38,6 @@ class RangerSense final : public SensePhase {
     std::uint64_t scans = 0;
 
     void make_room(std::size_t beams, const Solids& solids);
-    std::size_t gather(const DiscIndex& index, const Sector& sector);
     std::size_t sort_by_distance(std::size_t count, double reach);
   };
   struct View;

@@ -2,7 +2,9 @@
 
 /// Vector functions: f(a, b) is written as a PLAYHOUSE_INLINE function and called as in_vectors<f>(a, b). It
 /// is compiled twice, for any processor and for those with AVX2, and instruction_set.h says which one runs.
-/// Both give the same bits: nothing is fused or reordered, only done four at a time.
+/// Both give the same bits: nothing is fused or reordered, only done four at a time. A lambda in a vector
+/// function is compiled for any processor, unless it becomes a part of it: loops belong into the function
+/// itself.
 
 #include <cstddef>
 #include <cstdint>
