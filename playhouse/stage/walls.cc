@@ -19,11 +19,13 @@ double edges_across(std::size_t edges) {
   return edges <= kInCaches ? 1.5 : 6;
 }
 
-/// Cells that hold a few typical edges, not so small that the long ones fill memory.
+/// Cells that hold a few typical edges, not so small that the long ones fill memory. Where all are long, as
+/// walls of rooms, cells are no larger than what a ray passes by at: it would meet every wall of its room.
 double cell_for(double total_length, std::size_t edges) {
+  constexpr double kLeast = 0.05, kMost = 0.5;  // m
   const double typical = total_length / static_cast<double>(edges);
   const double affordable = total_length / (8.0 * static_cast<double>(edges) + 65536.0);
-  return std::clamp(edges_across(edges) * typical, std::max(0.05, affordable), std::max(2.0, affordable));
+  return std::clamp(edges_across(edges) * typical, std::max(kLeast, affordable), std::max(kMost, affordable));
 }
 
 /// Enough that far apart places seldom share a cell: the whole extent where that is affordable.
