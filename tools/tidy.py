@@ -16,7 +16,7 @@ SOURCE = ROOT / "playhouse"
 
 # A module may include itself and every module of a lower rank (ARCHITECTURE.md).
 RANKS = [
-    {"base"}, {"geom"}, {"wire", "net", "scene"}, {"device", "world"}, {"replicate", "controllers", "behaviour"}, {"record", "stage"},
+    {"base"}, {"geom"}, {"wire", "net", "scene"}, {"device", "world"}, {"libraries"}, {"replicate", "controllers", "behaviour"}, {"record", "stage"},
     {"scenarios"}, {"drivers", "server", "web_server"}, {"app"},
 ]
 RANK = {module: rank for rank, modules in enumerate(RANKS) for module in modules}
@@ -24,7 +24,7 @@ RANK = {module: rank for rank, modules in enumerate(RANKS) for module in modules
 # server nothing of devices, although the rank would allow it.
 FORBIDDEN = {
     "world": {"wire", "net"}, "behaviour": {"wire", "net", "device"}, "stage": {"wire", "net", "device"}, "controllers": {"wire", "net", "device"},
-    "scenarios": {"wire", "net", "device"}, "record": {"wire", "net", "device"}, "wire": {"geom"}, "net": {"geom"}, "device": {"net", "scene"},
+    "scenarios": {"wire", "net", "device"}, "libraries": {"wire", "net", "device"}, "record": {"wire", "net", "device"}, "wire": {"geom"}, "net": {"geom"}, "device": {"net", "scene"},
     "server": {"scene", "world", "replicate", "controllers", "behaviour", "stage", "scenarios"},
     "web_server": {"wire", "device", "controllers", "behaviour", "stage", "scenarios"},
 }

@@ -39,7 +39,7 @@ Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene
   Result<std::unique_ptr<world::Engine>> engine = make(scene, running.seed, running.workers);
   if (!engine) return engine;
   const controllers::Libraries libraries{
-      .folders = controllers::library_folders(scene, program_folder()),
+      .folders = libraries::library_folders(scene, program_folder()),
       .allowed = {running.allowed_libraries.begin(), running.allowed_libraries.end()},
       .use = use};
   const Result<std::vector<std::string>> attached = controllers::attach((*engine)->world(), libraries);

@@ -4,14 +4,10 @@
 #include <array>
 #include <map>
 #include <memory>
-#include <set>
 #include <string>
 #include <utility>
 
-#include "playhouse/base/folders_of.h"
 #include "playhouse/base/in_quotes.h"
-#include "playhouse/base/log.h"
-#include "playhouse/base/nearest_word.h"
 #include "playhouse/controllers/diffusion.h"
 #include "playhouse/controllers/dynamic.h"
 #include "playhouse/controllers/expand.h"
@@ -72,37 +68,14 @@ std::unique_ptr<Batch> make_built_in(const std::string& name) {
   return found == kBuiltIns.end() ? nullptr : found->make(name);
 }
 
-Error unknown(const std::string& where, const std::string& name,
-              const std::vector<std::filesystem::path>& folders) {
-  std::vector<std::string> words;
-  for (const BuiltIn& built_in : kBuiltIns) words.emplace_back(built_in.name);
-  for (const std::filesystem::path& folder : folders) {
-    std::error_code ignored;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
-      if (entry.path().extension() == ".so" && entry.is_regular_file(ignored))
-        words.push_back(entry.path().stem().string());
-    }
-  }
-  // Folders list their files in any order.
-  std::sort(words.begin() + kBuiltIns.size(), words.end());
-  const std::vector<std::string_view> candidates(words.begin(), words.end());
-  const std::string nearest = did_you_mean(name, candidates);
-  if (std::filesystem::path(name).is_absolute())
-    return {where,
-            "no controller " + in_quotes(name) + ": there is no file " + in_quotes(library_file(name))};
-  if (!nearest.empty()) return {where, "no controller " + in_quotes(name) + nearest};
-  std::string places;
-  for (const std::filesystem::path& folder : folders)
-    places += (places.empty() ? "" : ", ") + escaped(folder.string());
-  return {where, "no controller " + in_quotes(name) + ": it is not built in, and " +
-                     in_quotes(library_file(name)) + " is not in " + places};
+std::vector<std::string_view> built_in_names() {
+  std::vector<std::string_view> names;
+  for (const BuiltIn& built_in : kBuiltIns) names.push_back(built_in.name);
+  return names;
 }
 
-/// Whether a name leads out of the folders in which it is looked for.
-bool leads_outside(std::string_view name) {
-  const std::filesystem::path path = std::filesystem::path(name).lexically_normal();
-  return path.is_absolute() || (!path.empty() && *path.begin() == "..");
-}
+constexpr libraries::Provided kProvided{"controller", "PLAYHOUSE_CONTROLLER", "playhouse_controller",
+                                        kControllerVersionLeast, kControllerVersion};
 
 /// The batches of one world while they fill.
 class Batches {
@@ -116,10 +89,6 @@ class Batches {
  private:
   /// The batch of that name; null, with a warning, where nothing is loaded.
   Result<Batch*> batch(const std::string& name, const std::string& where);
-  /// The same for the library at `file`.
-  Result<std::unique_ptr<Batch>> load(const std::string& name, const std::filesystem::path& file,
-                                      const std::string& where);
-  bool is_allowed(const std::string& name, const std::filesystem::path& file) const;
 
   world::World& world_;
   const Libraries& libraries_;
@@ -130,46 +99,16 @@ class Batches {
 Result<Batch*> Batches::batch(const std::string& name, const std::string& where) {
   if (const auto at = by_name_.find(name); at != by_name_.end()) return at->second;
   std::unique_ptr<Batch> made = make_built_in(name);
-  const std::filesystem::path file = made ? "" : find_library(name, libraries_.folders);
-  if (!file.empty()) {
-    Result<std::unique_ptr<Batch>> loaded = load(name, file, where);
-    if (!loaded) return loaded.error();
-    made = std::move(*loaded);
-  } else if (!made) {
-    return unknown(where, name, libraries_.folders);
+  if (!made) {
+    const std::vector<std::string_view> built_ins = built_in_names();
+    const auto library = libraries::load({kProvided, name, where, built_ins}, libraries_, warnings_);
+    if (!library) return library.error();
+    if (*library) made = std::make_unique<Loaded>(name, *library);
   }
   Batch* const batch = made.get();
   by_name_.emplace(name, batch);
   if (made) world_.deciders.push_back(std::move(made));
   return batch;
-}
-
-bool Batches::is_allowed(const std::string& name, const std::filesystem::path& file) const {
-  std::error_code ignored;
-  return !leads_outside(name) ||
-         std::ranges::any_of(libraries_.allowed, [&](const std::filesystem::path& allowed) {
-           return std::filesystem::equivalent(file, allowed, ignored);
-         });
-}
-
-Result<std::unique_ptr<Batch>> Batches::load(const std::string& name, const std::filesystem::path& file,
-                                             const std::string& where) {
-  const std::string path = escaped(std::filesystem::absolute(file).lexically_normal().string());
-  if (libraries_.use == Libraries::Use::kFind) {
-    warn(where + ": controller " + in_quotes(name) + " is " + path +
-         ", which is there and not checked: checking loads no code" +
-         (is_allowed(name, file) ? "" : "; running it takes --allow-library " + path));
-    return std::unique_ptr<Batch>();
-  }
-  if (!is_allowed(name, file)) {
-    return Error{where, "controller " + in_quotes(name) +
-                            " is code outside the folders of controllers; if you trust it, " +
-                            "run with --allow-library " + path};
-  }
-  log::info("controller {}: loads {}", in_quotes(name), path);
-  Result<Library> library = Library::open(file);
-  if (!library) return Error{where, "controller " + in_quotes(name) + ": " + library.error().line()};
-  return std::unique_ptr<Batch>(std::make_unique<Loaded>(name, std::move(*library)));
 }
 
 Result<void> Batches::add(const Post& post, const std::string& where) {
@@ -184,17 +123,6 @@ Result<void> Batches::add(const Post& post, const std::string& where) {
 }
 
 }  // namespace
-
-std::vector<std::filesystem::path> library_folders(const scene::SceneDesc& scene,
-                                                   const std::filesystem::path& program_folder) {
-  std::vector<std::filesystem::path> folders;
-  const std::filesystem::path folder = std::filesystem::path(scene.path).parent_path();
-  folders.push_back(folder.empty() ? "." : folder);
-  for (const char* variable : {"PLAYHOUSE_PATH", "STAGEPATH"})
-    for (std::string& named : folders_of(variable)) folders.emplace_back(std::move(named));
-  folders.push_back(program_folder);
-  return folders;
-}
 
 void describe_for(scene::SceneDesc& scene) {
   Dynamic::describe_parts(scene);

@@ -2,30 +2,16 @@
 
 /// From the names that a scene's models carry (`ctrl "wander"`) to controllers that decide for them.
 
-#include <cstdint>
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "playhouse/base/result.h"
+#include "playhouse/libraries/libraries.h"
 #include "playhouse/world/world.h"
 
 namespace playhouse::controllers {
 
-/// The libraries of controllers that a world may use. A library's code runs with all rights of the program,
-/// so a world file cannot have any file of the machine loaded by its path.
-struct Libraries {
-  enum class Use : std::uint8_t { kLoad, kFind };  // kFind: none is loaded, as a file is only checked
-
-  std::vector<std::filesystem::path> folders;  // where they are looked for by name, in order
-  std::vector<std::filesystem::path> allowed;  // outside these folders
-  Use use = Use::kLoad;
-};
-
-/// Where libraries are looked for: the folder of the world file, those of PLAYHOUSE_PATH and STAGEPATH
-/// (separated by colons), and `program_folder`.
-std::vector<std::filesystem::path> library_folders(const scene::SceneDesc& scene,
-                                                   const std::filesystem::path& program_folder);
+using libraries::Libraries;
 
 /// Adds to a scene what its controllers make during a run: nothing comes that the scene does not describe.
 /// Call before a world is made of it; once is enough.

@@ -4,10 +4,10 @@
 #include <map>
 #include <numeric>
 #include <set>
-#include <sstream>
 
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
+#include "playhouse/libraries/libraries.h"
 
 namespace playhouse::controllers {
 namespace {
@@ -15,13 +15,6 @@ namespace {
 using world::ModelId;
 using world::ModelRow;
 using world::World;
-
-std::vector<std::string> split(const std::string& line) {
-  std::istringstream in(line);
-  std::vector<std::string> words;
-  for (std::string word; in >> word;) words.push_back(std::move(word));
-  return words;
-}
 
 /// Appends the rows in their own table of all models of one kind in the tree of `model`.
 template <typename PartRow>
@@ -45,7 +38,7 @@ std::vector<Post> posts_of(const World& world, ModelRow model, std::vector<std::
   const std::vector<std::string>& lines = world.desc(model).ctrl;
   std::vector<Post> posts;
   for (std::uint32_t order = 0; order < lines.size(); ++order) {
-    const std::vector<std::string> words = split(lines[order]);
+    const std::vector<std::string> words = libraries::words_of(lines[order]);
     if (words.empty()) continue;
     // Robots of one batch may be decided for at the same time, so each is in it once.
     if (std::ranges::find(posts, words[0], &Post::name) != posts.end()) {

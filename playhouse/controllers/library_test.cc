@@ -244,7 +244,7 @@ TEST(Library, is_looked_for_beside_the_world_then_in_the_environment_then_with_t
   scene::SceneDesc scene;
   scene.path = "worlds/x.world";
   const std::vector<std::filesystem::path> expected{"worlds", "/a", "/b", "/c", "/program"};
-  EXPECT_EQ(library_folders(scene, "/program"), expected);
+  EXPECT_EQ(libraries::library_folders(scene, "/program"), expected);
   unsetenv("PLAYHOUSE_PATH");
   unsetenv("STAGEPATH");
 }

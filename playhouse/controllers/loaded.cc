@@ -48,7 +48,7 @@ void Loaded::resolve(const World& world, std::size_t i) {
 }
 
 Result<void> Loaded::join(World& world, const Post& post) {
-  auto made = library_.make();
+  auto made = library_->make<Controller>();
   if (!made) return made.error();
   auto seat = std::make_unique<Seat>();
   seat->controller = std::move(*made);
@@ -184,7 +184,7 @@ void Loaded::deliver(World& world) {
 bool Loaded::remember(const Seat& seat, std::string& memory, std::string& why) const {
   constexpr std::uint32_t kSaves = 2;  // the version that brought Controller::save
   bool saved = false;
-  if (library_.version() >= kSaves) thrown_by(why, [&] { saved = seat.controller->save(memory); });
+  if (library_->version() >= kSaves) thrown_by(why, [&] { saved = seat.controller->save(memory); });
   return saved;
 }
 

@@ -6,13 +6,15 @@
 #include <memory>
 
 #include "playhouse/controllers/batch.h"
-#include "playhouse/controllers/library.h"
+#include "playhouse/controllers/controller.h"
+#include "playhouse/libraries/shared_library.h"
 
 namespace playhouse::controllers {
 
 class Loaded final : public Batch {
  public:
-  Loaded(std::string name, Library library) : Batch(std::move(name)), library_(std::move(library)) {}
+  Loaded(std::string name, std::shared_ptr<libraries::SharedLibrary> library)
+      : Batch(std::move(name)), library_(std::move(library)) {}
 
   /// A controller that throws is logged once, its robot stops, and it is not called again.
   void decide(world::World& world, std::size_t begin, std::size_t end) override;
@@ -58,7 +60,7 @@ class Loaded final : public Batch {
   static void give(world::World& world, const Seat& seat);
   static void end(world::World& world, Seat& seat, const char* why);
 
-  Library library_;  // outlives the seats
+  std::shared_ptr<libraries::SharedLibrary> library_;  // outlives the seats
   std::vector<std::unique_ptr<Seat>> seats_;
   std::vector<std::uint8_t> gives_;  // per seat: it has something for give(), in this tick
 };

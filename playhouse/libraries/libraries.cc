@@ -1,0 +1,118 @@
+#include "playhouse/libraries/libraries.h"
+
+#include <algorithm>
+#include <sstream>
+#include <system_error>
+
+#include "playhouse/base/folders_of.h"
+#include "playhouse/base/log.h"
+#include "playhouse/base/nearest_word.h"
+
+namespace playhouse::libraries {
+namespace {
+
+/// The name may have the ending already, as in Stage.
+std::string file_of(std::string_view name) {
+  return std::string(name) + (name.ends_with(".so") ? "" : ".so");
+}
+
+/// The first of that name in the folders; empty if there is none.
+std::filesystem::path find(std::string_view name, std::span<const std::filesystem::path> folders) {
+  for (const std::filesystem::path& folder : folders) {
+    std::filesystem::path file = folder / file_of(name);
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(file, ignored)) return file;
+  }
+  return {};
+}
+
+/// Names that would have been found.
+std::vector<std::string> known_names(const Wanted& wanted, const Libraries& libraries) {
+  std::vector<std::string> words(wanted.built_ins.begin(), wanted.built_ins.end());
+  for (const std::filesystem::path& folder : libraries.folders) {
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+      if (entry.path().extension() == ".so" && entry.is_regular_file(ignored))
+        words.push_back(entry.path().stem().string());
+    }
+  }
+  // Folders list their files in any order.
+  std::sort(words.begin() + static_cast<std::ptrdiff_t>(wanted.built_ins.size()), words.end());
+  return words;
+}
+
+Error unknown(const Wanted& wanted, const Libraries& libraries) {
+  const std::string no = "no " + std::string(wanted.provided.what) + " " + in_quotes(wanted.name);
+  const std::string file = in_quotes(file_of(wanted.name));
+  if (std::filesystem::path(wanted.name).is_absolute())
+    return {wanted.where, no + ": there is no file " + file};
+  const std::vector<std::string> words = known_names(wanted, libraries);
+  const std::vector<std::string_view> candidates(words.begin(), words.end());
+  if (const std::string nearest = did_you_mean(wanted.name, candidates); !nearest.empty())
+    return {wanted.where, no + nearest};
+  std::string places;
+  for (const std::filesystem::path& folder : libraries.folders)
+    places += (places.empty() ? "" : ", ") + escaped(folder.string());
+  const char* const not_built_in = wanted.built_ins.empty() ? ": " : ": it is not built in, and ";
+  return {wanted.where, no + not_built_in + file + " is not in " + places};
+}
+
+/// Whether a name leads out of the folders in which it is looked for.
+bool leads_outside(std::string_view name) {
+  const std::filesystem::path path = std::filesystem::path(name).lexically_normal();
+  return path.is_absolute() || (!path.empty() && *path.begin() == "..");
+}
+
+bool is_allowed(const std::string& name, const std::filesystem::path& file, const Libraries& libraries) {
+  std::error_code ignored;
+  return !leads_outside(name) ||
+         std::ranges::any_of(libraries.allowed, [&](const std::filesystem::path& allowed) {
+           return std::filesystem::equivalent(file, allowed, ignored);
+         });
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> library_folders(const scene::SceneDesc& scene,
+                                                   const std::filesystem::path& program_folder) {
+  std::vector<std::filesystem::path> folders;
+  const std::filesystem::path folder = std::filesystem::path(scene.path).parent_path();
+  folders.push_back(folder.empty() ? "." : folder);
+  for (const char* variable : {"PLAYHOUSE_PATH", "STAGEPATH"})
+    for (std::string& named : folders_of(variable)) folders.emplace_back(std::move(named));
+  folders.push_back(program_folder);
+  return folders;
+}
+
+Result<std::shared_ptr<SharedLibrary>> load(const Wanted& wanted, const Libraries& libraries,
+                                            std::vector<std::string>& warnings) {
+  const std::filesystem::path file = find(wanted.name, libraries.folders);
+  if (file.empty()) return unknown(wanted, libraries);
+  const std::string which = std::string(wanted.provided.what) + " " + in_quotes(wanted.name);
+  const std::string path = escaped(std::filesystem::absolute(file).lexically_normal().string());
+  const bool allowed = is_allowed(wanted.name, file, libraries);
+  if (libraries.use == Libraries::Use::kFind) {
+    warnings.push_back(wanted.where + ": " + which + " is " + path +
+                       ", which is there and not checked: checking loads no code" +
+                       (allowed ? "" : "; running it takes --allow-library " + path));
+    return std::shared_ptr<SharedLibrary>();
+  }
+  if (!allowed) {
+    return Error{wanted.where, which + " is code outside the folders of " +
+                                   std::string(wanted.provided.what) +
+                                   "s; if you trust it, run with --allow-library " + path};
+  }
+  log::info("{}: loads {}", which, path);
+  Result<SharedLibrary> library = SharedLibrary::open(file, wanted.provided);
+  if (!library) return Error{wanted.where, which + ": " + library.error().line()};
+  return std::make_shared<SharedLibrary>(std::move(*library));
+}
+
+std::vector<std::string> words_of(std::string_view text) {
+  std::istringstream in{std::string(text)};
+  std::vector<std::string> words;
+  for (std::string word; in >> word;) words.push_back(std::move(word));
+  return words;
+}
+
+}  // namespace playhouse::libraries

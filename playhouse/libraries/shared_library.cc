@@ -1,0 +1,71 @@
+#include "playhouse/libraries/shared_library.h"
+
+#include <dlfcn.h>
+
+#include <utility>
+
+namespace playhouse::libraries {
+namespace {
+
+/// dlerror() starts with the file's name; ours does so already.
+std::string loader_says(const std::string& file) {
+  const char* text = dlerror();
+  std::string line = text ? text : "unknown error";
+  if (line.starts_with(file + ": ")) line.erase(0, file.size() + 2);
+  return line;
+}
+
+std::string why_not(const SharedLibrary& library, const Provided& provided) {
+  const std::string macro(provided.macro);
+  if (library.symbol("Init"))
+    return "is a controller built for Stage's library; write " + macro + " in its source and build it again";
+  return "is no " + std::string(provided.what) + ": it lacks " + macro;
+}
+
+}  // namespace
+
+Result<SharedLibrary> SharedLibrary::open(const std::filesystem::path& path, const Provided& provided) {
+  // A bare name would be looked for by the loader in its own places.
+  const std::string file = std::filesystem::absolute(path).string();
+  void* handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (!handle) return Error{escaped(file), "can't be loaded: " + escaped(loader_says(file))};
+  SharedLibrary library(handle, file);
+
+  using Version = std::uint32_t (*)();
+  const std::string prefix(provided.prefix);
+  const auto version = reinterpret_cast<Version>(library.symbol(prefix + "_version"));
+  library.make_ = library.symbol(prefix + "_make");
+  if (!version || !library.make_) return Error{escaped(file), why_not(library, provided)};
+  library.version_ = version();
+  if (library.version_ < provided.version_least || library.version_ > provided.version) {
+    return Error{escaped(file), "is built for " + std::string(provided.what) + " version " +
+                                    std::to_string(library.version_) + ", this program takes " +
+                                    std::to_string(provided.version_least) + " to " +
+                                    std::to_string(provided.version) + "; build it again"};
+  }
+  return library;
+}
+
+SharedLibrary::SharedLibrary(SharedLibrary&& other) noexcept
+    : handle_(std::exchange(other.handle_, nullptr)),
+      make_(other.make_),
+      file_(std::move(other.file_)),
+      version_(other.version_) {}
+
+SharedLibrary& SharedLibrary::operator=(SharedLibrary&& other) noexcept {
+  std::swap(handle_, other.handle_);
+  std::swap(make_, other.make_);
+  std::swap(file_, other.file_);
+  std::swap(version_, other.version_);
+  return *this;
+}
+
+SharedLibrary::~SharedLibrary() {
+  if (handle_) dlclose(handle_);
+}
+
+void* SharedLibrary::symbol(const std::string& name) const {
+  return dlsym(handle_, name.c_str());
+}
+
+}  // namespace playhouse::libraries
