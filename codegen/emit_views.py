@@ -31,7 +31,8 @@ CODES = {"varint": "kVarint", "zigzag": "kZigzag", "turn": "kTurn", "rgba": "kRg
 # Type of a word -> C++ that writes the member as JSON (functions of playhouse/replicate/json_text.h), and its type there.
 JSON = {"length": ("number({})", "number"), "angle": ("number({})", "number"), "number": ("number({})", "number"),
         "integer": ("number({})", "number"), "count": ("number({})", "number"), "flag": ("({} ? 1 : 0)", "number"),
-        "pose": ("pose({})", "Pose"), "size": ("size({})", "[number, number, number]"), "color": ("color({})", "Rgba")}
+        "pose": ("pose({})", "Pose"), "size": ("size({})", "[number, number, number]"), "color": ("color({})", "Rgba"),
+        "text": ("quoted({})", "string")}
 
 
 @dataclass

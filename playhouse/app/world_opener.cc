@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "playhouse/app/fail.h"
+#include "playhouse/libraries/custom_kinds.h"
 #include "playhouse/scene/world_loader.h"
 #include "playhouse/stage/engine.h"
 
@@ -38,13 +39,15 @@ Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene
                                                    const EngineMaker& make) {
   Result<std::unique_ptr<world::Engine>> engine = make(scene, running.seed, running.workers);
   if (!engine) return engine;
-  const controllers::Libraries libraries{
+  const libraries::Libraries allowed{
       .folders = libraries::library_folders(scene, program_folder()),
       .allowed = {running.allowed_libraries.begin(), running.allowed_libraries.end()},
       .use = use};
-  const Result<std::vector<std::string>> attached = controllers::attach((*engine)->world(), libraries);
-  if (!attached) return attached.error();
-  for (const std::string& warning : *attached) warn(warning);
+  for (const auto attach : {libraries::attach_custom_kinds, controllers::attach}) {
+    const Result<std::vector<std::string>> attached = attach((*engine)->world(), allowed);
+    if (!attached) return attached.error();
+    for (const std::string& warning : *attached) warn(warning);
+  }
   return engine;
 }
 

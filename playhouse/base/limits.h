@@ -73,6 +73,7 @@ inline constexpr unsigned kMotionSteps = 1024;                    // collision t
 
 // Models.
 inline constexpr std::size_t kSayBytes = 1024;                    // of what a model says; the rest is cut off
+inline constexpr std::size_t kCustomNumbers = 4096;               // commands, state or readings of a custom model
 
 // Files.
 inline constexpr std::size_t kFileBytes = 16u << 20;

@@ -33,6 +33,8 @@ enum class Purpose : std::uint64_t {
   kPixel = 12,         // entity: id of a camera
   kEcho = 13,          // entity: id of a detector; part: which of its beams
   kDetection = 14,     // entity: id of a detector; part: id of the top of what it may notice
+  kCustomAct = 15,     // entity: id of a custom model
+  kCustomSense = 16,   // the same
   kCount
 };
 

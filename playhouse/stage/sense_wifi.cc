@@ -11,7 +11,7 @@
 #include "playhouse/base/rng.h"
 #include "playhouse/stage/generated/senses.h"
 #include "playhouse/stage/radio.h"
-#include "playhouse/stage/ray_edge.h"
+#include "playhouse/stage/walls_between.h"
 
 namespace playhouse::stage {
 namespace {
@@ -81,7 +81,7 @@ class WifiSense final : public SensePhase {
       if (distance > reach) return;
       double level = station.power - path_loss(radio, station.frequency, distance);
       if (radio.propagation == scene::Propagation::kRaytrace)
-        level -= radio.wall_factor * walls_between(space, X_WM, X_WS, crossed);
+        level -= radio.wall_factor * walls_between(space, X_WM, X_WS, bit(Observer::kRadio), crossed);
       if (radio.fading > 0) {
         Rng rng(world.seed(), tick, {Purpose::kFading, world.id(model).value, world.id(other).value});
         level += radio.fading * rng.gaussian();
@@ -89,27 +89,6 @@ class WifiSense final : public SensePhase {
       if (level >= radio.sensitivity) links.push_back({world.id(other), level, link_quality(radio, level)});
     });
     std::ranges::sort(links, {}, &world::WifiLink::station);
-  }
-
-  /// How many walls are on the straight line at the height of the one who hears: outlines of what stands
-  /// still that it enters.
-  static double walls_between(const Space& space, const Pose& X_WM, const Pose& X_WS,
-                              std::vector<std::uint32_t>& crossed) {
-    const Vec2 p = X_WM.xy(), way = X_WS.xy() - p;
-    const double distance = std::sqrt(geom::dot(way, way));
-    if (distance == 0) return 0;
-    const Vec2 d = (1.0 / distance) * way;
-    crossed.clear();
-    space.walls.along(p, d, &distance, [&](const Walls::Edge& edge) {
-      if ((space.solids.seen_by[edge.solid] & bit(Observer::kRadio)) == 0 ||
-          !at_height(space.solids, edge.solid, X_WM.z))
-        return;
-      const Vec2 w0 = edge.a - p, w1 = edge.b - p;
-      const Crossing<double> ends({d.x, d.y, w0.x, w0.y}, {d.x, d.y, w1.x, w1.y});
-      if (ends.enters && edge_hit(w0, w1, d) < distance) crossed.push_back(edge.number);
-    });
-    std::ranges::sort(crossed);  // an edge comes once for each cell
-    return static_cast<double>(std::unique(crossed.begin(), crossed.end()) - crossed.begin());
   }
 
   std::vector<double> reach_;                        // of radios [m] (rows of SceneDesc::models)

@@ -16,6 +16,7 @@
 #include <string_view>
 #include <vector>
 
+#include "playhouse/world/custom_kind.h"
 #include "playhouse/world/decider.h"
 #include "playhouse/world/generated/tables.h"
 
@@ -35,7 +36,10 @@ class World : public Tables {
   std::uint64_t seed() const { return seed_; }
   std::uint64_t tick() const { return tick_; }
   /// Simulated time, the number nearest to whole microseconds: 6.3, not 6.300000000000001. [s]
-  double time() const { return std::round(static_cast<double>(tick_) * scene_->interval * 1e6) / 1e6; }
+  double time() const { return time_of(tick_); }
+  double time_of(std::uint64_t tick) const {
+    return std::round(static_cast<double>(tick) * scene_->interval * 1e6) / 1e6;
+  }
 
   /// Another number whenever models come, go or become parts of each other.
   std::uint64_t population() const { return population_; }
@@ -69,6 +73,9 @@ class World : public Tables {
 
   /// In-process controllers, in the order in which they decide (see controllers::attach).
   std::vector<std::unique_ptr<Decider>> deciders;
+  /// Code of custom models, by row of SceneDesc::models (see libraries::attach_custom_kinds); null for
+  /// others. Empty: none was loaded, and custom models do nothing.
+  std::vector<std::shared_ptr<const CustomCode>> custom_codes;
 
   ChangeList changes;
   /// The engine keeps every model upright: there are no tilts. Written by the engine, as it is made.
@@ -206,6 +213,9 @@ bool command_joint_velocity(World& world, ActuatorRow actuator, double velocity)
 /// Where an actuator goes: the nearest position that it can have. False, and nothing changes, if it is not
 /// finite. [m or rad]
 bool command_joint_position(World& world, ActuatorRow actuator, double position);
+/// What a custom model is told: number `which` of its command. False, and nothing changes, if it has no such
+/// number or the value is not finite.
+bool command_custom(World& world, CustomRow custom, std::uint32_t which, double value);
 /// Sensors measure and robots move only while subscribed (or alwayson). Calls are counted.
 void subscribe(World& world, ModelRow model);
 /// The same for a controller, which stays: from then on what the sensor measures is part of hash().

@@ -266,17 +266,16 @@ T& first_of(SharedColumn<T>& values) {
   return values.own(0);
 }
 
-/// small_scene() with a model of every further kind on the robot, of which each sees one thing.
+/// small_scene() with a model of every further kind on the robot, of which each list has one thing.
 class EveryColumn : public ::testing::Test {
  protected:
   EveryColumn() { see_one_thing(world); }
 
   static void see_one_thing(World& world) {
     each_column(
-        [](const auto& column, auto& values) {
+        [](const auto&, auto& values) {
           using Value = typename std::remove_cvref_t<decltype(values)>::value_type;
-          if constexpr (kIsList<Value> && !std::is_same_v<Value, std::string>)
-            if (column.role == Role::kSensed) values[0].emplace_back();
+          if constexpr (kIsList<Value> && !std::is_same_v<Value, std::string>) values[0].emplace_back();
         },
         world);
   }

@@ -25,6 +25,7 @@ from .errors import (
 )
 from .models import DeviceAddress, Model
 from .proxies import (
+    Aio,
     Bumper,
     Camera,
     Face,
@@ -51,8 +52,8 @@ from .robot import Robot
 __version__ = "0.1.0"
 
 __all__ = [
-    "Access", "Bumper", "Camera", "Client", "ConnectionLost", "Device", "DeviceAddress", "DeviceClosed", "DeviceEntry",
-    "DeviceGone", "Face", "Fiducial", "Geometry", "Image", "InvalidValue", "Laser", "Marker", "Mode", "Model", "NoData",
+    "Access", "Aio", "Bumper", "Camera", "Client", "ConnectionLost", "Device", "DeviceAddress", "DeviceClosed",
+    "DeviceEntry", "DeviceGone", "Face", "Fiducial", "Geometry", "Image", "InvalidValue", "Laser", "Marker", "Mode", "Model", "NoData",
     "PlayerError", "Pose", "Pose3d", "Position2d", "Ptz", "Ranger", "RequestRefused", "RequestTimeout", "Robot", "Rule",
     "RunEnded", "Scan", "Simulation", "Size", "Sonar", "State", "Velocity", "View", "WireError", "connect",
 ]

@@ -9,7 +9,7 @@ from .device import Access, Device, did_you_mean
 from .errors import ConnectionLost, PlayerError, RequestRefused, RequestTimeout, WireError
 from .generated import INTERFACES, common, find_message, player, simulation
 from .models import Model, ask_models, families
-from .proxies import Bumper, Camera, Fiducial, Laser, Position2d, Ptz, Ranger, Simulation, Sonar
+from .proxies import Aio, Bumper, Camera, Fiducial, Laser, Position2d, Ptz, Ranger, Simulation, Sonar
 from .robot import Robot
 from .session import Session
 from .wire import Kind, c_string, text
@@ -21,7 +21,7 @@ _CLOSING_SECONDS = 1.0
 P = TypeVar("P", bound=Device)
 _PROXIES: Dict[str, Type[Device]] = {
     "position2d": Position2d, "ranger": Ranger, "laser": Laser, "sonar": Sonar, "fiducial": Fiducial,
-    "bumper": Bumper, "camera": Camera, "ptz": Ptz, "simulation": Simulation,
+    "aio": Aio, "bumper": Bumper, "camera": Camera, "ptz": Ptz, "simulation": Simulation,
 }
 _Place = Tuple[int, str, int]  # port, interface, index
 
@@ -166,6 +166,9 @@ class Client:
 
     def bumper(self, index: int = 0, access: Access = Access.ALL) -> Bumper:
         return self._open(Bumper, "bumper", index, access)
+
+    def aio(self, index: int = 0, access: Access = Access.ALL) -> Aio:
+        return self._open(Aio, "aio", index, access)
 
     def camera(self, index: int = 0, access: Access = Access.ALL) -> Camera:
         return self._open(Camera, "camera", index, access)

@@ -11,7 +11,7 @@ from typing import Iterator, List, NamedTuple, Optional, Tuple, cast
 
 from .device import Device
 from .errors import InvalidValue, RequestRefused, RunEnded, WireError
-from .generated import bumper, camera, common, fiducial, laser, position2d, ptz, ranger, simulation, sonar
+from .generated import aio, bumper, camera, common, fiducial, laser, position2d, ptz, ranger, simulation, sonar
 from .wire import MessageType, Struct, c_string, text
 
 
@@ -430,6 +430,27 @@ class Bumper(Device):
         """Where the switches sit on the robot."""
         geom = cast(bumper.Geom, _answer(self.request(bumper.REQ_GET_GEOM)))
         return [Face(_pose3d(one.pose), one.length, one.radius) for one in geom.bumper_def]
+
+
+class Aio(Device):
+    """Analog inputs and outputs; of Playhouse a custom model: its readings are inputs, its commands outputs."""
+
+    @property
+    def voltages(self) -> List[float]:
+        """One per input, in V."""
+        data, _ = self._stamped(aio.DATA_STATE)
+        return list(data.voltages)
+
+    def updates(self, timeout: Optional[float] = None) -> Iterator[List[float]]:
+        """Reads for ever: one list for each time new data have come. Raises RequestTimeout."""
+        while True:
+            self.next_data(timeout)
+            yield self.voltages
+
+    def set(self, output: int, voltage: float) -> None:
+        """Sets one output, in V."""
+        self._insist_on_finite(voltage=voltage)
+        self.command(aio.CMD_STATE, aio.Cmd(output, voltage))
 
 
 class Simulation(Device):

@@ -11,7 +11,7 @@ from playhouse_client import (
     RequestTimeout, WireError, connect,
 )
 from playhouse_client.connection import Message
-from playhouse_client.generated import bumper, camera, common, laser, player, position2d, ptz
+from playhouse_client.generated import aio, bumper, camera, common, laser, player, position2d, ptz
 from playhouse_client.wire import Kind
 
 DATA_REQUEST = player.REQ_DATA.subtype
@@ -215,6 +215,18 @@ class Reading(unittest.TestCase):
             self.assertEqual(next(skirt.updates()), [False, True, True])
             self.assertEqual(skirt.pressed, [False, True, True])
             self.assertEqual(skirt.faces(), [Face(Pose3d(0.25, 0.0, 0.1, 0.0, 0.0, 0.5), 0.5, 0.0)])
+
+    def test_analog_inputs_are_voltages_and_outputs_are_set_one_by_one(self) -> None:
+        def rounds(peer: Peer, message: Message) -> None:
+            peer.answer(message)
+            peer.data(aio.DATA_STATE, aio.Data([0.5, -3.0]))
+            peer.synch()
+
+        with FakeServer(script(rounds)) as server, connect(server.address) as client, client.aio(0) as box:
+            self.assertEqual(next(box.updates()), [0.5, -3.0])
+            self.assertEqual(box.voltages, [0.5, -3.0])
+            with self.assertRaisesRegex(InvalidValue, "voltage is nan, not a finite number"):
+                box.set(1, float("nan"))
 
     def test_data_of_others_do_not_prolong_the_time_out_of_one(self) -> None:
         def rounds(peer: Peer, message: Message) -> None:

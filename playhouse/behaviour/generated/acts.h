@@ -14,6 +14,7 @@ std::unique_ptr<ActPhase> make_blinkenlight_act();
 std::unique_ptr<ActPhase> make_gripper_act();
 std::unique_ptr<ActPhase> make_actuator_act();
 std::unique_ptr<ActPhase> make_camera_act();
+std::unique_ptr<ActPhase> make_custom_act();
 
 inline void add_acts(Acts& acts) {
   acts.add(make_position_act());
@@ -21,6 +22,7 @@ inline void add_acts(Acts& acts) {
   acts.add(make_gripper_act());
   acts.add(make_actuator_act());
   acts.add(make_camera_act());
+  acts.add(make_custom_act());
 }
 
 }  // namespace playhouse::behaviour

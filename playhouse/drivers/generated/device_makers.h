@@ -30,6 +30,7 @@ std::unique_ptr<SimulatedDevice> make_camera_device(Simulation& simulation, worl
 std::unique_ptr<SimulatedDevice> make_ptz_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_detector_ranger_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_detector_fiducial_device(Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_aio_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_power_device(Simulation& simulation, world::ModelRow model);
 
 struct DeviceMaker {
@@ -55,6 +56,7 @@ inline constexpr DeviceMaker kDeviceMakers[] = {
     {8, scene::ModelKind::kCamera, make_ptz_device},
     {62, scene::ModelKind::kDetector, make_detector_ranger_device},
     {10, scene::ModelKind::kDetector, make_detector_fiducial_device},
+    {21, scene::ModelKind::kCustom, make_aio_device},
     {2, std::nullopt, make_power_device},
 };
 

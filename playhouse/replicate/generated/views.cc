@@ -149,6 +149,18 @@ bool capture_detector(const world::World& world, std::uint32_t row, std::vector<
   return true;
 }
 
+std::uint32_t row_of_custom(const world::World& world, std::uint32_t model) {
+  return world.models.kind[model] == scene::ModelKind::kCustom ? world.models.part[model] : world::ModelRow::kNone;
+}
+
+bool capture_custom(const world::World& world, std::uint32_t row, std::vector<std::int32_t>& out) {
+  if (world.customs.measured_tick[row] == 0) return false;
+  for (const auto& item : world.customs.readings[row]) {
+    out.push_back(quantize(item, 1000));
+  }
+  return true;
+}
+
 std::uint32_t row_of_pack(const world::World& world, std::uint32_t model) {
   return world::trait_row(world.packs, model);
 }
@@ -171,9 +183,10 @@ constexpr Code kCodesOfActuator[] = {Code::kZigzag, Code::kZigzag};
 constexpr Code kCodesOfWifi[] = {Code::kVarint, Code::kZigzag, Code::kVarint};
 constexpr Code kCodesOfCamera[] = {Code::kVarint};
 constexpr Code kCodesOfDetector[] = {Code::kVarint, Code::kVarint, Code::kTurn, Code::kVarint, Code::kVarint};
+constexpr Code kCodesOfCustom[] = {Code::kZigzag};
 constexpr Code kCodesOfPack[] = {Code::kZigzag, Code::kZigzag, Code::kZigzag, Code::kVarint};
 
-constexpr View kViews[11] = {
+constexpr View kViews[12] = {
     {When::kSelected, false, false, kCodesOfPosition, row_of_position, capture_position},
     {When::kShown, true, true, kCodesOfFiducial, row_of_fiducial, capture_fiducial},
     {When::kShown, true, true, kCodesOfBlobfinder, row_of_blobfinder, capture_blobfinder},
@@ -184,6 +197,7 @@ constexpr View kViews[11] = {
     {When::kShown, true, true, kCodesOfWifi, row_of_wifi, capture_wifi},
     {When::kSelected, true, true, kCodesOfCamera, row_of_camera, capture_camera},
     {When::kShown, true, true, kCodesOfDetector, row_of_detector, capture_detector},
+    {When::kShown, true, true, kCodesOfCustom, row_of_custom, capture_custom},
     {When::kSelected, false, false, kCodesOfPack, row_of_pack, capture_pack},
 };
 
@@ -226,6 +240,7 @@ bool may_be_watched(scene::ModelKind kind) {
     case scene::ModelKind::kWifi:
     case scene::ModelKind::kCamera:
     case scene::ModelKind::kDetector:
+    case scene::ModelKind::kCustom:
       return true;
     default:
       return false;
@@ -301,6 +316,11 @@ void tell_detector(const scene::ModelDesc& model, std::string& text) {
   fmt::format_to(std::back_inserter(text), ",\"fov\":{}", number(model.detector->fov));
 }
 
+void tell_custom(const scene::ModelDesc& model, std::string& text) {
+  if (!model.custom) return;
+  fmt::format_to(std::back_inserter(text), ",\"library\":{}", quoted(model.custom->library));
+}
+
 }  // namespace
 
 void tell_kind(const scene::ModelDesc& model, std::string& text) {
@@ -331,6 +351,9 @@ void tell_kind(const scene::ModelDesc& model, std::string& text) {
       break;
     case scene::ModelKind::kDetector:
       tell_detector(model, text);
+      break;
+    case scene::ModelKind::kCustom:
+      tell_custom(model, text);
       break;
     default:
       break;
@@ -368,6 +391,8 @@ std::string_view kind_name(scene::ModelKind kind) {
       return "camera";
     case scene::ModelKind::kDetector:
       return "detector";
+    case scene::ModelKind::kCustom:
+      return "custom";
   }
   return "";
 }

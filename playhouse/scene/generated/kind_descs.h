@@ -29,6 +29,7 @@ enum class ModelKind : std::uint8_t {
   kWifi = 10,
   kCamera = 11,
   kDetector = 12,
+  kCustom = 13,
 };
 
 /// A plain body; its words are those of every model, whatever its kind.
@@ -364,6 +365,14 @@ struct DetectorDesc {
   friend bool operator==(const DetectorDesc&, const DetectorDesc&) = default;
 };
 
+/// A model or a sensor whose code is in a shared library.
+struct CustomDesc {
+  /// The library's name, and arguments behind it.
+  std::string library;
+
+  friend bool operator==(const CustomDesc&, const CustomDesc&) = default;
+};
+
 /// One transducer or scanner of a ranger.
 struct RangerSensorDesc {
   /// Where the sensor is in the ranger. [frame X_BS, m, m, m, rad]
@@ -437,6 +446,7 @@ struct KindDescs {
   std::optional<WifiDesc> wifi;  // kWifi
   std::optional<CameraDesc> camera;  // kCamera
   std::optional<DetectorDesc> detector;  // kDetector
+  std::optional<CustomDesc> custom;  // kCustom
 
   friend bool operator==(const KindDescs&, const KindDescs&) = default;
 };

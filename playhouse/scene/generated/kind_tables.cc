@@ -304,6 +304,14 @@ constexpr KindInterface kInterfacesOfDetector[2] = {
     {"fiducial", 10, Index::kCount, Need::kNothing, Need::kNothing, false},
 };
 
+constexpr Word kWordsOfCustom[1] = {
+    {.name = "library", .use = Use::kRead, .type = "text", .otherwise = "\"\"", .doc = "The library's name, and arguments behind it."},
+};
+
+constexpr KindInterface kInterfacesOfCustom[1] = {
+    {"aio", 21, Index::kCount, Need::kNothing, Need::kNothing, false},
+};
+
 constexpr std::string_view kOld_block_height_to[] = {"z.1"};
 constexpr Meaning kOld_block_height{.how = Meaning::How::kWords, .to = kOld_block_height_to};
 constexpr Word kWordsOfBlock[7] = {
@@ -427,7 +435,7 @@ constexpr KindInterface kInterfacesOfWorld[1] = {
     {"simulation", 31, Index::kOne, Need::kNothing, Need::kNothing, false},
 };
 
-constexpr Kind kKinds[18] = {
+constexpr Kind kKinds[19] = {
     {.name = "model", .doc = "A plain body; its words are those of every model, whatever its kind.", .entity = EntityForm::kModel, .table = "models", .kind = ModelKind::kPlain, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfModel, .interfaces = kInterfacesOfModel},
     {.name = "position", .doc = "A robot that drives in the plane.", .entity = EntityForm::kModel, .table = "positions", .kind = ModelKind::kPosition, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfPosition, .interfaces = kInterfacesOfPosition},
     {.name = "ranger", .doc = "Range finders of any kind: a laser has one sensor with many samples, a ring of sonars many with one.", .entity = EntityForm::kModel, .table = "rangers", .kind = ModelKind::kRanger, .simulated = true, .solid = false, .size = {0.15, 0.15, 0.2}, .color = {0, 0, 0.5f, 1}, .words = kWordsOfRanger, .interfaces = kInterfacesOfRanger},
@@ -441,6 +449,7 @@ constexpr Kind kKinds[18] = {
     {.name = "wifi", .doc = "A radio: tells which others of its network it hears, and how well.", .entity = EntityForm::kModel, .table = "wifis", .kind = ModelKind::kWifi, .simulated = true, .solid = false, .size = {0, 0, 0}, .color = {0.2f, 0.6f, 0.9f, 1}, .words = kWordsOfWifi, .interfaces = kInterfacesOfWifi},
     {.name = "camera", .doc = "A camera: takes images of the bodies, the floor and the sky, in colours, in grey, or of distances, and pans, tilts and zooms.", .entity = EntityForm::kModel, .table = "cameras", .kind = ModelKind::kCamera, .simulated = true, .solid = true, .size = {0.1, 0.07, 0.05}, .color = {0, 0, 0, 1}, .words = kWordsOfCamera, .interfaces = kInterfacesOfCamera},
     {.name = "detector", .doc = "A sensor made up in the world file: what it sees, what it sees through, how far, how finely and how well (docs/detectors.md).", .entity = EntityForm::kModel, .table = "detectors", .kind = ModelKind::kDetector, .simulated = true, .solid = false, .size = {0.1, 0.1, 0.1}, .color = {0.4f, 0.1f, 0.6f, 1}, .words = kWordsOfDetector, .interfaces = kInterfacesOfDetector},
+    {.name = "custom", .doc = "A model or a sensor whose code is in a shared library.", .entity = EntityForm::kModel, .table = "customs", .kind = ModelKind::kCustom, .simulated = true, .solid = true, .size = {0.1, 0.1, 0.1}, .color = {1, 0.5f, 0, 1}, .words = kWordsOfCustom, .interfaces = kInterfacesOfCustom},
     {.name = "block", .doc = "A prism, as a part of a model's body; all blocks together are stretched to fill the model's size.", .entity = EntityForm::kPart, .inside = "model", .simulated = true, .words = kWordsOfBlock},
     {.name = "sensor", .doc = "One transducer or scanner of a ranger.", .entity = EntityForm::kPart, .inside = "ranger", .table = "sensors", .simulated = true, .words = kWordsOfSensor},
     {.name = "pack", .doc = "A battery, from which a model draws, and what is inside it and has none of its own.", .entity = EntityForm::kTrait, .table = "packs", .simulated = true, .interfaces = kInterfacesOfPack, .has = has_pack},

@@ -209,6 +209,10 @@ void read(const Properties& properties, DetectorDesc& to) {
   require(to.miss >= 0 && to.miss <= 1, properties, "miss", "must be from 0 to 1");
 }
 
+void read(const Properties& properties, CustomDesc& to) {
+  to.library = properties.text("library", to.library);
+}
+
 }  // namespace
 
 void read(const Properties& properties, std::size_t row, PlainDesc& to) {
@@ -327,6 +331,9 @@ void read_kind(const Properties& properties, ModelKind kind, KindDescs& to) {
     case ModelKind::kDetector:
       read(properties, to.detector.emplace());
       break;
+    case ModelKind::kCustom:
+      read(properties, to.custom.emplace());
+      break;
     case ModelKind::kPlain:
     case ModelKind::kRanger:
     case ModelKind::kLightindicator:
@@ -356,6 +363,8 @@ bool is_described(ModelKind kind, const KindDescs& by) {
       return by.camera.has_value();
     case ModelKind::kDetector:
       return by.detector.has_value();
+    case ModelKind::kCustom:
+      return by.custom.has_value();
     default:
       return true;
   }

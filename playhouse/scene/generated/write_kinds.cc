@@ -134,6 +134,10 @@ void write(const DetectorDesc& from, const DetectorDesc& unsaid, Words& to) {
   if (from.miss != unsaid.miss) to.number("miss", from.miss);
 }
 
+void write(const CustomDesc& from, const CustomDesc& unsaid, Words& to) {
+  if (from.library != unsaid.library) to.text("library", from.library);
+}
+
 void write(const RangerSensorDesc& from, const RangerSensorDesc& unsaid, Words& to) {
   if (from.X_BS != unsaid.X_BS) to.pose("pose", from.X_BS);
   if (from.size != unsaid.size) to.size("size", from.size);
@@ -209,6 +213,7 @@ void write_kind(const KindDescs& from, const Units& units, Entity& to) {
   if (from.wifi) write(*from.wifi, {}, words);
   if (from.camera) write(*from.camera, {}, words);
   if (from.detector) write(*from.detector, {}, words);
+  if (from.custom) write(*from.custom, {}, words);
   for (const RangerSensorDesc& part : from.sensors) {
     Words words_of_part(units, to.parts.emplace_back(Entity{"sensor", {}, {}}).words);
     write(part, {}, words_of_part);

@@ -4,6 +4,7 @@
 /// How each kind that moves by itself does so; playhouse/stage/move_NAME.h has its functions.
 
 #include "playhouse/stage/move_actuator.h"
+#include "playhouse/stage/move_custom.h"
 #include "playhouse/stage/move_position.h"
 
 namespace playhouse::stage {
@@ -12,6 +13,7 @@ namespace playhouse::stage {
 template <typename Visit>
 decltype(auto) with_move(scene::ModelKind kind, const Visit& visit) {
   if (kind == scene::ModelKind::kActuator) return visit(ActuatorMove{});
+  if (kind == scene::ModelKind::kCustom) return visit(CustomMove{});
   return visit(PositionMove{});
 }
 

@@ -18,6 +18,7 @@ std::unique_ptr<SensePhase> make_gripper_sense(unsigned workers);
 std::unique_ptr<SensePhase> make_wifi_sense(unsigned workers);
 std::unique_ptr<SensePhase> make_camera_sense(unsigned workers);
 std::unique_ptr<SensePhase> make_detector_sense(unsigned workers);
+std::unique_ptr<SensePhase> make_custom_sense(unsigned workers);
 
 inline void add_senses(Senses& senses, unsigned workers) {
   senses.add(make_ranger_sense(workers));
@@ -28,6 +29,7 @@ inline void add_senses(Senses& senses, unsigned workers) {
   senses.add(make_wifi_sense(workers));
   senses.add(make_camera_sense(workers));
   senses.add(make_detector_sense(workers));
+  senses.add(make_custom_sense(workers));
 }
 
 }  // namespace playhouse::stage

@@ -136,6 +136,17 @@ inline constexpr auto kColumns<Detectors> = std::tuple{
 };
 
 template <>
+inline constexpr auto kColumns<Customs> = std::tuple{
+    Column{"customs.model", Role::kDerived, "", "", "", &Customs::model},
+    Column{"customs.command", Role::kMotion, "1", "", "act, commands", &Customs::command},
+    Column{"customs.state", Role::kMotion, "1", "", "act", &Customs::state},
+    Column{"customs.velocity", Role::kMotion, "m/s, m/s, m/s, rad/s", "v_M", "act", &Customs::velocity},
+    Column{"customs.stall", Role::kMotion, "", "", "move", &Customs::stall},
+    Column{"customs.readings", Role::kSensed, "1", "", "sense", &Customs::readings},
+    Column{"customs.measured_tick", Role::kSensed, "", "", "sense", &Customs::measured_tick},
+};
+
+template <>
 inline constexpr auto kColumns<Packs> = std::tuple{
     Column{"packs.model", Role::kDerived, "", "", "", &Packs::model},
     Column{"packs.stored", Role::kMotion, "J", "", "energy", &Packs::stored},
@@ -174,6 +185,8 @@ template <>
 inline constexpr scene::ModelKind kKindOf<Cameras> = scene::ModelKind::kCamera;
 template <>
 inline constexpr scene::ModelKind kKindOf<Detectors> = scene::ModelKind::kDetector;
+template <>
+inline constexpr scene::ModelKind kKindOf<Customs> = scene::ModelKind::kCustom;
 
 /// The trait whose models have a row each; of other tables there is none.
 template <typename Table>
@@ -185,10 +198,10 @@ inline constexpr auto kTraitTable = nullptr;
 template <>
 inline constexpr auto kTraitTable<Packs> = &Tables::packs;
 
-inline constexpr std::tuple kTables{&Tables::models, &Tables::positions, &Tables::rangers, &Tables::sensors, &Tables::fiducials, &Tables::blobfinders, &Tables::bumpers, &Tables::blinkenlights, &Tables::lightindicators, &Tables::grippers, &Tables::actuators, &Tables::wifis, &Tables::cameras, &Tables::detectors, &Tables::packs};
+inline constexpr std::tuple kTables{&Tables::models, &Tables::positions, &Tables::rangers, &Tables::sensors, &Tables::fiducials, &Tables::blobfinders, &Tables::bumpers, &Tables::blinkenlights, &Tables::lightindicators, &Tables::grippers, &Tables::actuators, &Tables::wifis, &Tables::cameras, &Tables::detectors, &Tables::customs, &Tables::packs};
 
 /// Those of kinds: a row for each model of the kind, in the order of the models.
-inline constexpr std::tuple kKindTables{&Tables::positions, &Tables::rangers, &Tables::fiducials, &Tables::blobfinders, &Tables::bumpers, &Tables::blinkenlights, &Tables::lightindicators, &Tables::grippers, &Tables::actuators, &Tables::wifis, &Tables::cameras, &Tables::detectors};
+inline constexpr std::tuple kKindTables{&Tables::positions, &Tables::rangers, &Tables::fiducials, &Tables::blobfinders, &Tables::bumpers, &Tables::blinkenlights, &Tables::lightindicators, &Tables::grippers, &Tables::actuators, &Tables::wifis, &Tables::cameras, &Tables::detectors, &Tables::customs};
 
 /// Those of traits: a row for each model that has it, in the order of the models.
 inline constexpr std::tuple kTraitTables{&Tables::packs};

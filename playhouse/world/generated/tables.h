@@ -25,6 +25,7 @@ using ActuatorRow = Row<struct ActuatorTable>;
 using WifiRow = Row<struct WifiTable>;
 using CameraRow = Row<struct CameraTable>;
 using DetectorRow = Row<struct DetectorTable>;
+using CustomRow = Row<struct CustomTable>;
 using PackRow = Row<struct PackTable>;
 
 /// A robot that drives in the plane.
@@ -299,6 +300,18 @@ struct Detectors {
   std::size_t size() const { return model.size(); }
 };
 
+/// A model or a sensor whose code is in a shared library.
+struct Customs {
+  std::vector<ModelRow> model;  // The model that it is.
+  std::vector<std::vector<double>> command;  // What it is told, as its library means it.
+  std::vector<std::vector<double>> state;  // What its library remembers from tick to tick.
+  std::vector<geom::Twist> velocity;  // How it moves. [m/s, m/s, m/s, rad/s]
+  std::vector<std::uint8_t> stall;  // The last motion was blocked.
+  std::vector<std::vector<double>> readings;  // What it measured, as its library means it.
+  std::vector<std::uint64_t> measured_tick;  // Tick of the newest readings; 0: none yet.
+  std::size_t size() const { return model.size(); }
+};
+
 /// A battery, from which a model draws, and what is inside it and has none of its own.
 struct Packs {
   std::vector<ModelRow> model;  // The model that has it.
@@ -317,6 +330,7 @@ constexpr bool moves(scene::ModelKind kind) {
   switch (kind) {
     case scene::ModelKind::kPosition:
     case scene::ModelKind::kActuator:
+    case scene::ModelKind::kCustom:
       return true;
     default:
       return false;
@@ -339,6 +353,7 @@ struct Tables {
   Wifis wifis;
   Cameras cameras;
   Detectors detectors;
+  Customs customs;
   Packs packs;
 };
 

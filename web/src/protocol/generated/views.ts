@@ -2,7 +2,7 @@
 import type { Pose, Rgba } from '../scene';
 
 /** What a model is. */
-export type Kind = 'plain' | 'position' | 'ranger' | 'fiducial' | 'blobfinder' | 'bumper' | 'blinkenlight' | 'lightindicator' | 'gripper' | 'actuator' | 'wifi' | 'camera' | 'detector';
+export type Kind = 'plain' | 'position' | 'ranger' | 'fiducial' | 'blobfinder' | 'bumper' | 'blinkenlight' | 'lightindicator' | 'gripper' | 'actuator' | 'wifi' | 'camera' | 'detector' | 'custom';
 
 /** What models of any kind may have. */
 export type Trait = 'pack';
@@ -92,6 +92,11 @@ export interface DetectorView {
   bodies: number;
 }
 
+/** A model or a sensor whose code is in a shared library. SI units and radians. */
+export interface CustomView {
+  reading: number;
+}
+
 /** A battery, from which a model draws, and what is inside it and has none of its own. SI units and radians. */
 export interface PackView {
   stored: number; // J
@@ -112,6 +117,7 @@ export interface Views {
   wifi: WifiView[];
   camera: CameraView[];
   detector: DetectorView[];
+  custom: CustomView[];
   pack: PackView;
 }
 
@@ -135,6 +141,7 @@ export const kViews: readonly ViewFormat[] = [
   { kind: 'wifi', list: true, fields: [['station', 'varint', 1], ['level', 'zigzag', 1], ['quality', 'varint', 1]] },
   { kind: 'camera', list: true, fields: [['sample', 'varint', 1]] },
   { kind: 'detector', list: true, fields: [['target', 'varint', 1], ['range', 'varint', 0.001], ['bearing', 'turn', 1], ['level', 'varint', 0.001], ['bodies', 'varint', 1]] },
+  { kind: 'custom', list: true, fields: [['reading', 'zigzag', 0.001]] },
   { kind: 'pack', list: false, fields: [['stored', 'zigzag', 1], ['capacity', 'zigzag', 1], ['watts', 'zigzag', 0.001], ['charging', 'varint', 1]] },
 ];
 
@@ -167,5 +174,6 @@ export interface KindStart {
   view?: [number, number]; // rad
   shows?: 'color' | 'gray' | 'depth';
   reach?: [number, number]; // m
+  library?: string;
   traits?: Trait[];
 }

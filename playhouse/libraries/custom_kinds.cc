@@ -1,0 +1,94 @@
+#include "playhouse/libraries/custom_kinds.h"
+
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "playhouse/base/in_quotes.h"
+#include "playhouse/base/limits.h"
+#include "playhouse/world/custom_hooks.h"
+#include "playhouse/world/custom_library.h"
+
+namespace playhouse::libraries {
+namespace {
+
+using world::CustomCode;
+using world::CustomKind;
+
+constexpr Provided kProvided{"custom model", "PLAYHOUSE_CUSTOM_KIND", "playhouse_custom",
+                             world::kCustomVersion, world::kCustomVersion};
+
+using Opened = std::map<std::string, std::shared_ptr<SharedLibrary>>;
+
+/// Null where it is only found.
+Result<std::shared_ptr<SharedLibrary>> open(const std::string& name, const std::string& where,
+                                            const Libraries& libraries, Opened& opened,
+                                            std::vector<std::string>& warnings) {
+  if (const auto at = opened.find(name); at != opened.end()) return at->second;
+  const auto library = load({kProvided, name, where, {}}, libraries, warnings);
+  if (!library) return library;
+  if (*library) {
+    const auto layout = reinterpret_cast<std::uint64_t (*)()>((*library)->symbol("playhouse_custom_layout"));
+    if (!layout || layout() != world::layout())
+      return Error{where, "custom model " + in_quotes(name) + ": " + escaped((*library)->file()) +
+                              " is built with headers of another program; build it again with those of "
+                              "this one"};
+  }
+  opened.emplace(name, *library);
+  return library;
+}
+
+Result<CustomKind::Sizes> configure(CustomKind& kind, const std::vector<std::string>& arguments) {
+  constexpr std::size_t kMost = limits::kCustomNumbers;
+  try {
+    const CustomKind::Sizes sizes = kind.configure(arguments);
+    if (sizes.commands <= kMost && sizes.state <= kMost && sizes.readings <= kMost) return sizes;
+    return Error{{}, "wants more than " + std::to_string(kMost) + " commands, state or readings"};
+  } catch (const std::exception& error) {
+    return Error{{}, escaped(error.what())};
+  } catch (...) {
+    return Error{{}, "threw something that is no std::exception"};
+  }
+}
+
+/// Null where the library is only found.
+Result<std::shared_ptr<const CustomCode>> make_code(const std::string& text, const std::string& where,
+                                                    const Libraries& libraries, Opened& opened,
+                                                    std::vector<std::string>& warnings) {
+  std::vector<std::string> words = words_of(text);
+  if (words.empty()) return Error{where, "a custom model needs a library \"NAME ARGUMENTS\""};
+  const std::string name = std::move(words.front());
+  words.erase(words.begin());
+  const auto library = open(name, where, libraries, opened, warnings);
+  if (!library) return library.error();
+  if (!*library) return std::shared_ptr<const CustomCode>();
+  Result<std::unique_ptr<CustomKind>> made = (*library)->make<CustomKind>();
+  if (!made) return Error{where, "custom model " + in_quotes(name) + ": " + made.error().line()};
+  const Result<CustomKind::Sizes> sizes = configure(**made, words);
+  if (!sizes) return Error{where, "custom model " + in_quotes(name) + ": " + sizes.error().line()};
+  auto code = std::make_shared<CustomCode>();
+  // The library is closed behind the last object of it.
+  code->kind = {made->release(), [kept = *library](const CustomKind* kind) { delete kind; }};
+  code->sizes = *sizes;
+  return std::shared_ptr<const CustomCode>(std::move(code));
+}
+
+}  // namespace
+
+Result<std::vector<std::string>> attach_custom_kinds(world::World& world, const Libraries& libraries) {
+  const scene::SceneDesc& scene = world.scene();
+  std::vector<std::string> warnings;
+  Opened opened;
+  world.custom_codes.assign(scene.models.size(), nullptr);
+  for (std::size_t row = 0; row < scene.models.size(); ++row) {
+    const scene::ModelDesc& model = scene.models[row];
+    if (model.kind != scene::ModelKind::kCustom) continue;
+    auto code = make_code(model.custom->library, scene.at(model.where), libraries, opened, warnings);
+    if (!code) return code.error();
+    world.custom_codes[row] = std::move(*code);
+  }
+  for (std::uint32_t row = 0; row < world.customs.size(); ++row) world::begin_custom(world, {row});
+  return warnings;
+}
+
+}  // namespace playhouse::libraries
