@@ -223,7 +223,7 @@ void add_serving(CLI::App& app, Raw& raw, Serving& serving) {
 
 void add_allowed_libraries(CLI::App& app, Running& running) {
   app.add_option("--allow-library", running.allowed_libraries,
-                 "a controller's library that a world may load from elsewhere; may be given again")
+                 "a library that a world may load from elsewhere; may be given again")
       ->type_name("FILE.so")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

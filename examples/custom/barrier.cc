@@ -1,0 +1,67 @@
+// A model: a barrier that swings open when it is told to, or when a robot comes near, and closes again. What
+// is in its way stops it. It is green while it is wholly open, and red otherwise.
+//
+//   custom( library "barrier NEAR" )
+//
+// NEAR: how near a robot comes before it opens, in metres.
+//
+// Command 0: 1 opens it, 0 leaves it to the robots. Readings: 0 how far it is open in radians, 1 whether
+// something is in its way.
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "playhouse/world/custom_library.h"
+
+namespace pw = playhouse::world;
+namespace geom = playhouse::geom;
+
+namespace {
+
+constexpr double kOpen = 1.4;     // rad
+constexpr double kSpeed = 1;      // rad/s
+constexpr double kEnough = 1e-6;  // rad
+
+class Barrier : public pw::CustomKind {
+  Sizes configure(std::span<const std::string> arguments) override {
+    if (arguments.size() != 1) throw std::invalid_argument("wants one argument: NEAR");
+    near_ = std::stod(arguments[0]);
+    return {.commands = 1, .state = 1, .readings = 2};
+  }
+
+  // The state is the heading at which it is closed.
+  void begin(const pw::CustomModel& self, std::span<double> state, std::span<double>) const override {
+    state[0] = self.world.models.X_PM[self.model.index].a;
+  }
+
+  void act(pw::CustomActor& self) const override {
+    const double angle = opened(self.world, self.model, self.state[0]);
+    const double wanted = self.command[0] > 0.5 || is_robot_near(self) ? kOpen : 0;
+    self.velocity.a = std::clamp((wanted - angle) / self.dt, -kSpeed, kSpeed);
+    const bool open = angle > kOpen - kEnough;
+    self.color = {open ? 0.f : 1.f, open ? 0.6f : 0.f, 0, 1};
+  }
+
+  void sense(pw::CustomSensor& self) const override {
+    self.readings[0] = opened(self.world, self.model, self.state[0]);
+    self.readings[1] = self.world.customs.stall[self.world.models.part[self.model.index]];
+  }
+
+  static double opened(const pw::World& world, pw::ModelRow model, double closed) {
+    return geom::normalize(world.models.X_PM[model.index].a - closed);
+  }
+
+  bool is_robot_near(const pw::CustomModel& self) const {
+    const std::vector<geom::Pose>& X_WM = self.world.models.X_WM;
+    return std::ranges::any_of(self.world.positions.model, [&](pw::ModelRow robot) {
+      const geom::Vec2 apart = X_WM[robot.index].xy() - X_WM[self.model.index].xy();
+      return geom::dot(apart, apart) < near_ * near_;
+    });
+  }
+
+  double near_ = 0;
+};
+
+}  // namespace
+
+PLAYHOUSE_CUSTOM_KIND(Barrier)

@@ -1,0 +1,128 @@
+"""Custom models from outside the tree: examples/custom is built with the installed package, and its world runs."""
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+from unittest import mock
+
+from house import ROOT, HouseTest, finish
+
+EXAMPLE = ROOT / "examples" / "custom"
+# Of the program: its install script, and what a library needs that a program with sanitizers loads.
+BUILD = os.environ.get("PLAYHOUSE_BUILD", str(ROOT / "build" / "release"))
+FLAGS = os.environ.get("PLAYHOUSE_LIBRARY_FLAGS", "")
+
+
+def tool(*command, **more) -> str:
+    """What it prints. Fails with all that it says."""
+    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, timeout=300, **more)
+    if done.returncode:
+        raise AssertionError(f"{command}: {done.stdout}{done.stderr}")
+    return done.stdout
+
+
+class Libraries(HouseTest):
+    @classmethod
+    def setUpClass(cls):
+        """The package in a folder of its own, and the example built with that alone."""
+        super().setUpClass()
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.place = Path(folder.name)
+        cls.libraries = cls.place / "build"
+        tool("cmake", "--install", BUILD, "--prefix", cls.place / "prefix")
+        shutil.copytree(EXAMPLE, cls.place / "custom")
+        cls.build(cls.place / "custom", cls.libraries)
+        cls.yard = cls.place / "custom" / "yard.world"
+
+    @classmethod
+    def build(cls, source, build):
+        """With the installed package alone, and without the optimiser, which costs time and tells nothing."""
+        tool("cmake", "-G", "Ninja", "-S", source, "-B", build, "-DCMAKE_BUILD_TYPE=Debug",
+             f"-DCMAKE_PREFIX_PATH={cls.place}/prefix", f"-DCMAKE_CXX_FLAGS={FLAGS}")
+        tool("cmake", "--build", build)
+
+    def setUp(self):
+        super().setUp()
+        self.enterContext(mock.patch.dict(os.environ, PLAYHOUSE_PATH=str(self.libraries)))
+
+    def result_of(self, *arguments) -> dict:
+        done = finish("run", *arguments, "--port", 0, "--headless", "--fast", "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(done.stdout)
+
+    def run_beside(self, world, client, *arguments) -> str:
+        """What a client in Python prints beside a run of the world."""
+        environment = os.environ | {"PYTHONPATH": str(ROOT / "clients" / "python")}
+        with self.run_house(*arguments, world=world) as house:
+            return tool(sys.executable, client, f"127.0.0.1:{house.port()}", env=environment)
+
+    def test_the_example_reads_the_counter_and_opens_the_gate(self):
+        told = self.run_beside(self.yard, EXAMPLE / "watch.py", "--speed", 5).splitlines()
+        self.assertEqual(told[0], "the gate is open")
+        counted = [(float(line.split()[0]), int(line.split()[3])) for line in told[1:]]
+        self.assertGreater(counted[-1][0], 2.5, "it came past the gate")
+        nearest = [counts for x, counts in counted if x > 1.5]
+        farthest = [counts for x, counts in counted if x < -1]
+        self.assertGreater(sum(nearest) / len(nearest), sum(farthest) / len(farthest) + 3)
+
+    def test_runs_are_the_same_with_any_number_of_workers(self):
+        world = self.write("many.world", self.yard.read_text() + self.many())
+        runs = [self.result_of(world, "--duration", 20, "--workers", workers) for workers in (1, 2)]
+        self.assertEqual(runs[0]["hash"], runs[1]["hash"])
+        self.assertEqual(runs[0]["sensed_hash"], runs[1]["sensed_hash"])
+        another = self.result_of(world, "--duration", 20, "--seed", 9)
+        self.assertNotEqual(runs[0]["sensed_hash"], another["sensed_hash"], "counts are drawn from the seed")
+
+    @staticmethod
+    def many() -> str:
+        """Counters that measure, and robots that make barriers move."""
+        lines = ["define drone rover( alwayson 1 velocity [0.3 0 0 25] )"]
+        for k in range(40):
+            lines.append(f"geiger( pose [{k % 8} {5 + k // 8} 0 0] alwayson 1 )")
+            lines.append(f"barrier( pose [{3 * (k % 8)} {-5 - 3 * (k // 8)} 0 {40 * k % 360}] alwayson 1 )")
+        lines += [f"drone( pose [{3 * k} -6.5 0 {50 * k}] )" for k in range(8)]
+        return "\n".join(lines)
+
+    def test_a_saved_run_goes_on_the_same(self):
+        world = self.write("many.world", self.yard.read_text() + self.many())
+        saved = self.folder / "half.run"
+        whole = self.result_of(world, "--duration", 20, "--save-at", 10, saved)
+        rest = self.result_of("--from", saved, "--duration", 20)
+        self.assertEqual(whole["hash"], rest["hash"])
+
+    def test_the_walk_of_the_documentation_leads_to_what_it_says(self):
+        walk = (ROOT / "docs" / "libraries.md").read_text()
+        files = dict(re.findall(r"`([\w.]+)`:\n\n```\w*\n(.*?)```", walk, re.DOTALL))
+        self.assertEqual(set(files), {"crowd.cc", "CMakeLists.txt", "crowd.world", "read.py"})
+        for name, content in files.items():
+            self.write(name, content)
+        self.build(self.folder, self.folder / "build")
+        with mock.patch.dict(os.environ, PLAYHOUSE_PATH=str(self.folder / "build")):
+            told = self.run_beside(self.folder / "crowd.world", self.folder / "read.py")
+        self.assertIn(f"It prints `{told.strip()}`:", walk)
+
+    def test_check_finds_libraries_and_loads_none(self):
+        done = finish("check", self.yard)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn(f'custom model "geiger" is {self.libraries}/geiger.so, which is there and not checked', done.stdout)
+
+    def test_what_is_wrong_is_told_with_its_line(self):
+        for library, told in (
+                ("geiger", '"geiger": wants two arguments: BACKGROUND SOURCE'),
+                ("geiger -1 2", '"geiger": BACKGROUND is at least 0, SOURCE not 0'),
+                ("geigre 1 2", 'no custom model "geigre" (did you mean "geiger"?)')):
+            world = self.write("bad.world", f'model( )\ncustom( library "{library}" )\n')
+            done = finish("run", world, "--port", 0, "--headless", "--duration", 1)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertRegex(done.stderr, re.escape("bad.world:2: ") + ".*" + re.escape(told))
+
+
+if __name__ == "__main__":
+    unittest.main()
