@@ -6,6 +6,9 @@ export default { kind: 'custom', panel } satisfies KindPage;
 
 const kListed = 16; // in the panel
 
+/** Readings come in thousandths; 0.001 times a whole number may show its rounding. */
+export const readingText = (reading: number) => `${Number(reading.toFixed(3))}`;
+
 /** What a library's model measured, number by number: only the library knows what they mean. */
 function panel(model: Model, { replica, row, refresh, codes }: PanelTools): Node[] {
   const table = el('table', { 'data-testid': 'readings' });
@@ -16,7 +19,7 @@ function panel(model: Model, { replica, row, refresh, codes }: PanelTools): Node
         ? [el('tr', {}, el('td', { class: 'empty' }, 'no data yet'))]
         : readings.length === 0
           ? [el('tr', {}, el('td', { class: 'empty' }, 'measures nothing'))]
-          : readings.slice(0, kListed).map(({ reading }, k) => el('tr', {}, el('th', {}, `reading ${k}`), el('td', {}, `${reading}`)));
+          : readings.slice(0, kListed).map(({ reading }, k) => el('tr', {}, el('th', {}, `reading ${k}`), el('td', {}, readingText(reading))));
     const text = lines.map((line) => line.textContent).join('|');
     if (table.dataset.shown === text) return;
     table.dataset.shown = text;
