@@ -7,6 +7,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
@@ -139,6 +140,16 @@ TEST(Custom, moves_turns_and_rises_as_its_library_says_until_something_is_in_the
   run.step(10);
   EXPECT_NEAR(run.X_WM("two").z, 0.5, 1e-12);
   EXPECT_NEAR(run.X_WM("two").a, 0.3, 1e-12);
+}
+
+TEST(Custom, takes_its_parts_along) {
+  Running run(std::make_shared<Probe>(), 1,
+              "custom( name \"table\" library \"probe\"  model( name \"load\" pose [0.5 0 0 0] ) )");
+  run.command(2, 0.5);
+  run.step(10);
+  EXPECT_NEAR(run.X_WM("table.load").x, 0.5 * std::cos(0.5), 1e-12);
+  EXPECT_NEAR(run.X_WM("table.load").y, 0.5 * std::sin(0.5), 1e-12);
+  EXPECT_NEAR(run.X_WM("table.load").a, 0.5, 1e-12);
 }
 
 TEST(Custom, has_the_color_that_its_library_gives_it) {

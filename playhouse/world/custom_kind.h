@@ -12,7 +12,7 @@
 
 #include "playhouse/base/rng.h"
 #include "playhouse/geom/pose.h"
-#include "playhouse/scene/colors.h"
+#include "playhouse/scene/values.h"
 #include "playhouse/world/models.h"
 
 namespace playhouse::world {
@@ -38,7 +38,7 @@ struct CustomModel {
 /// For act().
 struct CustomActor : CustomModel {
   std::span<double> state;
-  geom::Twist velocity;  // in M, from this tick on; what is in the way stops it
+  geom::Twist velocity;  // in M, for this tick; what is in the way stops it
   bool stalled = false;  // its last motion was blocked
   scene::Color color;    // of its body
 };
