@@ -11,7 +11,7 @@ from codegen.model import FRAME, FRAME_LETTERS
 
 # Type of a column -> (how many numbers a unit may be told for, the names of its parts).
 TYPES = {
-    "flag": (0, ()), "int32": (1, ()), "uint32": (1, ()), "uint64": (1, ()), "float32": (1, ()), "float64": (1, ()),
+    "flag": (0, ()), "uint8": (1, ()), "int32": (1, ()), "uint32": (1, ()), "uint64": (1, ()), "float32": (1, ()), "float64": (1, ()),
     "text": (0, ()), "row": (0, ()), "color": (0, ()), "size": (3, ("x", "y", "z")),
     "pose": (4, ("x", "y", "z", "a")), "twist": (4, ("x", "y", "z", "a")), "tilt": (2, ("x", "y")),
     "ModelKind": (0, ()), "ControlMode": (0, ()), "ModelId": (0, ()), "Mobility": (0, ()),

@@ -75,6 +75,11 @@ inline constexpr unsigned kMotionSteps = 1024;                    // collision t
 inline constexpr std::size_t kSayBytes = 1024;                    // of what a model says; the rest is cut off
 inline constexpr std::size_t kCustomNumbers = 4096;               // commands, state or readings of a custom model
 
+// Messages between radios.
+inline constexpr std::size_t kRadioMessageBytes = 2304;           // of one, as of a frame of IEEE 802.11
+inline constexpr std::size_t kRadioSends = 64;                    // messages that one radio sends in a tick
+inline constexpr std::size_t kRadioReceives = 256;                // messages that one radio receives in a tick
+
 // Files.
 inline constexpr std::size_t kFileBytes = 16u << 20;
 inline constexpr int kIncludeDepth = 32;

@@ -35,6 +35,7 @@ enum class Purpose : std::uint64_t {
   kDetection = 14,     // entity: id of a detector; part: id of the top of what it may notice
   kCustomAct = 15,     // entity: id of a custom model
   kCustomSense = 16,   // the same
+  kMessageLoss = 17,   // entity: id of a radio; part: id of the one that sends; detail: which of its messages
   kCount
 };
 

@@ -25,6 +25,9 @@ class SensePhase {
   /// came or went or what stands still was put elsewhere; what is made of sensors that are alike is kept.
   virtual void populate(const world::World& world, const Space& space) = 0;
 
+  /// Whether it has something to do in a tick in which no sensor is due.
+  virtual bool has_work(const world::World& world) const { return static_cast<void>(world), false; }
+
   /// Measures with the sensors `due` for `tick`, the number that the state gets when it is frozen. Returns
   /// the rays cast.
   virtual std::uint64_t sense(world::World& world, const Space& space, std::span<const std::uint32_t> due,
@@ -49,7 +52,8 @@ class Senses {
     std::uint64_t rays = 0;
     for (Entry& entry : entries_) {
       const std::span<const std::uint32_t> due = entry.due.take(world, entry.phase->table(world), tick);
-      if (!due.empty()) rays += entry.phase->sense(world, space, due, tick, workers);
+      if (!due.empty() || entry.phase->has_work(world))
+        rays += entry.phase->sense(world, space, due, tick, workers);
     }
     return rays;
   }

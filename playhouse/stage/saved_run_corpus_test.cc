@@ -13,6 +13,7 @@
 #include "playhouse/stage/engine.h"
 #include "playhouse/world/columns.h"
 #include "playhouse/world/population.h"
+#include "playhouse/world/radio_messages.h"
 #include "playhouse/world/saved_run.h"
 #include "playhouse/world/state.h"
 
@@ -43,7 +44,8 @@ model( name "walls" size [4 4 1] boundary 1 noblocks 1 )
 
 const std::string kCorpus = PLAYHOUSE_SOURCE_DIR "/tests/fuzz/stage_saved_run/";
 
-/// A run of `ticks`, in which a robot came half way, as the fuzzer takes it: without the head.
+/// A run of `ticks`, in which a robot came half way and a message waits to be sent, as the fuzzer takes it:
+/// without the head.
 std::vector<std::byte> run_of(std::uint64_t ticks) {
   world::SavedRun run{{"tiny.world", {{"tiny.world", kWorld}}, {}}, 1, {}};
   scene::MemoryFiles files(run.sources.files);
@@ -58,6 +60,8 @@ std::vector<std::byte> run_of(std::uint64_t ticks) {
     if (2 * tick == ticks) EXPECT_TRUE(world::spawn(world, 0, {-1, 1, 0, 0}));
     (*engine)->step();
   }
+  const std::uint8_t message[] = {'h', 'i'};
+  EXPECT_TRUE(world::send_message(world, {0}, {}, message));
   EXPECT_TRUE(world::save_state(world, run.state));
   const std::vector<std::byte> file = encode(run);
   return {file.begin() + static_cast<std::ptrdiff_t>(world::with_head({}).size()), file.end()};

@@ -1,8 +1,12 @@
-/// WifiSense: the phase in which radios that are subscribed and due listen for the others of their network.
+/// WifiSense: the phase in which radios that are subscribed receive what others of their network send, and
+/// those that are due listen for the others.
 ///
-/// In: places of all radios, what they are, the walls.
-/// Out: for each that listens the radios that it hears, and how strongly.
+/// In: places of all radios, what they are, the walls, the messages that wait to be sent.
+/// Out: for each that listens the radios that it hears, and how strongly; for each that is subscribed the
+///   messages that reach it. No message waits any more.
 /// Cost: the radios near it, a logarithm each; with model "raytrace" the cells of the walls on the way too.
+/// Of
+///   messages the same, with the radios that send alone.
 /// Source: radio.h.
 
 #include <algorithm>
@@ -12,6 +16,7 @@
 #include "playhouse/stage/generated/senses.h"
 #include "playhouse/stage/radio.h"
 #include "playhouse/stage/walls_between.h"
+#include "playhouse/world/radio_messages.h"
 
 namespace playhouse::stage {
 namespace {
@@ -22,7 +27,7 @@ const scene::WifiDesc& radio_of(const world::World& world, world::ModelRow model
 
 class WifiSense final : public SensePhase {
  public:
-  explicit WifiSense(unsigned workers) : crossed_(workers) {}
+  explicit WifiSense(unsigned workers) : scratch_(workers) {}
 
   SensorTable table(world::World& world) const override {
     return {world.wifis.model, world.wifis.measured_tick};
@@ -41,20 +46,27 @@ class WifiSense final : public SensePhase {
       if (reach < 0) reach = farthest_heard(radio_of(world, model), power, frequency);
     }
     stations_.populate(world.wifis.size(), 1);
+    senders_.populate(world.wifis.size(), 1);
+    sending_.reserve(world.wifis.size());
+  }
+
+  bool has_work(const world::World& world) const override {
+    const auto has_any = [](const auto& messages) { return !messages.empty(); };
+    return std::ranges::any_of(world.wifis.outgoing, has_any) ||
+           std::ranges::any_of(world.wifis.incoming, has_any);
   }
 
   std::uint64_t sense(world::World& world, const Space& space, std::span<const std::uint32_t> due,
                       std::uint64_t tick, world::Workers& workers) override {
+    if (has_work(world)) carry(world, space, tick, workers);
+    if (due.empty()) return 0;
+    const std::size_t count = world.wifis.size();
     stations_.rebuild(
-        world.wifis.size(),
-        [&](std::size_t i) {
-          const std::uint32_t row = world.wifis.model[i].index;
-          return DiscIndex::Disc{world.models.X_WM[row].xy(), 0, 0, 0, row, world.models.root[row]};
-        },
-        workers);
+        count, [&](std::size_t i) { return place_of(world, world.wifis.model[i]); }, workers);
     workers.run(due.size(), 16, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
-        listen(world, space, due[i], tick, crossed_[workers.current()]);
+        hear(world, space, due[i], stations_, tick, world.wifis.links[due[i]],
+             scratch_[workers.current()].crossed);
     });
     std::uint64_t rays = 0;
     for (const std::uint32_t row : due) rays += world.wifis.links[row].size();
@@ -62,15 +74,66 @@ class WifiSense final : public SensePhase {
   }
 
  private:
-  void listen(world::World& world, const Space& space, std::uint32_t row, std::uint64_t tick,
-              std::vector<std::uint32_t>& crossed) const {
+  /// Memory of a worker.
+  struct Scratch {
+    std::vector<std::uint32_t> crossed;
+    std::vector<world::WifiLink> links;
+  };
+
+  static DiscIndex::Disc place_of(const world::World& world, world::ModelRow model) {
+    return {world.models.X_WM[model.index].xy(), 0, 0, 0, model.index, world.models.root[model.index]};
+  }
+
+  /// Takes all messages that wait to who receives them.
+  void carry(world::World& world, const Space& space, std::uint64_t tick, world::Workers& workers) {
+    world::Wifis& wifis = world.wifis;
+    sending_.clear();
+    for (std::uint32_t row = 0; row < wifis.size(); ++row)
+      if (!wifis.outgoing[row].empty()) sending_.push_back(row);
+    senders_.rebuild(
+        sending_.size(), [&](std::size_t i) { return place_of(world, wifis.model[sending_[i]]); }, workers);
+    workers.run(wifis.size(), 16, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t row = begin; row < end; ++row)
+        receive(world, space, static_cast<std::uint32_t>(row), tick, scratch_[workers.current()]);
+    });
+    for (const std::uint32_t row : sending_) {
+      wifis.outgoing[row].clear();
+      wifis.outgoing_bytes[row].clear();
+    }
+  }
+
+  void receive(world::World& world, const Space& space, std::uint32_t row, std::uint64_t tick,
+               Scratch& scratch) const {
+    world::Wifis& wifis = world.wifis;
+    wifis.incoming[row].clear();
+    wifis.incoming_bytes[row].clear();
+    const world::ModelRow model = wifis.model[row];
+    if (sending_.empty() || world.models.subscribers[model.index] == 0) return;
+    hear(world, space, row, senders_, tick, scratch.links, scratch.crossed);
+    for (const world::WifiLink& link : scratch.links) {
+      const world::WifiRow sender{world.models.part[world.row(link.station).index]};
+      std::uint32_t number = 0;
+      world::each_message(world::outgoing_of(wifis, sender), [&](const auto& message, auto bytes) {
+        const Stream lost{Purpose::kMessageLoss, world.id(model).value, link.station.value, number++};
+        const bool is_for_it = !message.station || message.station == world.id(model);
+        if (is_for_it && !is_lost(radio_of(world, model), Rng(world.seed(), tick, lost)))
+          world::receive_message(wifis, {row}, link.station, bytes);
+      });
+    }
+  }
+
+  static bool is_lost(const scene::WifiDesc& radio, Rng rng) { return 100 * rng.uniform() < radio.loss; }
+
+  /// Replaces `links` by those of `stations` that the radio hears, by id.
+  void hear(const world::World& world, const Space& space, std::uint32_t row, const DiscIndex& stations,
+            std::uint64_t tick, std::vector<world::WifiLink>& links,
+            std::vector<std::uint32_t>& crossed) const {
     const world::ModelRow model = world.wifis.model[row];
     const scene::WifiDesc& radio = radio_of(world, model);
     const Pose& X_WM = world.models.X_WM[model.index];
     const double reach = reach_[world.models.desc[model.index]];
-    std::vector<world::WifiLink>& links = world.wifis.links[row];
     links.clear();
-    stations_.near(X_WM.xy(), reach, 0, 0, [&](const DiscIndex::Disc& disc) {
+    stations.near(X_WM.xy(), reach, 0, 0, [&](const DiscIndex::Disc& disc) {
       const world::ModelRow other{disc.row};
       if (other.index == model.index) return;
       const scene::WifiDesc& station = radio_of(world, other);
@@ -91,9 +154,11 @@ class WifiSense final : public SensePhase {
     std::ranges::sort(links, {}, &world::WifiLink::station);
   }
 
-  std::vector<double> reach_;                        // of radios [m] (rows of SceneDesc::models)
-  DiscIndex stations_;                               // all radios, as points
-  std::vector<std::vector<std::uint32_t>> crossed_;  // scratch memory of a worker
+  std::vector<double> reach_;           // of radios [m] (rows of SceneDesc::models)
+  DiscIndex stations_;                  // all radios, as points
+  std::vector<std::uint32_t> sending_;  // radios that have messages to send (rows of wifis)
+  DiscIndex senders_;                   // these, as points
+  std::vector<Scratch> scratch_;
 };
 
 }  // namespace

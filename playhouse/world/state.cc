@@ -13,6 +13,7 @@
 #include "playhouse/base/packing.h"
 #include "playhouse/world/columns.h"
 #include "playhouse/world/population.h"
+#include "playhouse/world/radio_messages.h"
 #include "playhouse/world/speech.h"
 #include "playhouse/world/values.h"
 
@@ -279,6 +280,7 @@ class Loader {
         world_);
     if (result) result = check_ticks();
     if (result) result = check_tilts();
+    if (result) result = check_messages();
     return result ? check_says() : result;
   }
 
@@ -297,6 +299,13 @@ class Loader {
     for (std::uint32_t row = 0; row < world_.models.size(); ++row)
       if (world_.models.tilt_PM[row] != geom::Tilt{})
         return Error{{}, "has models that are tilted, and this engine keeps all upright"};
+    return {};
+  }
+
+  Result<void> check_messages() const {
+    for (std::uint32_t radio = 0; radio < world_.wifis.size(); ++radio)
+      if (!are_whole(outgoing_of(world_.wifis, {radio})) || !are_whole(incoming_of(world_.wifis, {radio})))
+        return damaged("a message of a radio is not whole");
     return {};
   }
 

@@ -278,6 +278,7 @@ class EveryColumn : public ::testing::Test {
           if constexpr (kIsList<Value> && !std::is_same_v<Value, std::string>) values[0].emplace_back();
         },
         world);
+    world.wifis.incoming[0][0].size = world.wifis.outgoing[0][0].size = 1;  // as the lists of bytes have it
   }
 
   /// The values of a column, whichever table it is of.

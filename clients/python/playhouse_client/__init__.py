@@ -34,6 +34,7 @@ from .proxies import (
     Image,
     Laser,
     Marker,
+    Opaque,
     Pose,
     Pose3d,
     Position2d,
@@ -54,6 +55,6 @@ __version__ = "0.1.0"
 __all__ = [
     "Access", "Aio", "Bumper", "Camera", "Client", "ConnectionLost", "Device", "DeviceAddress", "DeviceClosed",
     "DeviceEntry", "DeviceGone", "Face", "Fiducial", "Geometry", "Image", "InvalidValue", "Laser", "Marker", "Mode", "Model", "NoData",
-    "PlayerError", "Pose", "Pose3d", "Position2d", "Ptz", "Ranger", "RequestRefused", "RequestTimeout", "Robot", "Rule",
+    "Opaque", "PlayerError", "Pose", "Pose3d", "Position2d", "Ptz", "Ranger", "RequestRefused", "RequestTimeout", "Robot", "Rule",
     "RunEnded", "Scan", "Simulation", "Size", "Sonar", "State", "Velocity", "View", "WireError", "connect",
 ]

@@ -9,7 +9,7 @@ from .device import Access, Device, did_you_mean
 from .errors import ConnectionLost, PlayerError, RequestRefused, RequestTimeout, WireError
 from .generated import INTERFACES, common, find_message, player, simulation
 from .models import Model, ask_models, families
-from .proxies import Aio, Bumper, Camera, Fiducial, Laser, Position2d, Ptz, Ranger, Simulation, Sonar
+from .proxies import Aio, Bumper, Camera, Fiducial, Laser, Opaque, Position2d, Ptz, Ranger, Simulation, Sonar
 from .robot import Robot
 from .session import Session
 from .wire import Kind, c_string, text
@@ -21,7 +21,7 @@ _CLOSING_SECONDS = 1.0
 P = TypeVar("P", bound=Device)
 _PROXIES: Dict[str, Type[Device]] = {
     "position2d": Position2d, "ranger": Ranger, "laser": Laser, "sonar": Sonar, "fiducial": Fiducial,
-    "aio": Aio, "bumper": Bumper, "camera": Camera, "ptz": Ptz, "simulation": Simulation,
+    "aio": Aio, "bumper": Bumper, "camera": Camera, "ptz": Ptz, "opaque": Opaque, "simulation": Simulation,
 }
 _Place = Tuple[int, str, int]  # port, interface, index
 
@@ -175,6 +175,9 @@ class Client:
 
     def ptz(self, index: int = 0, access: Access = Access.ALL) -> Ptz:
         return self._open(Ptz, "ptz", index, access)
+
+    def opaque(self, index: int = 0, access: Access = Access.ALL) -> Opaque:
+        return self._open(Opaque, "opaque", index, access)
 
     def simulation(self, index: int = 0, access: Access = Access.ALL) -> Simulation:
         return self._open(Simulation, "simulation", index, access)

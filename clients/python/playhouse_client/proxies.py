@@ -5,13 +5,14 @@ Looking at a device's data never waits: it shows what the last Client.read() bro
 first data of the device. next_data() and updates() wait.
 """
 
+import collections
 import math
 import struct
-from typing import Iterator, List, NamedTuple, Optional, Tuple, cast
+from typing import Deque, Iterator, List, NamedTuple, Optional, Tuple, cast
 
 from .device import Device
 from .errors import InvalidValue, RequestRefused, RunEnded, WireError
-from .generated import aio, bumper, camera, common, fiducial, laser, position2d, ptz, ranger, simulation, sonar
+from .generated import aio, bumper, camera, common, fiducial, laser, opaque, position2d, ptz, ranger, simulation, sonar
 from .wire import MessageType, Struct, c_string, text
 
 
@@ -451,6 +452,41 @@ class Aio(Device):
         """Sets one output, in V."""
         self._insist_on_finite(voltage=voltage)
         self.command(aio.CMD_STATE, aio.Cmd(output, voltage))
+
+
+class Opaque(Device):
+    """Messages of bytes: of a simulated radio, those between robots; of other drivers what they make of them."""
+
+    WAITING = 1024  # messages kept for take_messages(); of more the oldest are lost
+
+    def prepare(self) -> None:
+        self._messages: Deque[bytes] = collections.deque(maxlen=self.WAITING)
+
+    def send(self, message: bytes) -> None:
+        """To the driver; a radio sends it to all who hear it."""
+        self.command(opaque.CMD_DATA, opaque.Data(bytes(message)))
+
+    def send_to(self, address: str, message: bytes) -> None:
+        """Of a radio: to the one of this network address, "" for all who hear it. Returns when it waits to be sent.
+        Raises RequestRefused if there is no such radio, if the message is too long, or if too many wait."""
+        self.request(opaque.REQ_DATA, opaque.Data(c_string(address) + bytes(message)))
+
+    def take_messages(self) -> List[bytes]:
+        """Those that read() brought since the last call, in their order."""
+        taken = list(self._messages)
+        self._messages.clear()
+        return taken
+
+    def updates(self, timeout: Optional[float] = None) -> Iterator[bytes]:
+        """Reads for ever: every message. Raises RequestTimeout."""
+        while True:
+            while self._messages:
+                yield self._messages.popleft()
+            self.next_data(timeout)
+
+    def take(self, message: MessageType, value: Struct, timestamp: float) -> None:
+        self._messages.append(bytes(cast(opaque.Data, value).data))
+        super().take(message, value, timestamp)
 
 
 class Simulation(Device):

@@ -12,7 +12,7 @@ from typing import Callable, Dict, List, Sequence, Tuple
 from package import ROOT
 from server_program import HANG, World, needed
 from playhouse_client import Access, Client, Mode, Pose, RequestRefused, Simulation, connect
-from playhouse_client.generated import position2d
+from playhouse_client.generated import position2d, wifi
 
 
 def examples(name: str) -> Dict[str, List[str]]:
@@ -122,6 +122,37 @@ class Examples(unittest.TestCase):
                 self.assertGreater(len(near), 0.7 * len(later))
                 self.assertGreater(length([both[:2] for both in seen]), 2.0)
                 self.assert_stands(client, simulator, 1, "r0")
+
+
+@needed
+class Radios(unittest.TestCase):
+    def test_talk_tells_each_of_two_robots_where_the_other_is(self) -> None:
+        talk = examples("talk")["python"]
+        with World("radio.world") as world:
+            first, second = (
+                subprocess.Popen([*talk, world.address, str(index), "4"], stdout=subprocess.PIPE, text=True)
+                for index in (0, 1)
+            )
+            self.assertIn("robot 1 is at", first.communicate(timeout=HANG)[0])
+            self.assertIn("robot 0 is at", second.communicate(timeout=HANG)[0])
+
+    def test_messages_come_whole_and_in_order_and_to_whom_they_are_sent(self) -> None:
+        with World("radio.world") as world, connect(world.address) as client, connect(world.address) as other:
+            radio, receiver = client.opaque(0), other.opaque(1)
+            air = client.device("wifi", 0)
+            air.next_data()
+            data = air.latest(wifi.DATA_STATE)
+            assert isinstance(data, wifi.Data)
+            nearest = bytes(data.links[0].ip).decode()  # of robot 1
+            radio.send(b"to all")
+            radio.send_to(nearest, b"\0to one")
+            radio.send_to("", b"")
+            heard = receiver.updates()
+            self.assertEqual([next(heard) for _ in range(3)], [b"to all", b"\0to one", b""])
+            self.assertEqual(receiver.take_messages(), [])
+            for address, message in (("10.0.9.9", b"x"), ("", b"x" * 2305)):
+                with self.assertRaises(RequestRefused):
+                    radio.send_to(address, message)
 
 
 @needed

@@ -26,6 +26,7 @@ std::unique_ptr<SimulatedDevice> make_lightindicator_blinkenlight_device(Simulat
 std::unique_ptr<SimulatedDevice> make_gripper_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_actarray_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_wifi_device(Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_opaque_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_camera_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_ptz_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_detector_ranger_device(Simulation& simulation, world::ModelRow model);
@@ -52,6 +53,7 @@ inline constexpr DeviceMaker kDeviceMakers[] = {
     {3, scene::ModelKind::kGripper, make_gripper_device},
     {53, scene::ModelKind::kActuator, make_actarray_device},
     {23, scene::ModelKind::kWifi, make_wifi_device},
+    {51, scene::ModelKind::kWifi, make_opaque_device},
     {40, scene::ModelKind::kCamera, make_camera_device},
     {8, scene::ModelKind::kCamera, make_ptz_device},
     {62, scene::ModelKind::kDetector, make_detector_ranger_device},

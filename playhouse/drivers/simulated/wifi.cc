@@ -2,12 +2,12 @@
 
 #include "playhouse/wire/generated/wifi.h"
 
-#include <fmt/format.h>
-
+#include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "playhouse/drivers/generated/device_makers.h"
+#include "playhouse/drivers/simulated/radio_address.h"
 
 namespace playhouse::drivers {
 namespace {
@@ -16,20 +16,6 @@ namespace wf = wire::wifi;
 using wire::MessageType;
 
 constexpr std::uint32_t kNoise = static_cast<std::uint32_t>(-100);  // dBm, of a receiver; told as it is
-
-std::string mac_of(const world::World& world, world::ModelRow radio) {
-  const std::string& given = world.desc(radio).wifi->mac;
-  if (!given.empty()) return given;
-  const std::uint32_t id = world.id(radio).value;
-  return fmt::format("02:00:00:{:02x}:{:02x}:{:02x}", id >> 16 & 0xff, id >> 8 & 0xff, id & 0xff);
-}
-
-std::string ip_of(const world::World& world, world::ModelRow radio) {
-  const std::string& given = world.desc(radio).wifi->ip;
-  if (!given.empty()) return given;
-  const std::uint32_t id = world.id(radio).value;
-  return fmt::format("10.{}.{}.{}", id >> 16 & 0xff, id >> 8 & 0xff, id & 0xff);
-}
 
 /// As much of it as an address may be long.
 std::vector<std::uint8_t> text_of(const std::string& text) {

@@ -238,7 +238,7 @@ struct ActuatorDesc {
 /// How what it hears has become weaker on its way.
 enum class Propagation : std::uint8_t { kFriis, kSimple, kItuIndoor, kLogDistance, kRaytrace };
 
-/// A radio: tells which others of its network it hears, and how well.
+/// A radio: tells which others of its network it hears, and how well, and carries messages between them.
 struct WifiDesc {
   /// Its network address; without one 10.x.y.z by its number.
   std::string ip;
@@ -268,6 +268,8 @@ struct WifiDesc {
   /// Standard deviation of what else makes a link stronger or weaker, drawn anew each time it is measured.
   /// [dB]
   double fading = 0;
+  /// Of the messages of radios that it hears, how many are lost, in percent; drawn for each message.
+  std::uint32_t loss = 0;
 
   friend bool operator==(const WifiDesc&, const WifiDesc&) = default;
 };

@@ -239,7 +239,7 @@ constexpr KindInterface kInterfacesOfActuator[1] = {
     {"actarray", 53, Index::kCount, Need::kNothing, Need::kNothing, false},
 };
 
-constexpr Word kWordsOfWifi[15] = {
+constexpr Word kWordsOfWifi[16] = {
     {.name = "ip", .use = Use::kRead, .type = "text", .otherwise = "\"\"", .doc = "Its network address; without one 10.x.y.z by its number."},
     {.name = "mac", .use = Use::kRead, .type = "text", .otherwise = "\"\"", .doc = "Its hardware address; without one 02:00:00:xx:yy:zz by its number."},
     {.name = "essid", .use = Use::kRead, .type = "text", .otherwise = "\"\"", .doc = "The name of its network: radios of other networks are not heard."},
@@ -253,12 +253,14 @@ constexpr Word kWordsOfWifi[15] = {
     {.name = "ple", .use = Use::kRead, .type = "number", .otherwise = "3", .limits = "not negative", .doc = "The power of the distance by which it gets weaker, with model \"log distance\": 2 in free space, 3 to 5 in buildings."},
     {.name = "wall_factor", .use = Use::kRead, .type = "number", .unit = "dB", .otherwise = "5", .limits = "not negative", .doc = "Loss for each wall on the straight line, with model \"raytrace\"."},
     {.name = "fading", .use = Use::kRead, .type = "number", .unit = "dB", .otherwise = "0", .limits = "not negative", .doc = "Standard deviation of what else makes a link stronger or weaker, drawn anew each time it is measured."},
+    {.name = "loss", .use = Use::kRead, .type = "count", .otherwise = "0", .limits = "from 0 to 100", .doc = "Of the messages of radios that it hears, how many are lost, in percent; drawn for each message."},
     {.name = "range_db", .use = Use::kOld, .instead = "write sensitivity"},
     {.name = "random_seed", .use = Use::kOld},
 };
 
-constexpr KindInterface kInterfacesOfWifi[1] = {
+constexpr KindInterface kInterfacesOfWifi[2] = {
     {"wifi", 23, Index::kCount, Need::kNothing, Need::kNothing, false},
+    {"opaque", 51, Index::kCount, Need::kNothing, Need::kNothing, false},
 };
 
 constexpr Word kWordsOfCamera[12] = {
@@ -446,7 +448,7 @@ constexpr Kind kKinds[19] = {
     {.name = "lightindicator", .doc = "A body that is darker while it is off, as it is at the start.", .entity = EntityForm::kModel, .table = "lightindicators", .kind = ModelKind::kLightindicator, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .interfaces = kInterfacesOfLightindicator},
     {.name = "gripper", .doc = "Two paddles that close around a thing and carry it.", .entity = EntityForm::kModel, .table = "grippers", .kind = ModelKind::kGripper, .simulated = true, .solid = true, .size = {0.2, 0.3, 0.2}, .color = {0.3f, 0.3f, 0.3f, 1}, .words = kWordsOfGripper, .interfaces = kInterfacesOfGripper},
     {.name = "actuator", .doc = "A joint that slides or turns, with what it carries.", .entity = EntityForm::kModel, .table = "actuators", .kind = ModelKind::kActuator, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfActuator, .interfaces = kInterfacesOfActuator},
-    {.name = "wifi", .doc = "A radio: tells which others of its network it hears, and how well.", .entity = EntityForm::kModel, .table = "wifis", .kind = ModelKind::kWifi, .simulated = true, .solid = false, .size = {0, 0, 0}, .color = {0.2f, 0.6f, 0.9f, 1}, .words = kWordsOfWifi, .interfaces = kInterfacesOfWifi},
+    {.name = "wifi", .doc = "A radio: tells which others of its network it hears, and how well, and carries messages between them.", .entity = EntityForm::kModel, .table = "wifis", .kind = ModelKind::kWifi, .simulated = true, .solid = false, .size = {0, 0, 0}, .color = {0.2f, 0.6f, 0.9f, 1}, .words = kWordsOfWifi, .interfaces = kInterfacesOfWifi},
     {.name = "camera", .doc = "A camera: takes images of the bodies, the floor and the sky, in colours, in grey, or of distances, and pans, tilts and zooms.", .entity = EntityForm::kModel, .table = "cameras", .kind = ModelKind::kCamera, .simulated = true, .solid = true, .size = {0.1, 0.07, 0.05}, .color = {0, 0, 0, 1}, .words = kWordsOfCamera, .interfaces = kInterfacesOfCamera},
     {.name = "detector", .doc = "A sensor made up in the world file: what it sees, what it sees through, how far, how finely and how well (docs/detectors.md).", .entity = EntityForm::kModel, .table = "detectors", .kind = ModelKind::kDetector, .simulated = true, .solid = false, .size = {0.1, 0.1, 0.1}, .color = {0.4f, 0.1f, 0.6f, 1}, .words = kWordsOfDetector, .interfaces = kInterfacesOfDetector},
     {.name = "custom", .doc = "A model or a sensor whose code is in a shared library.", .entity = EntityForm::kModel, .table = "customs", .kind = ModelKind::kCustom, .simulated = true, .solid = true, .size = {0.1, 0.1, 0.1}, .color = {1, 0.5f, 0, 1}, .words = kWordsOfCustom, .interfaces = kInterfacesOfCustom},

@@ -122,6 +122,7 @@ void read(const Properties& properties, WifiDesc& to) {
   require(to.wall_factor >= 0, properties, "wall_factor", "must not be negative");
   to.fading = properties.number("fading", to.fading);
   require(to.fading >= 0, properties, "fading", "must not be negative");
+  to.loss = read_count(properties, "loss", to.loss, 0, 100);
 }
 
 void read(const Properties& properties, CameraDesc& to) {

@@ -86,6 +86,7 @@ void write(const WifiDesc& from, const WifiDesc& unsaid, Words& to) {
   if (from.ple != unsaid.ple) to.number("ple", from.ple);
   if (from.wall_factor != unsaid.wall_factor) to.number("wall_factor", from.wall_factor);
   if (from.fading != unsaid.fading) to.number("fading", from.fading);
+  if (from.loss != unsaid.loss) to.integer("loss", from.loss);
 }
 
 void write(const CameraDesc& from, const CameraDesc& unsaid, Words& to) {

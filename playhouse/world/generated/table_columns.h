@@ -107,6 +107,11 @@ inline constexpr auto kColumns<Wifis> = std::tuple{
     Column{"wifis.model", Role::kDerived, "", "", "", &Wifis::model},
     Column{"wifis.links", Role::kSensed, "", "", "sense", &Wifis::links},
     Column{"wifis.measured_tick", Role::kSensed, "", "", "sense", &Wifis::measured_tick},
+    Column{"wifis.outgoing", Role::kMotion, "", "", "commands, sense", &Wifis::outgoing},
+    Column{"wifis.outgoing_bytes", Role::kMotion, "", "", "commands, sense", &Wifis::outgoing_bytes},
+    Column{"wifis.incoming", Role::kSensed, "", "", "sense", &Wifis::incoming},
+    Column{"wifis.incoming_bytes", Role::kSensed, "", "", "sense", &Wifis::incoming_bytes},
+    Column{"wifis.dropped", Role::kSensed, "", "", "commands, sense", &Wifis::dropped},
 };
 
 template <>

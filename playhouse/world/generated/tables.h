@@ -202,11 +202,35 @@ void each_part(const WifiLink& value, const Visit& visit) {
   visit(station), visit(level), visit(quality);
 }
 
-/// A radio: tells which others of its network it hears, and how well.
+/// A message between radios; its bytes are in a list of their own, behind those of the messages before it.
+struct RadioMessage {
+  ModelId station;  // Of one to be sent: for whom it is, or none: for all; of one that arrived: who sent it.
+  std::uint32_t size = 0;  // How long it is. [byte]
+  friend bool operator==(const RadioMessage&, const RadioMessage&) = default;
+};
+
+/// Calls visit(part) for every part.
+template <typename Visit>
+void each_part(RadioMessage& value, const Visit& visit) {
+  auto& [station, size] = value;
+  visit(station), visit(size);
+}
+template <typename Visit>
+void each_part(const RadioMessage& value, const Visit& visit) {
+  const auto& [station, size] = value;
+  visit(station), visit(size);
+}
+
+/// A radio: tells which others of its network it hears, and how well, and carries messages between them.
 struct Wifis {
   std::vector<ModelRow> model;  // The model that hears.
   std::vector<std::vector<WifiLink>> links;  // The radios that it hears, by id.
   std::vector<std::uint64_t> measured_tick;  // Tick at which it listened last; 0: never.
+  std::vector<std::vector<RadioMessage>> outgoing;  // What it sends in the next tick.
+  std::vector<std::vector<std::uint8_t>> outgoing_bytes;  // The bytes of those messages, one after the other.
+  std::vector<std::vector<RadioMessage>> incoming;  // What arrived in the last tick, by the id of the sender and then as it was sent.
+  std::vector<std::vector<std::uint8_t>> incoming_bytes;  // The bytes of those messages, one after the other.
+  std::vector<std::uint64_t> dropped;  // How many messages had no room, to be sent or as they arrived, since the start.
   std::size_t size() const { return model.size(); }
 };
 

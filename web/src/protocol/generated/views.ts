@@ -71,7 +71,7 @@ export interface ActuatorView {
   velocity: number; // m/s or rad/s
 }
 
-/** A radio: tells which others of its network it hears, and how well. SI units and radians. */
+/** A radio: tells which others of its network it hears, and how well, and carries messages between them. SI units and radians. */
 export interface WifiView {
   station: number;
   level: number;
