@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -116,10 +117,20 @@ TEST(OriginalFiles, the_first_robot_of_simple_world_is_as_the_file_says) {
   EXPECT_EQ(laser.sensors[0].X_BS.z, 0.1);
 }
 
+TEST(OriginalFiles, bitmaps_that_are_not_where_worlds_say_are_found_in_the_search_path) {
+  SKIP_WITHOUT_REFERENCE();
+  setenv("STAGEPATH", (kFiles + "worlds").c_str(), 1);
+  const Result<SceneDesc> scene = load_world(kFiles + "worlds/wifi/hosp_wifi.world");
+  unsetenv("STAGEPATH");
+  ASSERT_TRUE(scene.ok()) << scene.error().line();
+  const std::string found = kFiles + "worlds/bitmaps/hospital_section.png";
+  EXPECT_THAT(scene->warnings, testing::Contains(testing::HasSubstr("is not there, so \"" + found)));
+}
+
 TEST(OriginalFiles, worlds_that_no_stage_4_loads_fail_with_a_line) {
   SKIP_WITHOUT_REFERENCE();
   const std::map<std::string, std::string> expected = {
-      {"worlds/wifi/commando.world", "bitmaps/cave.png\" cannot be opened"},
+      {"worlds/wifi/wifi_ray.world", "bitmaps/cave_f.png\" cannot be opened"},
       {"examples/libplayerc/playerswarm/pss.world", "pss.world:87: included file "},
   };
   for (const auto& [name, text] : expected) {

@@ -70,12 +70,12 @@ std::vector<std::string> DiskFiles::search_path() const {
   return folders;
 }
 
-std::vector<std::string> DiskFiles::includes_in(const std::string& folder) const {
+std::vector<std::string> DiskFiles::names_in(const std::string& folder) const {
   std::vector<std::string> names;
   std::error_code error;
   for (std::filesystem::directory_iterator entry(folder.empty() ? "." : folder, error), end;
        !error && entry != end; entry.increment(error))
-    if (entry->path().extension() == ".inc") names.push_back(entry->path().filename().string());
+    names.push_back(entry->path().filename().string());
   std::ranges::sort(names);
   return names;
 }
@@ -93,10 +93,10 @@ Result<std::string> MemoryFiles::read(const std::string& path) {
   return found->second;
 }
 
-std::vector<std::string> MemoryFiles::includes_in(const std::string& folder) const {
+std::vector<std::string> MemoryFiles::names_in(const std::string& folder) const {
   std::vector<std::string> names;
   for (const auto& [path, text] : files_)
-    if (folder_of(path) == folder && path.ends_with(".inc")) names.push_back(path.substr(folder.size()));
+    if (folder_of(path) == folder) names.push_back(path.substr(folder.size()));
   return names;
 }
 

@@ -24,12 +24,12 @@ class FileReader {
   virtual ~FileReader() = default;
   /// Fails with a text that starts with "cannot" and names no file (the caller knows it).
   virtual Result<std::string> read(const std::string& path) = 0;
-  /// Folders, each with its final slash, where an included file is looked for that is not beside those that
-  /// name it.
+  /// Folders, each with its final slash, where an include or a bitmap is looked for that is not beside the
+  /// files that name it.
   virtual std::vector<std::string> search_path() const { return {}; }
-  /// Names of the files ending in ".inc" in a folder, in order, to tell what was meant. The folder has its
-  /// final slash, or is "".
-  virtual std::vector<std::string> includes_in(const std::string& folder) const = 0;
+  /// Names of the files in a folder, in order, to tell what was meant. The folder has its final slash, or is
+  /// "".
+  virtual std::vector<std::string> names_in(const std::string& folder) const = 0;
 };
 
 /// Who named a file: a person, who may mean a pipe (`playhouse check <(...)`), or another file. There a pipe
@@ -44,7 +44,7 @@ class DiskFiles final : public FileReader {
   /// The folders of PLAYHOUSE_PATH and of STAGEPATH, then the worlds that come with the program: `worlds` in
   /// a folder above the program's own.
   std::vector<std::string> search_path() const override;
-  std::vector<std::string> includes_in(const std::string& folder) const override;
+  std::vector<std::string> names_in(const std::string& folder) const override;
 
  private:
   NamedBy by_;
@@ -57,7 +57,7 @@ class MemoryFiles final : public FileReader {
       : files_(std::move(files)), search_path_(std::move(search_path)) {}
   Result<std::string> read(const std::string& path) override;
   std::vector<std::string> search_path() const override { return search_path_; }
-  std::vector<std::string> includes_in(const std::string& folder) const override;
+  std::vector<std::string> names_in(const std::string& folder) const override;
 
  private:
   std::map<std::string, std::string> files_;
@@ -78,8 +78,8 @@ class RecordedFiles final : public FileReader {
   RecordedFiles(FileReader& files, SourceFiles& kept) : files_(files), kept_(kept) {}
   Result<std::string> read(const std::string& path) override;
   std::vector<std::string> search_path() const override { return files_.search_path(); }
-  std::vector<std::string> includes_in(const std::string& folder) const override {
-    return files_.includes_in(folder);
+  std::vector<std::string> names_in(const std::string& folder) const override {
+    return files_.names_in(folder);
   }
 
  private:

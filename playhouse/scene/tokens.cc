@@ -6,7 +6,7 @@
 
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/limits.h"
-#include "playhouse/base/nearest_word.h"
+#include "playhouse/scene/file_search.h"
 
 namespace playhouse::scene {
 namespace {
@@ -106,19 +106,10 @@ const Token& TokenStream::peek() {
   return *peeked_;
 }
 
-std::vector<std::string> TokenStream::include_folders() const {
-  std::vector<std::string> folders;
-  for (const Cursor& cursor : {stack_.front(), stack_.back()})
-    folders.push_back(folder_of(sources_.file_names()[cursor.row]));
-  for (std::string& folder : files_.search_path()) folders.push_back(std::move(folder));
-  std::vector<std::string> once;
-  for (std::string& folder : folders)
-    if (std::ranges::find(once, folder) == once.end()) once.push_back(std::move(folder));
-  return once;
-}
-
 Result<std::uint32_t> TokenStream::open(std::string_view name) {
-  const std::vector<std::string> folders = include_folders();
+  const std::vector<std::string>& paths = sources_.file_names();
+  const std::vector<std::string> folders =
+      folders_for(paths[stack_.front().row], paths[stack_.back().row], files_);
   std::string why;
   for (const std::string& folder : folders) {
     const std::string path = resolve(folder, name);
@@ -130,21 +121,10 @@ Result<std::uint32_t> TokenStream::open(std::string_view name) {
     if (text) return sources_.add(path, std::move(*text));
     if (why.empty()) why = text.error().text;
   }
-  return Error{
-      {},
-      "included file " + in_quotes(resolve(folders.front(), name)) + " " + why + elsewhere(folders, name)};
-}
-
-std::string TokenStream::elsewhere(const std::vector<std::string>& folders, std::string_view name) const {
-  std::vector<std::string> names;
-  std::string places;
-  for (const std::string& folder : folders) {
-    for (std::string& found : files_.includes_in(folder)) names.push_back(std::move(found));
-    if (folder != folders.front()) places += (places.empty() ? "" : ", ") + escaped(folder);
-  }
-  const bool once = resolve("", name) == resolve("/", name);  // a path that no folder changes
-  const std::vector<std::string_view> candidates(names.begin(), names.end());
-  return (once || places.empty() ? "" : ", also not in " + places) + did_you_mean(name, candidates);
+  const auto is_include = [](std::string_view file) { return file.ends_with(".inc"); };
+  return Error{{},
+               "included file " + in_quotes(resolve(folders.front(), name)) + " " + why +
+                   also_not_in(folders, name, files_, is_include)};
 }
 
 Result<void> TokenStream::include(std::string_view name, SourceLine where) {

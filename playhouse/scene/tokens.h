@@ -41,7 +41,7 @@ std::string describe(const Token& token);
 class TokenStream {
  public:
   /// `row` is the top-level text in `sources`; includes are resolved against its folder, then against the
-  /// folder of the file that includes, then looked for in the reader's search path.
+  /// folder of the file that includes, then looked for in the reader's search path (file_search.h).
   TokenStream(Format format, SourceTexts& sources, FileReader& files, std::uint32_t row);
 
   /// The next token; after the end or an error always kEnd.
@@ -63,10 +63,6 @@ class TokenStream {
 
   /// The row of an included file, which is read once however often it is included.
   Result<std::uint32_t> open(std::string_view name);
-  /// Where included files are looked for, in order, each folder once.
-  std::vector<std::string> include_folders() const;
-  /// The end of the error of a file that is in none of them: the others, and what may have been meant.
-  std::string elsewhere(const std::vector<std::string>& folders, std::string_view name) const;
   void push(std::uint32_t row);
   Token scan();
   Token scan_line_end(std::string_view text, Cursor& cursor);

@@ -16,6 +16,7 @@
 #include "playhouse/scene/detector.h"
 #include "playhouse/scene/expand.h"
 #include "playhouse/scene/expansion.h"
+#include "playhouse/scene/file_search.h"
 #include "playhouse/scene/generated/bodies.h"
 #include "playhouse/scene/generated/read_kinds.h"
 #include "playhouse/scene/kinds.h"
@@ -42,6 +43,12 @@ std::size_t names_below(std::span<const ModelDesc> tree) {
     for (const std::string* token : {&part.name, &part.alias})
       below += token_in(*token, tree[0].name, "").size() < token->size() ? 1 : 0;
   return below;
+}
+
+/// Of a file that can be a bitmap (decode_bitmap()).
+bool is_image_name(std::string_view name) {
+  constexpr std::string_view kEndings[] = {".png", ".pgm", ".ppm", ".pbm", ".pnm", ".bmp"};
+  return std::ranges::any_of(kEndings, [name](std::string_view ending) { return name.ends_with(ending); });
 }
 
 class WorldLoader {
@@ -119,6 +126,9 @@ class WorldLoader {
   /// The path under which the model's bitmap was read, and its contours; null where it has none.
   using TracedBitmap = std::map<std::string, Loops>::value_type;
   const TracedBitmap* load_bitmap(const Properties& properties, const geom::Size& size);
+  /// The same of one that is not read yet.
+  const TracedBitmap* trace_bitmap(const std::string& path, std::string_view bytes, const geom::Size& size,
+                                   SourceLine where);
   void warn_of_margin(const std::string& path, const Bitmap& bitmap, const Loops& loops,
                       const geom::Size& size, SourceLine where);
   /// `path` was tried last; the error tells of `why.where`.
@@ -488,22 +498,31 @@ const WorldLoader::TracedBitmap* WorldLoader::load_bitmap(const Properties& prop
   const std::string name = properties.text("bitmap", "");
   if (name.empty() || state_.over) return nullptr;
   const SourceLine where = properties.where("bitmap");
-  // Where the original would look only beside the world, a file beside the one that names it is meant as
-  // well.
-  const std::string beside_world = resolve(folder_of(scene_.path), name);
-  std::string path = beside_world;
-  if (const auto known = bitmaps_.find(path); known != bitmaps_.end()) return &*known;
-  Result<std::string> bytes = files_.read(path);
-  if (!bytes) {
-    path = resolve(folder_of(scene_.files[where.file]), name);
+  // Where the original would look only beside the world, a bitmap is looked for as an include is.
+  const std::string& named_by = scene_.files[where.file];
+  const std::vector<std::string> folders = folders_for(scene_.path, named_by, files_);
+  std::string path, why;
+  for (const std::string& folder : folders) {
+    path = resolve(folder, name);
     if (const auto known = bitmaps_.find(path); known != bitmaps_.end()) return &*known;
-    Result<std::string> beside = files_.read(path);
-    if (beside) bytes = std::move(beside);
+    const Result<std::string> bytes = files_.read(path);
+    if (why.empty() && !bytes) why = bytes.error().text;
+    if (!bytes) continue;
+    if (folder != folders.front() && folder != folder_of(named_by))
+      state_.warnings.add(Warning::kShape, where,
+                          "bitmap " + in_quotes(resolve(folders.front(), name)) + " is not there, so " +
+                              in_quotes(path) + " is read");
+    return trace_bitmap(path, *bytes, size, where);
   }
-  if (!bytes) return fail_bitmap(path, where, {beside_world, bytes.error().text});
-  spend(bitmap_bytes_, bytes->size(), where);
+  return fail_bitmap(
+      path, where, {resolve(folders.front(), name), why + also_not_in(folders, name, files_, is_image_name)});
+}
+
+const WorldLoader::TracedBitmap* WorldLoader::trace_bitmap(const std::string& path, std::string_view bytes,
+                                                           const geom::Size& size, SourceLine where) {
+  spend(bitmap_bytes_, bytes.size(), where);
   if (state_.over) return nullptr;
-  const Result<Bitmap> bitmap = decode_bitmap(*bytes, limits_.pixels);
+  const Result<Bitmap> bitmap = decode_bitmap(bytes, limits_.pixels);
   if (!bitmap) return fail_bitmap(path, where, {path, bitmap.error().text});
   spend(pixels_, bitmap->solid.size(), where);
   if (state_.over) return nullptr;
@@ -516,7 +535,7 @@ const WorldLoader::TracedBitmap* WorldLoader::load_bitmap(const Properties& prop
                         "bitmap " + in_quotes(path) + " has no dark pixel, so it is no body");
   else
     warn_of_margin(path, *bitmap, *loops, size, where);
-  return &*bitmaps_.emplace(std::move(path), std::move(*loops)).first;
+  return &*bitmaps_.emplace(path, std::move(*loops)).first;
 }
 
 /// Dark pixels alone fill the size of a model. Who measured the image with a margin about them gets walls

@@ -614,7 +614,7 @@ TEST(WorldBodies, bitmaps_of_one_name_beside_two_includes_are_two) {
   EXPECT_GT(scene.models.at(1).bitmaps.at(0).loops.size(), 1u);
   files.erase("w/b/m");
   EXPECT_EQ(error_of("include \"a/x.inc\"\ninclude \"b/x.inc\"", files),
-            "w/b/x.inc:1: bitmap \"w/m\" cannot be opened: no such file");
+            "w/b/x.inc:1: bitmap \"w/m\" cannot be opened: no such file, also not in w/b/");
 }
 
 TEST(WorldBodies, a_bitmap_without_dark_pixels_is_no_body_and_a_warning) {
@@ -1004,6 +1004,29 @@ TEST(WorldFiles, an_include_is_looked_for_beside_the_files_and_then_in_the_searc
       "w/t.world:1: included file \"/far.inc\" cannot be opened: no such file (did you mean \"far.inc\"?)");
 }
 
+TEST(WorldFiles, a_bitmap_is_looked_for_as_an_include_is_and_a_warning_says_where_it_was_found) {
+  MemoryFiles files({{"w/in.inc", "model( bitmap \"maps/b.pbm\" )"},
+                     {"w/beside.pbm", "P1 1 1 1"},
+                     {"lib/beside.pbm", "P1 2 1 1 0"},
+                     {"lib/maps/b.pbm", "P1 1 1 1"}},
+                    {"none/", "lib/"});
+  const auto load = [&](const std::string& text) { return load_world_text(text, "w/t.world", files); };
+  const auto beside = load("model( bitmap \"beside.pbm\" )");
+  ASSERT_TRUE(beside.ok()) << beside.error().line();
+  EXPECT_TRUE(beside->warnings.empty());
+  EXPECT_EQ(beside->models.at(0).body.bitmap, "w/beside.pbm");
+  const auto found = load("include \"in.inc\"\ninclude \"in.inc\"");
+  ASSERT_TRUE(found.ok()) << found.error().line();
+  EXPECT_EQ(found->models.at(0).body.bitmap, "lib/maps/b.pbm");
+  EXPECT_EQ(found->warnings, std::vector<std::string>{"w/in.inc:1: bitmap \"w/maps/b.pbm\" is not there, so "
+                                                      "\"lib/maps/b.pbm\" is read"});
+  EXPECT_EQ(load("model( bitmap \"maps/bb.pbm\" )").error().line(),
+            "w/t.world:1: bitmap \"w/maps/bb.pbm\" cannot be opened: no such file, also not in none/, lib/ "
+            "(did you mean \"maps/b.pbm\"?)");
+  EXPECT_EQ(load("model( bitmap \"/x/gone.pbm\" )").error().line(),
+            "w/t.world:1: bitmap \"/x/gone.pbm\" cannot be opened: no such file");
+}
+
 TEST(WorldFiles, what_comes_with_the_program_is_included_from_any_folder) {
   const TestFolder own;
   const std::filesystem::path folder = own.path();
@@ -1081,9 +1104,9 @@ TEST(WorldFiles, what_a_file_names_is_a_regular_file) {
     return scene ? "no error" : scene.error().line();
   };
   const std::string why = " cannot be opened: not a regular file";
-  EXPECT_EQ(fault("model( bitmap \"pipe\" )"), world + ":1: bitmap \"" + pipe + "\"" + why);
-  EXPECT_EQ(fault("model( bitmap \"folder\" )"),
-            world + ":1: bitmap \"" + (folder / "folder").string() + "\"" + why);
+  EXPECT_THAT(fault("model( bitmap \"pipe\" )"), HasSubstr(world + ":1: bitmap \"" + pipe + "\"" + why));
+  EXPECT_THAT(fault("model( bitmap \"folder\" )"),
+              HasSubstr(world + ":1: bitmap \"" + (folder / "folder").string() + "\"" + why));
   EXPECT_EQ(fault("model( bitmap \"/dev/zero\" )"), world + ":1: bitmap \"/dev/zero\"" + why);
   EXPECT_THAT(fault("include \"pipe\""), HasSubstr(world + ":1: included file \"" + pipe + "\"" + why));
   EXPECT_EQ(load_world(pipe, NamedBy::kFile).error().line(), pipe + ":" + why);

@@ -1,0 +1,37 @@
+#include "playhouse/scene/file_search.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "playhouse/base/in_quotes.h"
+#include "playhouse/base/nearest_word.h"
+
+namespace playhouse::scene {
+
+std::vector<std::string> folders_for(const std::string& top_level, const std::string& named_by,
+                                     const FileReader& files) {
+  std::vector<std::string> folders{folder_of(top_level)};
+  const auto add = [&](std::string folder) {
+    if (std::ranges::find(folders, folder) == folders.end()) folders.push_back(std::move(folder));
+  };
+  add(folder_of(named_by));
+  for (std::string& folder : files.search_path()) add(std::move(folder));
+  return folders;
+}
+
+std::string also_not_in(const std::vector<std::string>& folders, std::string_view name,
+                        const FileReader& files, const std::function<bool(std::string_view)>& fits) {
+  const bool is_whole = resolve("", name) == resolve("/", name);  // a path that no folder changes
+  const std::string below = is_whole ? "" : folder_of(name);
+  std::vector<std::string> names;
+  std::string places;
+  for (const std::string& folder : folders) {
+    for (const std::string& found : files.names_in(resolve(folder, below)))
+      if (fits(found)) names.push_back(below + found);
+    if (folder != folders.front()) places += (places.empty() ? "" : ", ") + escaped(folder);
+  }
+  const std::vector<std::string_view> candidates(names.begin(), names.end());
+  return (is_whole || places.empty() ? "" : ", also not in " + places) + did_you_mean(name, candidates);
+}
+
+}  // namespace playhouse::scene
