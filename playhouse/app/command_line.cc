@@ -289,6 +289,19 @@ void add_lock_step(CLI::App& app, Raw& raw, Running& running) {
       ->check(check_positive);
 }
 
+void add_recording(CLI::App& app, Running& running) {
+  auto* record =
+      app.add_option("--record", running.record, "record the run into an MCAP file (docs/recording.md)")
+          ->type_name("FILE.mcap");
+  app.add_option(
+         "--record-only", running.record_only,
+         "what is recorded besides poses: kinds, @NAMES, or KIND@NAME, between commas; poses: nothing "
+         "(everything)")
+      ->type_name("WHAT,...")
+      ->check(check_selection)
+      ->needs(record);
+}
+
 void add_running(CLI::App& app, Raw& raw, Running& running) {
   auto* fast = app.add_flag("--fast", raw.fast, "as fast as possible instead of real time");
   app.add_option("--speed", running.speed, "times real time; 0: as fast as possible (the file's speedup)")
@@ -306,16 +319,7 @@ void add_running(CLI::App& app, Raw& raw, Running& running) {
   app.add_option("--save-world", running.save_world,
                  "the file into which clients may save the world as it stands (SAVE of simulation)")
       ->type_name("FILE.world");
-  auto* record =
-      app.add_option("--record", running.record, "record the run into an MCAP file (docs/recording.md)")
-          ->type_name("FILE.mcap");
-  app.add_option(
-         "--record-only", running.record_only,
-         "what is recorded besides poses: kinds, @NAMES, or KIND@NAME, between commas; poses: nothing "
-         "(everything)")
-      ->type_name("WHAT,...")
-      ->check(check_selection)
-      ->needs(record);
+  add_recording(app, running);
   add_lock_step(app, raw, running);
   app.add_flag("--paused", running.paused, "wait to be resumed by a viewer or a client");
   app.add_flag("--json", running.json, "print the result as the last line of standard output");
@@ -395,6 +399,7 @@ void add_commands(CLI::App& app, Raw& raw) {
   gym->add_option("--workers", raw.gym.running.workers, "threads that compute")
       ->check(check_workers)
       ->capture_default_str();
+  add_recording(*gym, raw.gym.running);
   add_allowed_libraries(*gym, raw.gym.running);
 
   CLI::App* verify =

@@ -82,6 +82,10 @@ TEST(CommandLine, gym_wants_a_socket_and_serves_no_page_unless_told_to) {
   EXPECT_EQ(gym.running.lock_step->clients, 1u);
   EXPECT_EQ(parsed<GymOptions>({"gym", "w", "--socket", "5", "--web", "0"}).serving.web, 0);
   EXPECT_THAT(fault({"gym", "w"}), HasSubstr("--socket"));
+  const auto recorded =
+      parsed<GymOptions>({"gym", "w", "--socket", "5", "--record", "a.mcap", "--record-only", "position"});
+  EXPECT_EQ(recorded.running.record, "a.mcap");
+  EXPECT_EQ(recorded.running.record_only, "position");
 }
 
 TEST(CommandLine, files_and_libraries_may_be_several) {

@@ -31,7 +31,8 @@ int run_service(Service& service, const std::function<Result<void>()>& read, con
             outcome.real_time_factor);
   log::flush();  // the result is the last that a terminal shows
   if (running.json) fmt::print("{}\n", outcome.json());
-  return outcome.signal != 0 ? 128 + outcome.signal : kDone;
+  if (outcome.signal != 0) return 128 + outcome.signal;
+  return service.all_saved() ? kDone : kFailed;
 }
 
 }  // namespace playhouse::app

@@ -21,6 +21,7 @@ _ANSWER = struct.Struct("<II")
 _MAGIC, _VERSION = b"plhsgym\0", 1
 _STEP, _START_AGAIN = 1, 2
 _SEEDS = 1 << 64
+_ENDING, _ENDING_RECORD = 10.0, 600.0  # s; a recording is completed first
 
 
 class ArenaError(RuntimeError):
@@ -60,12 +61,15 @@ class Arena:
         seed: int = 1,
         workers: int = 1,
         web: Optional[int] = None,
+        record: Union[str, "os.PathLike[str]", None] = None,
         timeout: float = 120.0,
     ) -> None:
-        """`web`: the port of a page that shows the world. `timeout` (s): a program that is silent for so long is given
+        """`web`: the port of a page that shows the world. `record`: an MCAP file into which all steps are recorded; it
+        is whole after close(). `timeout` (s): a program that is silent for so long is given
         up."""
         command = [program or find_program(), "gym", os.fspath(world), "--seed", str(seed), "--workers", str(workers)]
         command += [] if web is None else ["--web", str(web)]
+        command += [] if record is None else ["--record", os.fspath(record)]
         ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
         self._said = tempfile.TemporaryFile()
         try:
@@ -80,12 +84,14 @@ class Arena:
         finally:
             theirs.close()
         self._socket: Optional[socket.socket] = ours
-        self._finalizer = weakref.finalize(self, _end, ours, self._process, self._said)
+        self._recorded = record
+        patience = _ENDING if record is None else _ENDING_RECORD
+        self._finalizer = weakref.finalize(self, _end, ours, self._process, self._said, patience)
         ours.settimeout(timeout)
         try:
             self._columns = self._receive_columns()
         except BaseException:
-            self.close()
+            self._finalizer()
             raise
         for name in ("actions", "ranges", "pose", "odometry", "velocity", "range_max"):
             setattr(self, name, self._columns[name])
@@ -137,9 +143,14 @@ class Arena:
         self._ask(_START_AGAIN, 0, seed % _SEEDS)
 
     def close(self) -> None:
-        """Ends the program; the columns stay as they were. A second call does nothing."""
+        """Ends the program; the columns stay as they were. A second call does nothing. Raises ArenaError where the
+        recording is not whole."""
+        if self._socket is None:
+            return
         self._socket = None
-        self._finalizer()
+        said = self._finalizer() or ""
+        if self._recorded is not None and self._process.returncode != 0:
+            raise ArenaError(f"{os.fspath(self._recorded)} is not whole: {_last_error(said)}")
 
     def __enter__(self) -> "Arena":
         return self
@@ -169,7 +180,7 @@ class Arena:
             try:
                 more = self._socket.recv(size - len(data))
             except socket.timeout:
-                self.close()
+                self._end_now()
                 raise ArenaError("the program is silent") from None
             except OSError as error:
                 raise self._lost() from error
@@ -203,10 +214,18 @@ class Arena:
 
     def _lost(self) -> ArenaError:
         code = self._process.wait()
-        lines = self._log().strip().splitlines()
-        said = next((line for line in reversed(lines) if "error" in line), lines[-1] if lines else "")
-        self.close()
+        said = _last_error(self._log())
+        self._end_now()
         return ArenaError(f"the program has ended with code {code}: {said}")
+
+    def _end_now(self) -> None:
+        self._socket = None
+        self._finalizer()
+
+
+def _last_error(said: str) -> str:
+    lines = said.strip().splitlines()
+    return next((line for line in reversed(lines) if "error" in line), lines[-1] if lines else "")
 
 
 def _receive_with_descriptor(source: socket.socket, size: int) -> Any:
@@ -232,12 +251,15 @@ def _columns_in(memory: mmap.mmap) -> Dict[str, np.ndarray]:
     return columns
 
 
-def _end(link: socket.socket, process: "subprocess.Popen[bytes]", said: Any) -> None:
-    """The program ends by itself when nobody is at the other end."""
+def _end(link: socket.socket, process: "subprocess.Popen[bytes]", said: Any, patience: float) -> str:
+    """The program ends by itself when nobody is at the other end. Returns all that it said."""
     link.close()
     try:
-        process.wait(10)
+        process.wait(patience)
     except subprocess.TimeoutExpired:
         process.kill()
         process.wait()
+    said.seek(0)
+    words: str = said.read().decode("utf-8", "replace")
     said.close()
+    return words

@@ -1,16 +1,19 @@
 """playhouse_gym against the real program: both interfaces as their documentation has them, and the same bits twice."""
 
+import json
 import os
 import pathlib
+import shlex
 import signal
 import subprocess
 import sys
 import tempfile
 import time
 import unittest
+from typing import Dict, cast
 
 from package import ROOT
-from server_program import PROGRAM, needed
+from server_program import HANG, PROGRAM, needed
 
 try:
     import numpy as np
@@ -124,6 +127,61 @@ class TheArena(WithWorld):
             time.sleep(0.02)
         self.assertFalse(is_there(program))
         self.assertEqual(set(os.listdir("/dev/shm")), before)
+
+
+@needed
+class Recorded(WithWorld):
+    def record(self, file: pathlib.Path) -> np.ndarray:
+        """Three episodes, of which one begins anew with another seed and one agent is put elsewhere in another."""
+        with Arena(self.world, program=PROGRAM, record=file, seed=3) as arena:
+            for step in range(40):
+                arena.actions[:] = (0.4, 0.0, 0.1 * (step % 5))
+                arena.reset_mask[2] = step == 25
+                arena.step()
+                if step == 15:
+                    arena.start_again(9)
+            return arena.pose.copy()
+
+    def again(self, file: pathlib.Path) -> Dict[str, object]:
+        command = [PROGRAM, "run", "--again", str(file), "--json"]
+        done = subprocess.run(command, capture_output=True, text=True, timeout=HANG)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return cast(Dict[str, object], json.loads(done.stdout))
+
+    def test_what_a_learning_program_did_runs_again_to_the_bit(self) -> None:
+        file = pathlib.Path(self.world).parent / "run.mcap"
+        poses = self.record(file)
+        again = self.again(file)
+        self.assertEqual(again["ticks"], 25)  # since the new start
+        alone = file.with_name("alone.mcap")
+        np.testing.assert_array_equal(self.record(alone), poses)
+        self.assertEqual(self.again(alone)["hash"], again["hash"])
+
+    def test_a_recording_changes_nothing_that_robots_do(self) -> None:
+        ways = []
+        for record in (None, pathlib.Path(self.world).parent / "run.mcap"):
+            with Arena(self.world, program=PROGRAM, record=record) as arena:
+                arena.actions[:] = (0.4, 0.0, 0.3)
+                arena.step(20)
+                ways.append((arena.pose.copy(), arena.ranges.copy()))
+        for one, other in zip(*ways):
+            np.testing.assert_array_equal(one, other)
+
+    def test_a_file_that_cannot_be_written_is_told_in_a_line(self) -> None:
+        with self.assertRaisesRegex(ArenaError, "no_such/run.mcap"):
+            Arena(self.world, program=PROGRAM, record=pathlib.Path(self.world).parent / "no_such" / "run.mcap")
+
+    def test_a_recording_that_stops_half_way_is_told_at_the_end(self) -> None:
+        file = pathlib.Path(self.world).with_name("run.mcap")
+        full = file.with_name("full")  # the program on a disk of 64 KiB
+        full.write_text(f"#!/bin/bash\ntrap '' XFSZ\nulimit -f 64\nexec {shlex.quote(PROGRAM)} \"$@\"\n")
+        full.chmod(0o755)
+        arena = Arena(self.world, program=str(full), record=file)
+        arena.actions[:] = (0.4, 0.0, 0.3)
+        arena.step(500)
+        with self.assertRaisesRegex(ArenaError, "run.mcap is not whole: .*File too large"):
+            arena.close()
+        arena.close()
 
 
 @needed

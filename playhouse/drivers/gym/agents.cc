@@ -67,13 +67,17 @@ Result<void> Agents::begin() {
   for (std::size_t i = 0; i < agents_.size(); ++i)
     columns_.values<float>(kRangeMost)[i] = range_most(world, world.row(agents_[i].ranger));
   *columns_.values<double>(kInterval) = world.scene().interval;
-  world::World& changing = simulation_.engine().world();
-  for (Agent& agent : agents_) {
-    agent.wheels.begin(changing, simulation_, agent.model);
-    agent.sensor.begin(changing, simulation_, agent.ranger);
-  }
+  // As every change, this one comes to the world where a recording sees it.
+  simulation_.post_always([this](world::World& changing) { use_all(changing); }, {});
   observe();
   return {};
+}
+
+void Agents::use_all(world::World& world) {
+  for (Agent& agent : agents_) {
+    agent.wheels.begin(world, simulation_, agent.model);
+    agent.sensor.begin(world, simulation_, agent.ranger);
+  }
 }
 
 void Agents::find() {

@@ -18,8 +18,8 @@ class Agents {
  public:
   explicit Agents(Simulation& simulation) : simulation_(simulation) {}
 
-  /// Finds the agents, makes the columns and has the sensors measure. Fails where there is no agent, and
-  /// where their range finders have different numbers of beams.
+  /// Finds the agents, makes the columns and has the sensors measure from the first tick on. Fails where
+  /// there is no agent, and where their range finders have different numbers of beams.
   Result<void> begin();
   const SharedColumns& columns() const { return columns_; }
 
@@ -40,6 +40,7 @@ class Agents {
     world::Use wheels, sensor;
   };
   void find();
+  void use_all(world::World& world);
   std::uint32_t beams_of(const Agent& agent) const;
   void place(std::size_t agent);
   void stand(std::size_t agent);
