@@ -20,6 +20,7 @@
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/log_output.h"
+#include "playhouse/record/mcap_writer.h"
 #include "playhouse/scene/world_loader.h"
 #include "playhouse/web_server/page_files.h"
 #include "playhouse/world/state.h"

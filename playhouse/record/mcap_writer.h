@@ -13,29 +13,26 @@
 
 #include "playhouse/base/result.h"
 #include "playhouse/record/mcap.h"
+#include "playhouse/record/record_sink.h"
 
 namespace playhouse::record {
 
-class McapWriter {
+class McapWriter final : public RecordSink {
  public:
   /// Makes the file, or empties it. The error names it.
   static Result<std::unique_ptr<McapWriter>> create(const std::string& path, const std::string& profile);
-  ~McapWriter();
+  ~McapWriter() override;
   McapWriter(const McapWriter&) = delete;
   McapWriter& operator=(const McapWriter&) = delete;
 
-  /// Schema, Channel and Message records, whole, as the functions put() of mcap.h make them; a schema before
-  /// its channels, a channel before its messages. They go to the file with the next flush().
-  void add(std::span<const std::byte> records);
-  /// Bytes that the next flush() would write, before they are packed.
-  std::size_t waiting() const { return chunk_.size(); }
-  /// Writes what waits as a chunk. After a failure the file ends with the last whole chunk, and every further
-  /// call fails.
-  Result<void> flush();
-  /// Writes an Attachment record, whole; what waits is flushed before it.
-  Result<void> attach(const Attachment& attachment);
-  /// Flushes and writes the summary. Nothing may follow.
-  Result<void> finish();
+  void add(std::span<const std::byte> records) override;
+  /// Before they are packed.
+  std::size_t waiting() const override { return chunk_.size(); }
+  /// After a failure the file ends with the last whole chunk.
+  Result<void> flush() override;
+  Result<void> attach(const Attachment& attachment) override;
+  /// The end is the summary.
+  Result<void> finish() override;
 
  private:
   struct Entry {

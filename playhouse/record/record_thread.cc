@@ -1,8 +1,8 @@
 #include "playhouse/record/record_thread.h"
 
 #include <chrono>
+#include <utility>
 
-#include "playhouse/base/limits.h"
 #include "playhouse/base/log.h"
 
 namespace playhouse::record {
@@ -15,23 +15,32 @@ constexpr std::chrono::milliseconds kChunkTime{500};
 
 }  // namespace
 
-RecordThread::RecordThread(std::unique_ptr<McapWriter> writer) : writer_(std::move(writer)) {}
+RecordThread::RecordThread(std::unique_ptr<RecordSink> sink, std::size_t most_bytes)
+    : sink_(std::move(sink)), most_bytes_(most_bytes) {}
 
 void RecordThread::hand_over(Bytes records) {
   if (records.empty()) return;
-  bool tells = false;
+  wait_for_room();
   {
-    std::unique_lock lock(mutex_);
-    const auto has_room = [this] { return failed_ || waiting_bytes_ < limits::kRecordQueueBytes; };
-    if (!has_room()) tells = !std::exchange(told_slow_, true);
-    changed_.wait(lock, has_room);
+    const std::lock_guard lock(mutex_);
     if (failed_) return;
     waiting_bytes_ += records.size();
     waiting_.push_back(std::move(records));
   }
   changed_.notify_all();
-  if (tells) log::warn("the disk is slower than the run: the run waits for its recording");
   if (!thread_.joinable()) thread_ = std::thread([this] { run(); });
+}
+
+void RecordThread::wait_for_room() {
+  const auto has_room = [this] { return failed_ || waiting_bytes_ < most_bytes_; };
+  std::unique_lock lock(mutex_);
+  if (has_room()) return;
+  if (!std::exchange(told_slow_, true)) {
+    lock.unlock();
+    log::warn("the disk is slower than the run: the run waits for its recording");
+    lock.lock();
+  }
+  changed_.wait(lock, has_room);
 }
 
 bool RecordThread::finish() {
@@ -50,7 +59,7 @@ bool RecordThread::finish() {
 }
 
 void RecordThread::write(End end) {
-  const Result<void> written = end == End::kFile ? writer_->finish() : writer_->flush();
+  const Result<void> written = end == End::kFile ? sink_->finish() : sink_->flush();
   if (written) return;
   {
     const std::lock_guard lock(mutex_);
@@ -58,6 +67,16 @@ void RecordThread::write(End end) {
   }
   changed_.notify_all();
   log::error("{}; the run goes on and is recorded no more", written.error().line());
+}
+
+void RecordThread::pass_on(const Bytes& records) {
+  sink_->add(records);
+  if (sink_->waiting() >= limits::kRecordChunkBytes) write(End::kChunk);
+  {
+    const std::lock_guard lock(mutex_);
+    waiting_bytes_ -= records.size();
+  }
+  changed_.notify_all();
 }
 
 void RecordThread::run() {
@@ -69,15 +88,10 @@ void RecordThread::run() {
       std::unique_lock lock(mutex_);
       changed_.wait_until(lock, due, [this] { return ending_ || !waiting_.empty(); });
       records.swap(waiting_);
-      waiting_bytes_ = 0;
       last = ending_;
     }
-    changed_.notify_all();
-    if (writer_->waiting() == 0 && !records.empty()) due = Clock::now() + kChunkTime;
-    for (const Bytes& each : records) {
-      writer_->add(each);
-      if (writer_->waiting() >= limits::kRecordChunkBytes) write(End::kChunk);
-    }
+    if (sink_->waiting() == 0 && !records.empty()) due = Clock::now() + kChunkTime;
+    for (const Bytes& each : records) pass_on(each);
     if (last) return write(End::kFile);
     if (Clock::now() < due) continue;
     write(End::kChunk);

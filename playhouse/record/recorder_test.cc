@@ -7,6 +7,7 @@
 
 #include "playhouse/base/testing_folder.h"
 #include "playhouse/record/mcap_reader.h"
+#include "playhouse/record/mcap_writer.h"
 #include "playhouse/record/rerun.h"
 #include "playhouse/scene/world_loader.h"
 #include "playhouse/world/population.h"
