@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "playhouse/app/sensor_shapes.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/limits.h"
 #include "playhouse/base/nearest_word.h"
@@ -91,6 +92,7 @@ constexpr const char* kConvertExamples = R"(Examples:
   playhouse convert my.world -o my.glb)";
 constexpr const char* kPictureExamples = R"(Examples:
   playhouse picture worlds/cave.world --at 10 -o cave.png
+  playhouse picture worlds/cave.world --at 10 --show ranger -o scans.png
   playhouse picture worlds/swarm.world -o swarm.png --width 400)";
 constexpr const char* kFilmExamples = R"(Examples:
   playhouse film worlds/swarm.world --duration 5 -o swarm.png
@@ -200,6 +202,11 @@ std::string check_selection(const std::string& text) {
   return selection ? "" : selection.error().text;
 }
 
+std::string check_show(const std::string& text) {
+  const Result<SensorShapes> shown = SensorShapes::parse(text);
+  return shown ? "" : shown.error().text;
+}
+
 void add_hosts(CLI::App& app, Serving& serving) {
   app.add_option("--bind", serving.bind, "address to listen on; 0.0.0.0: everybody's")
       ->check(check_bind)
@@ -263,10 +270,14 @@ LockStepping lock_stepping(const std::string& text) {
 }
 
 /// How large a drawing of a run is, and what it depends on.
-void add_drawn_run(CLI::App& app, int& width, Running& running) {
+void add_drawn_run(CLI::App& app, int& width, std::string& show, Running& running) {
   app.add_option("--width", width, "pixels; the height follows from the world")
       ->check(check_width)
       ->capture_default_str();
+  app.add_option("--show", show,
+                 "what sensors see as well: " + SensorShapes::names() + ", between commas (nothing)")
+      ->type_name("SENSOR,...")
+      ->check(check_show);
   app.add_option("--seed", running.seed, "seed of all random numbers")
       ->check(check_count<std::uint64_t>)
       ->capture_default_str();
@@ -464,7 +475,7 @@ void add_commands(CLI::App& app, Raw& raw) {
   picture->add_option("--at", raw.picture.at, "after so many simulated seconds")
       ->check(check_not_negative)
       ->capture_default_str();
-  add_drawn_run(*picture, raw.picture.width, raw.picture.running);
+  add_drawn_run(*picture, raw.picture.width, raw.picture.show, raw.picture.running);
 
   CLI::App* film = app.add_subcommand("film", "draw a run from above, without a screen");
   film->footer(kFilmExamples);
@@ -479,7 +490,7 @@ void add_commands(CLI::App& app, Raw& raw) {
   film->add_option("--rate", raw.film.rate, "pictures per simulated second, one a tick at most")
       ->check(check_positive)
       ->capture_default_str();
-  add_drawn_run(*film, raw.film.width, raw.film.running);
+  add_drawn_run(*film, raw.film.width, raw.film.show, raw.film.running);
 
   CLI::App* kinds = app.add_subcommand("kinds", "list what world files can hold, and its words");
   kinds->footer(kKindsExamples);

@@ -126,6 +126,7 @@ struct PictureOptions {
   std::string world, output;  // .world, .png
   double at = 0;              // simulated seconds
   int width = 1280;           // pixels
+  std::string show;           // of what sensors see, SensorShapes; empty: nothing
   Running running;
 };
 
@@ -134,6 +135,7 @@ struct FilmOptions {
   double duration = 10;       // simulated seconds
   double rate = 10;           // pictures per simulated second, at most one a tick
   int width = 640;            // pixels
+  std::string show;           // as of a picture
   Running running;
 };
 

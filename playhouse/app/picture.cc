@@ -33,7 +33,8 @@ struct Run {
 };
 
 /// The run after so many simulated seconds; or none, with the exit code, where its file is wrong.
-std::unique_ptr<Run> run_until(const std::string& world, const Running& running, double seconds, int& code) {
+std::unique_ptr<Run> run_until(const std::string& world, const Running& running, const SensorShapes& seen,
+                               double seconds, int& code) {
   std::vector<Error> others;
   Result<scene::SceneDesc> scene = read_scene(world, &others);
   if (!scene) return code = fail_in_file(scene.error(), others), nullptr;
@@ -41,12 +42,18 @@ std::unique_ptr<Run> run_until(const std::string& world, const Running& running,
   Result<std::unique_ptr<world::Engine>> engine =
       make_engine(run->scene, running, controllers::Libraries::Use::kLoad, &warn);
   if (!engine) return code = fail(engine.error()), nullptr;
+  seen.watch((*engine)->world());
   drivers::Simulation::Options options;
   options.speed = 0;
   options.duration = seconds;
   run->simulation = std::make_unique<drivers::Simulation>(std::move(*engine), std::move(options));
   run->simulation->run();
   return run;
+}
+
+/// What --show says, which the command line has checked.
+SensorShapes shown(const std::string& text) {
+  return text.empty() ? SensorShapes() : *SensorShapes::parse(text);
 }
 
 int write(const std::string& path, const std::string& bytes) {
@@ -59,18 +66,20 @@ int write(const std::string& path, const std::string& bytes) {
 int picture(const PictureOptions& options) {
   if (!is_png(options.output)) return fail({escaped(options.output), "a picture is a .png"}, kUsage);
   int code = kDone;
-  const std::unique_ptr<Run> run = run_until(options.world, options.running, options.at, code);
+  const SensorShapes seen = shown(options.show);
+  const std::unique_ptr<Run> run = run_until(options.world, options.running, seen, options.at, code);
   if (!run) return code;
   const Result<View> view = view_of(run->world(), options.width);
   if (!view) return fail({escaped(options.world), view.error().text}, kUsage);
-  const Picture drawn = picture_of(run->world(), *view);
+  const Picture drawn = picture_of(run->world(), *view, seen);
   const Result<std::string> png = scene::png_of(drawn.width, drawn.height, drawn.rgb);
   return png ? write(options.output, *png) : fail({escaped(options.output), png.error().text});
 }
 
 int film(const FilmOptions& options) {
   int code = kDone;
-  const std::unique_ptr<Run> run = run_until(options.world, options.running, 0, code);
+  const SensorShapes seen = shown(options.show);
+  const std::unique_ptr<Run> run = run_until(options.world, options.running, seen, 0, code);
   if (!run) return code;
   const Result<View> view = view_of(run->world(), options.width);
   if (!view) return fail({escaped(options.world), view.error().text}, kUsage);
@@ -88,7 +97,7 @@ int film(const FilmOptions& options) {
         run->simulation->extend(ticks);
         run->simulation->run();
       }
-      if (const Result<void> taken = take(picture_of(run->world(), *view)); !taken) return taken;
+      if (const Result<void> taken = take(picture_of(run->world(), *view, seen)); !taken) return taken;
     }
     return {};
   };

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "playhouse/app/prisms.h"
+#include "playhouse/app/shape.h"
 #include "playhouse/base/limits.h"
 
 namespace playhouse::app {
@@ -22,22 +23,17 @@ constexpr double kEmpty = 10;     // m, side of a picture without bodies
 constexpr std::uint8_t kFloor[] = {236, 239, 244};  // so that white bodies are seen
 constexpr scene::Color kNose{0, 0, 0, 0.55f};
 
-/// A prism where its model stands, or a nose on it.
-struct Shape {
-  std::vector<std::vector<Vec2>> loops;  // m, in W
-  double z_max = 0;                      // m, in W
-  scene::Color color;
-};
+constexpr double kLine = 1.5;  // pixels
 
+/// A prism where its model stands, or a nose on it, each as a shape.
 class Bodies {
  public:
   explicit Bodies(const world::World& world) : world_(world) {}
 
-  /// From the lowest top to the highest; of equals, in the order of the models.
+  /// In the order of the models.
   std::vector<Shape> shapes() {
     std::vector<Shape> shapes;
     for (std::uint32_t row = 0; row < world_.models.size(); ++row) add(row, shapes);
-    std::ranges::stable_sort(shapes, {}, &Shape::z_max);
     return shapes;
   }
 
@@ -168,9 +164,13 @@ Result<View> view_of(const world::World& world, int width) {
   return View{width, static_cast<int>(height), box.x_min, box.y_max, width / across};
 }
 
-Picture picture_of(const world::World& world, const View& view) {
+/// From the lowest top to the highest; of equals, bodies first, in the order of the models.
+Picture picture_of(const world::World& world, const View& view, const SensorShapes& seen) {
+  std::vector<Shape> shapes = Bodies(world).shapes();
+  seen.add_to(shapes, world, kLine / view.pixels_per_metre);
+  std::ranges::stable_sort(shapes, {}, &Shape::z_max);
   Painter painter(view);
-  for (const Shape& shape : Bodies(world).shapes()) painter.paint(shape);
+  for (const Shape& shape : shapes) painter.paint(shape);
   return painter.take();
 }
 

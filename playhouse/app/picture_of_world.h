@@ -1,12 +1,14 @@
 #pragma once
 
 /// Pictures of a world from above, drawn without a screen: every body in its color, higher ones over lower
-/// ones, with the edges of pixels that are partly covered mixed, and a dark nose on everything that drives.
+/// ones, with the edges of pixels that are partly covered mixed, and a dark nose on everything that drives;
+/// with them, what sensors see.
 
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "playhouse/app/sensor_shapes.h"
 #include "playhouse/base/result.h"
 #include "playhouse/geom/pose.h"
 #include "playhouse/world/world.h"
@@ -30,6 +32,7 @@ struct View {
 /// metres about the origin. Fails on more pixels than limits::kPicturePixels.
 Result<View> view_of(const world::World& world, int width);
 
-Picture picture_of(const world::World& world, const View& view);
+/// `seen` is what is drawn of the sensors.
+Picture picture_of(const world::World& world, const View& view, const SensorShapes& seen);
 
 }  // namespace playhouse::app

@@ -47,10 +47,15 @@ def pixels_of(packed: bytes, width: int, height: int):
     return rows
 
 
+def chunks_of_frames(chunks):
+    """The packed pixels of each picture of a film."""
+    return [content if kind == "IDAT" else content[4:] for kind, content in chunks if kind in ("IDAT", "fdAT")]
+
+
 class Pictures(HouseTest):
-    def drawn(self, *words):
+    def drawn(self, *words, world=WORLD):
         file = self.folder / "made.png"
-        world = self.write("w.world", WORLD)
+        world = self.write("w.world", world)
         done = finish(words[0], world, "-o", file, *words[1:])
         self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
         return chunks_of(file.read_bytes())
@@ -59,15 +64,61 @@ class Pictures(HouseTest):
         chunks = self.drawn("picture", "--width", 212)       # 8 m and a margin of 3 % on each side: 25 pixels a metre
         width, height = struct.unpack_from(">II", dict(chunks)["IHDR"])
         self.assertEqual((width, height), (212, 212))
-        rows = pixels_of(b"".join(content for kind, content in chunks if kind == "IDAT"), width, height)
-
-        def at(x, y):
-            return rows[round(106 - 25 * y)][round(106 + 25 * x)]
+        at = self.places(chunks)
         self.assertEqual(at(1.5, 0), (255, 0, 0))
         self.assertEqual(at(2.5, 0), (0, 0, 255))
         self.assertEqual(at(0, 3), (255, 255, 255))
         self.assertEqual(at(-3.3, 0)[0::2], (0, 0))
         self.assertLess(at(-2.7, 0)[1], at(-3.3, 0)[1], "the nose is darker")
+
+    def places(self, chunks):
+        """The pixel at a place (m) of a picture of 8 m by 8 m that is 212 pixels wide."""
+        rows = pixels_of(b"".join(content for kind, content in chunks if kind == "IDAT"), 212, 212)
+        return lambda x, y: rows[round(106 - 25 * y)][round(106 + 25 * x)]
+
+    def seen(self, what, world, seconds=0.2):
+        return self.places(self.drawn("picture", "--width", 212, "--at", seconds, *(("--show", what) if what else ()), world=world))
+
+    def test_what_sensors_see_is_drawn_where_it_is_asked_for(self):
+        world = """
+interval_sim 100
+model( name "edge" size [8 8 0.1] color "white" obstacle_return 0 ranger_return -1 )
+model( name "box" pose [2 0 0 0] size [2 2 0.9] color "red" fiducial_return 7 )
+position( name "r" pose [-3 0 0 0] size [1 1 0.3] color "green"
+  ranger( size [0 0 0.1] sensor( range [0 6] fov 90 samples 91 ) )
+  fiducial( range_max 8 fov 180 )
+  wifi( pose [0 0 0 0] )
+  camera( size [0.1 0.1 0.1] pose [0 0 0 90] range [0.2 3] fov [90 40] ) )
+wifi( name "post" pose [-3 -3 1 0] )
+"""
+        nothing = self.seen("", world)
+        for place in ((0, 0.5), (0, 0), (-3, 2), (-3, -1.5)):
+            self.assertEqual(nothing(*place), (255, 255, 255), place)
+        scan = self.seen("ranger", world)
+        self.assertEqual(scan(0, 0.5), (217, 217, 255), "blue that one can see through")
+        self.assertEqual(scan(2, 0), (255, 0, 0), "the scan ends at the box")
+        self.assertEqual(scan(1.5, 2), (217, 217, 255), "and goes past it")
+        self.assertEqual(scan(-3, 2), (255, 255, 255), "it looks 45 degrees to each side")
+        self.assertEqual(scan(3.9, 3), (255, 255, 255), "and 6 m far")
+        finder = self.seen("fiducial", world)
+        red, green, blue = finder(0, 0)
+        self.assertTrue(red > green > blue, "a line to the box")
+        self.assertEqual(finder(0, 0.5), (255, 255, 255))
+        radio = self.seen("wifi", world)
+        self.assertNotEqual(radio(-3, -1.5), (255, 255, 255))
+        camera = self.seen("camera", world)
+        self.assertNotEqual(camera(-3, 2), (255, 255, 255))
+        self.assertEqual((camera(-3, 3.4), camera(0, 0)), ((255, 255, 255),) * 2, "3 m to the left")
+        everything = self.seen("all", world)
+        self.assertEqual((everything(1.5, 2), everything(-3, 2)), (scan(1.5, 2), camera(-3, 2)))
+        self.assertEqual(self.seen("fiducial,camera", world)(-3, 2), camera(-3, 2))
+
+    def test_sensors_see_nothing_before_they_have_measured_and_measuring_changes_nothing(self):
+        before, after = (self.drawn("picture", "--width", 100, *show) for show in ((), ("--show", "ranger")))
+        self.assertEqual(before, after)
+        films = [chunks_of_frames(self.drawn("film", "--duration", 1, "--width", 106, *show)) for show in ((), ("--show", "ranger"))]
+        self.assertEqual(films[0][0], films[1][0])
+        self.assertNotEqual(films[0][5], films[1][5])
 
     def test_edges_between_pixels_are_mixed(self):
         chunks = self.drawn("picture", "--width", 100)
@@ -122,6 +173,8 @@ class Pictures(HouseTest):
                 (("picture", self.folder / "gone.world", "-o", self.folder / "a.png"), 2, "gone.world"),
                 (("picture", world), 2, "--output is required"),
                 (("picture", world, "-o", "a.png", "--width", 0), 2, "--width"),
+                (("picture", world, "-o", "a.png", "--show", "rangr"), 2, 'not "rangr" (did you mean "ranger"?)'),
+                (("film", world, "-o", "a.png", "--show", "ranger,"), 2, 'not ""'),
                 (("film", world, "-o", "a.png", "--duration", "1e300"), 2, "a billion pictures"),
                 (("film", world, "-o", "a.png", "--rate", 0), 2, "--rate")):
             with self.subTest(words):
