@@ -9,10 +9,12 @@
 #include <cerrno>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "playhouse/scenarios/scenario.h"
 #include "playhouse/scenarios/testing_simulation.h"
 #include "playhouse/stage/testing_scenes.h"
+#include "playhouse/world/radio_messages.h"
 
 namespace {
 
@@ -158,6 +160,30 @@ TEST(Allocation, there_is_none_with_every_sensor_and_controller) {
               0);
     EXPECT_GT(run.world().models.say[run.world().find("depot").index].size(), 15u)
         << "more than a short string holds";
+  }
+}
+
+TEST(Allocation, there_is_none_where_radios_carry_messages) {
+  std::string text;
+  for (int k = 0; k < 24; ++k)
+    text += fmt::format("wifi( pose [{} {} 0 0] model \"raytrace\" fading 1 loss 5 )\n", k % 8, k / 8);
+  text += "model( size [0.1 4 1] pose [2.5 2 0 0] )";
+  scene::MemoryFiles none({});
+  const std::vector<std::uint8_t> message(100);
+  for (const unsigned workers : {1u, 4u}) {
+    Simulation run(scene::load_world_text(text, "radios.world", none), workers);
+    world::World& world = run.world();
+    for (const world::ModelRow radio : world.wifis.model) world::subscribe(world, radio);
+    std::size_t in_ticks = 0;
+    for (int tick = 0; tick < kWarmUp + kCounted; ++tick) {
+      for (std::uint32_t radio = 0; radio < world.wifis.size(); ++radio)
+        world::send_message(world, {radio}, {}, message);
+      const std::size_t before = allocations;
+      run.step();
+      if (tick >= kWarmUp) in_ticks += allocations - before;
+    }
+    EXPECT_EQ(in_ticks, 0u) << workers << " workers";
+    EXPECT_GT(world.wifis.incoming[0].size(), 10u);
   }
 }
 
