@@ -55,6 +55,20 @@ class Radio(HouseTest):
         self.assertEqual(first.request(OPAQUE, 0, DATA, body(b"10.1.0.9\0hello")).type, NACK)
         self.assertEqual(first.request(OPAQUE, 0, DATA, body(b"no address")).type, NACK)
 
+    def test_what_is_too_long_is_dropped_with_a_line_in_the_log(self):
+        first, second, _ = self.start()
+        first.send(OPAQUE, 0, CMD, DATA, body(b"x" * 2305))
+        self.house.wait_for_line("opaque:0.*or not with these values")
+        first.send(OPAQUE, 0, CMD, DATA, body(b"x" * 2304))
+        self.assertEqual(self.heard(second, 1), b"x" * 2304)
+
+    def test_more_than_a_radio_sends_in_a_tick_is_refused_and_told(self):
+        first, second, _ = self.start("--paused")
+        for _ in range(65):
+            first.send(OPAQUE, 0, CMD, DATA, body(b"x"))
+        self.house.wait_for_line("r0.wifi:0 has 64 messages to send in one tick")
+        self.assertEqual(first.request(OPAQUE, 0, DATA, body(b"\0y")).type, NACK)
+
     def test_a_recorded_run_with_messages_is_made_again_to_the_bit(self):
         file = self.folder / "talk.mcap"
         first, second, _ = self.start("--json", "--record", file)
