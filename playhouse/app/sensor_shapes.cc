@@ -90,6 +90,13 @@ void add_links(const Sketch& sketch) {
   }
 }
 
+void add_finds(const Sketch& sketch) {
+  const Pose X_WB = sketch.X_WB();
+  for (const world::Detection& found : sketch.world.detectors.finds[sketch.row()])
+    sketch.line(X_WB.xy(), point_at(X_WB, found.bearing, found.range), X_WB.z,
+                sketch.world.models.color[sketch.model.index]);
+}
+
 /// From the nearest to the farthest that it shows, which it counts along the way it looks.
 void add_view(const Sketch& sketch) {
   const world::World& world = sketch.world;
@@ -118,6 +125,7 @@ constexpr Drawn kDrawn[] = {
     {"fiducial", scene::ModelKind::kFiducial, true, add_fiducials},
     {"wifi", scene::ModelKind::kWifi, true, add_links},
     {"camera", scene::ModelKind::kCamera, false, add_view},
+    {"detector", scene::ModelKind::kDetector, true, add_finds},
 };
 
 std::uint64_t measured_tick(const world::World& world, world::ModelRow model) {

@@ -1,8 +1,8 @@
 #pragma once
 
 /// What sensors see, as shapes of a picture from above: scans and pings of rangers as filled fans, a line
-/// from a finder to each fiducial and from a radio to each that it hears, what is in view of a camera. A kind
-/// more is an entry of the list in sensor_shapes.cc.
+/// from a finder to each fiducial, from a detector to each thing that it finds and from a radio to each that
+/// it hears, what is in view of a camera. A kind more is an entry of the list in sensor_shapes.cc.
 
 #include <cstddef>
 #include <string>
