@@ -163,6 +163,23 @@ TEST(Allocation, there_is_none_with_every_sensor_and_controller) {
   }
 }
 
+TEST(Allocation, there_is_none_with_cameras_bumpers_and_detectors) {
+  std::string text = "model( name \"walls\" size [6 6 1] boundary 1 noblocks 1 )\n";
+  for (int k = 0; k < 6; ++k)
+    text += fmt::format(R"(position( pose [{} {} 0 {}] size [0.3 0.3 0.2] ctrl "wander"
+  ranger( sensor( range [0 5] fov 180 samples 20 ) ) bumper( ) blobfinder( image [32 8] )
+  camera( resolution [16 12] ) camera( resolution [8 6] pantilt [0 -10] image "depth" )
+  detector( samples 5 rays 3 layers 2 fov_vertical 20 sees ["kind=position speed>0.01" "name=walls"] walls 1
+    noise [0.1 0 1] miss 0.1 ) )
+)",
+                        k % 3 - 1, k / 3 - 1, 60 * k);
+  scene::MemoryFiles none({});
+  // One worker: of several, one that had little to do so far may see more than ever in a late tick.
+  Simulation run(scene::load_world_text(text, "cameras.world", none), 1);
+  EXPECT_EQ(allocations_of(run), 0u);
+  EXPECT_GT(run.world().detectors.measured_tick[0], 0u);
+}
+
 TEST(Allocation, there_is_none_where_radios_carry_messages) {
   std::string text;
   for (int k = 0; k < 24; ++k)

@@ -61,6 +61,8 @@ class DiscIndex {
       out.push_back({begin, end});
     });
   }
+  /// How many runs find_runs() finds at most.
+  std::size_t most_runs() const { return 2 * layers_.size() * torus_.side(); }
   /// What is looked at for every disc near a place, as columns in the order of discs(); kSpare more rows may
   /// be read.
   struct Places {

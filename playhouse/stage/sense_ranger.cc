@@ -51,10 +51,11 @@ void RangerSense::populate(const world::World& world, const Space& space) {
   std::size_t beams = 2 * Rays::kMost;
   for (const RangerKind& kind : kinds_.kinds) beams = std::max<std::size_t>(beams, kind.beams);
   scratch_beams_ = beams;
-  for (Scratch& scratch : scratch_) scratch.make_room(beams, solids);
+  for (Scratch& scratch : scratch_) scratch.make_room(beams, space);
 }
 
-void RangerSense::Scratch::make_room(std::size_t beams, const Solids& solids) {
+void RangerSense::Scratch::make_room(std::size_t beams, const Space& space) {
+  const Solids& solids = space.solids;
   for (std::vector<double>* column : {&range, &solid, &beam_x, &beam_y}) column->resize(beams + Scan::kSpare);
   const std::size_t bodies = solids.moving() + kFour;  // four at a time
   for (std::vector<double>* column : {&x, &y, &distance, &bearing, &radius}) column->resize(bodies);
@@ -62,6 +63,7 @@ void RangerSense::Scratch::make_room(std::size_t beams, const Solids& solids) {
   order.resize(bodies);
   for (std::vector<std::int32_t>* column : {&ring, &first, &last}) column->resize(bodies);
   met_by.resize(bodies);
+  runs.reserve(space.index.most_runs());
   stamp.assign(solids.first_vertex[solids.fixed], 0);
   scans = 0;
 }

@@ -37,7 +37,7 @@ class RangerSense final : public SensePhase {
     std::vector<std::uint64_t> stamp;             // last scan that saw a wall edge (edges)
     std::uint64_t scans = 0;
 
-    void make_room(std::size_t beams, const Solids& solids);
+    void make_room(std::size_t beams, const Space& space);
     std::size_t sort_by_distance(std::size_t count, double reach);
   };
   struct View;
