@@ -82,3 +82,18 @@ function(playhouse_module NAME)
     endforeach()
   endif()
 endfunction()
+
+# playhouse_test_libraries(MODULE NAMES...)
+# Shared libraries for the tests of a module: NAME.so of its testing/libraries/NAME.cc, in the folder TEST_LIBRARIES.
+function(playhouse_test_libraries MODULE)
+  foreach(NAME ${ARGN})
+    set(TARGET test_${MODULE}_${NAME})
+    add_library(${TARGET} MODULE testing/libraries/${NAME}.cc)
+    target_link_libraries(${TARGET} PRIVATE playhouse_flags)
+    set_target_properties(${TARGET} PROPERTIES PREFIX "" OUTPUT_NAME ${NAME}
+      LIBRARY_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/libraries)
+    add_dependencies(playhouse_${MODULE}_test ${TARGET})
+  endforeach()
+  target_compile_definitions(playhouse_${MODULE}_test PRIVATE
+    TEST_LIBRARIES="${CMAKE_CURRENT_BINARY_DIR}/libraries")
+endfunction()

@@ -27,7 +27,7 @@ INDICES = ("one", "robot", "count")
 # What a model must have for an interface.
 NEEDS = ("scanner", "several sensors", "robot")
 
-KEY_TYPES = {key: str for key in ("name", "entity", "doc", "kind", "inside", "table", "index", "when", "listed_when", "form")}
+KEY_TYPES = {key: str for key in ("name", "entity", "doc", "kind", "inside", "table", "not_in_stage", "index", "when", "listed_when", "form")}
 KEY_TYPES |= {"number": int, "watts": (int, float), "body": dict, "old": dict, "old_types": dict, "silent_why": dict, "size": list, "color": list, "solid": bool, "shared": bool, "watchable": bool}
 KEY_TYPES |= {key: list for key in ("given_by", "silent", "word", "interface", "record", "column", "viewer")}
 
@@ -186,8 +186,8 @@ def build_kinds(parsed: list[tuple[str, dict]], schema: Schema) -> Kinds:
 
 def _check_head(source: str, table: dict) -> None:
     keys(source, table, {"name", "entity", "doc"}, {
-        "kind", "number", "inside", "table", "watts", "given_by", "watchable", "body", "silent", "silent_why", "old", "old_types", "word", "interface",
-        "record", "column", "viewer"})
+        "kind", "number", "inside", "table", "watts", "given_by", "watchable", "not_in_stage", "body", "silent", "silent_why", "old", "old_types", "word",
+        "interface", "record", "column", "viewer"})
     typed(source, table, KEY_TYPES)
     if not WORD.match(table["name"]):
         raise SchemaError(f"{source}: name {table['name']!r} is not a word in lower case")
@@ -218,6 +218,8 @@ def _kind(source: str, table: dict, schema: Schema) -> Kind:
     for row in table.get("word", []):
         line = row.pop("line", 0)
         where = f"{source}{f':{line}' if line else ''}: word {row.get('name', '?')}"
+        if "not_in_stage" in table:  # nor are its words: why
+            row = {"stage": "none", "stage_why": table["not_in_stage"], **row}
         out.words.append(word(where, row, out.simulated))
     out.silent, out.silent_why = table.get("silent", []), table.get("silent_why", {})
     out.old = [old_word(f"{source}: old {name}", name, entry) for name, entry in table.get("old", {}).items()]

@@ -63,6 +63,12 @@ class Refused(unittest.TestCase):
     def test_what_they_are_made_of_is_accepted(self):
         self.assertEqual([k.name for k in build_kinds(tables(), SCHEMA).all], ["model", "arm", "joint", "window", "world"])
 
+    def test_words_of_a_kind_that_stage_does_not_have_say_so_unless_they_say_otherwise(self):
+        kept = {"stage": "better", "stage_why": "It is exact."}
+        made = build_kinds(tables(not_in_stage="Stage has no arms.", word=[word(name="grasp"), word(name="reach", **kept)]), SCHEMA)
+        self.assertEqual([(w.stage, w.stage_why) for w in made.find("arm").words],
+                         [("none", "Stage has no arms."), ("better", "It is exact.")])
+
     def test_a_key_that_nobody_knows(self):
         self.refuse("unknown key 'wrod' (did you mean 'word'?)", wrod=[])
         self.refuse_word("unknown key 'units' (did you mean 'unit'?)", units="m")

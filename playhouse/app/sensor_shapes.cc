@@ -72,10 +72,16 @@ void add_scans(const Sketch& sketch) {
   }
 }
 
-void add_fiducials(const Sketch& sketch) {
+/// A line to each thing, by its bearing and range.
+template <typename Things>
+void add_lines(const Sketch& sketch, const Things& things, const scene::Color& color) {
   const Pose X_WB = sketch.X_WB();
-  for (const world::FiducialHit& hit : sketch.world.fiducials.hits[sketch.row()])
-    sketch.line(X_WB.xy(), point_at(X_WB, hit.bearing, hit.range), X_WB.z, kMark);
+  for (const auto& thing : things)
+    sketch.line(X_WB.xy(), point_at(X_WB, thing.bearing, thing.range), X_WB.z, color);
+}
+
+void add_fiducials(const Sketch& sketch) {
+  add_lines(sketch, sketch.world.fiducials.hits[sketch.row()], kMark);
 }
 
 void add_links(const Sketch& sketch) {
@@ -91,10 +97,8 @@ void add_links(const Sketch& sketch) {
 }
 
 void add_finds(const Sketch& sketch) {
-  const Pose X_WB = sketch.X_WB();
-  for (const world::Detection& found : sketch.world.detectors.finds[sketch.row()])
-    sketch.line(X_WB.xy(), point_at(X_WB, found.bearing, found.range), X_WB.z,
-                sketch.world.models.color[sketch.model.index]);
+  add_lines(sketch, sketch.world.detectors.finds[sketch.row()],
+            sketch.world.models.color[sketch.model.index]);
 }
 
 /// From the nearest to the farthest that it shows, which it counts along the way it looks.

@@ -223,7 +223,7 @@ struct Gathered {
 };
 
 /// Finds what is in a sector, among what is in the runs; returns how many. Behind the last there is room for
-/// three.
+/// one more.
 PLAYHOUSE_INLINE std::size_t gather(const Sector& sector, double radius_max, const DiscIndex::Places& places,
                                     const std::vector<DiscIndex::Run>& runs, const Gathered& out) {
   const double *const from_x = places.x.data(), *const from_y = places.y.data();
