@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "playhouse/stage/enclosure.h"
+
 namespace playhouse::stage {
 namespace {
 
@@ -103,6 +105,7 @@ void add_solid(Solids& solids, const Shape& shape, const scene::ModelDesc& desc,
   solids.hole.push_back(shape.hole);
   solids.body.push_back(first + shape.body);
   solids.seen_by.push_back(observers_of(desc));
+  solids.enclosed.push_back(0);
   solids.p_M.insert(solids.p_M.end(), shape.p_M.begin(), shape.p_M.end());
   solids.first_vertex.push_back(static_cast<std::uint32_t>(solids.p_M.size()));
 }
@@ -195,7 +198,7 @@ Solids make_fixed_solids(const world::World& world, Shapes& shapes) {
 void replace_moving_solids(Solids& solids, const world::World& world, Shapes& shapes, Trees& trees) {
   const std::size_t fixed = solids.fixed, vertices = solids.first_vertex[fixed];
   for (auto* column : {&solids.model, &solids.root, &solids.tree, &solids.body}) column->resize(fixed);
-  for (auto* column : {&solids.z_min_M, &solids.z_max_M, &solids.radius, &solids.width})
+  for (auto* column : {&solids.z_min_M, &solids.z_max_M, &solids.radius, &solids.width, &solids.enclosed})
     column->resize(fixed);
   for (auto* column : {&solids.convex, &solids.full, &solids.hole}) column->resize(fixed);
   solids.seen_by.resize(fixed);
@@ -207,6 +210,7 @@ void replace_moving_solids(Solids& solids, const world::World& world, Shapes& sh
     for (std::uint32_t i = trees.first_model[tree]; i < trees.first_model[tree + 1]; ++i)
       if (!stands_still(world.models, trees.models[i]))
         add_model_solids(solids, world, shapes, trees.models[i], tree);
+    find_enclosed(solids, world.models, trees.first_solid.back(), solids.size());
     trees.first_solid.push_back(static_cast<std::uint32_t>(solids.size()));
   }
   put_in_place(solids, world.models, fixed);

@@ -67,17 +67,20 @@ class Shapes {
 
 struct Solids {
   // What a solid is.
-  std::vector<std::uint32_t> model, root;   // rows of world::Models
-  std::vector<std::uint32_t> tree;          // row of Trees, or Row::kNone where it stands still
-  std::vector<double> z_min_M, z_max_M;     // m
-  std::vector<Vec2> center_M;               // mean of the vertices                                    [m]
-  std::vector<double> radius;               // of the circle about the centre that holds the solid     [m]
-  std::vector<double> width;                // smallest extent                                         [m]
-  std::vector<std::uint8_t> convex;         // 1: a convex polygon
-  std::vector<std::uint8_t> full;           // 1: what is inside of it is solid, not only its outline
-  std::vector<std::uint8_t> hole;           // 1: what is inside of it is free, in the body of a bitmap
-  std::vector<std::uint32_t> body;          // row of the first of the solids that are one body with it
-  std::vector<Observers> seen_by;           // bits of those who see it, or are stopped by it
+  std::vector<std::uint32_t> model, root;  // rows of world::Models
+  std::vector<std::uint32_t> tree;         // row of Trees, or Row::kNone where it stands still
+  std::vector<double> z_min_M, z_max_M;    // m
+  std::vector<Vec2> center_M;              // mean of the vertices                                    [m]
+  std::vector<double> radius;              // of the circle about the centre that holds the solid     [m]
+  std::vector<double> width;               // smallest extent                                         [m]
+  std::vector<std::uint8_t> convex;        // 1: a convex polygon
+  std::vector<std::uint8_t> full;          // 1: what is inside of it is solid, not only its outline
+  std::vector<std::uint8_t> hole;          // 1: what is inside of it is free, in the body of a bitmap
+  std::vector<std::uint32_t> body;         // row of the first of the solids that are one body with it
+  std::vector<Observers> seen_by;          // bits of those who see it, or are stopped by it
+  // Of its height, from below, what is within another solid of its tree (enclosure.h): kAll or less.      [m]
+  std::vector<double> enclosed;
+  static constexpr double kAll = 1e300;     // far above everything
   std::vector<std::uint32_t> first_vertex;  // (n + 1)
   // Counter-clockwise vertices, the first of each polygon again at its end.                            [m]
   // (vertices)
@@ -92,6 +95,8 @@ struct Solids {
 
   std::size_t size() const { return model.size(); }
   std::size_t moving() const { return size() - fixed; }
+  /// The height from which on rays from outside of its tree meet it.  [m, in W]
+  double z_free(std::size_t row) const { return z_min[row] + enclosed[row]; }
   bool is_obstacle(std::size_t row) const { return (seen_by[row] & bit(Observer::kMotion)) != 0; }
   std::span<const Vec2> polygon(std::size_t row) const {
     return {p.data() + first_vertex[row], first_vertex[row + 1] - first_vertex[row] - 1};

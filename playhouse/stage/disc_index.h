@@ -19,7 +19,7 @@ class DiscIndex {
   struct alignas(64) Disc {
     geom::Vec2 center;    // m, in W
     double radius;        // m
-    double z_min, z_max;  // m
+    double z_min, z_max;  // m, of what rays may meet: the rest is within others
     std::uint32_t row;    // of whatever was indexed
     std::uint32_t root;   // model row of the top of its tree
     // Of a solid, so that who looks at it need not look it up.

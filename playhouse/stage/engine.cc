@@ -87,18 +87,18 @@ std::vector<std::uint8_t> layers_of(const Solids& solids) {
   constexpr std::size_t kMost = 8;
   std::vector<std::pair<double, double>> heights;
   for (std::size_t row = solids.fixed; row < solids.size(); ++row)
-    heights.emplace_back(solids.z_min[row], solids.z_max[row]);
+    heights.emplace_back(solids.z_free(row), solids.z_max[row]);
   std::sort(heights.begin(), heights.end());
   std::vector<double> begins;
   double top = -1e300;
   for (const auto& [z_min, z_max] : heights) {
     if (z_min > top - kTouch) begins.push_back(z_min);
-    top = std::max(top, z_max);
+    top = std::max({top, z_min, z_max});  // what is within others begins above its end
   }
   if (begins.size() > kMost) return {};
   std::vector<std::uint8_t> layer;
   for (std::size_t row = solids.fixed; row < solids.size(); ++row) {
-    const auto above = std::upper_bound(begins.begin(), begins.end(), solids.z_min[row]);
+    const auto above = std::upper_bound(begins.begin(), begins.end(), solids.z_free(row));
     layer.push_back(static_cast<std::uint8_t>(above - begins.begin() - 1));
   }
   return layer;

@@ -21,6 +21,8 @@
 ///   two numbers that are rounding might be any distance.
 /// - A convex body of a tree that moves is met where the ray enters it, if that is ahead. All else is met at
 ///   the first of its edges, from whichever side: outlines that stand still may be rooms.
+/// - What is within another body that it is fixed to (enclosure.h) is not met, also by a ray that begins
+/// there.
 /// - Of edges at the same distance, that of the solid with the lower row comes first. What is at the very end
 ///   of the range is not met.
 

@@ -27,7 +27,7 @@ inline DiscIndex::Disc disc_of(const Solids& solids, std::size_t row) {
   const std::uint32_t vertices = solids.first_vertex[row + 1] - vertex - 1;
   return {solids.center[row],
           solids.radius[row],
-          solids.z_min[row],
+          solids.z_free(row),
           solids.z_max[row],
           static_cast<std::uint32_t>(row),
           solids.root[row],
@@ -52,8 +52,9 @@ struct Hit {
   std::uint32_t solid = world::ModelRow::kNone;  // row of Solids, or kNone
 };
 
+/// What rays between these heights may meet.
 inline bool at_height(const Solids& solids, std::size_t row, double z_low, double z_high) {
-  return solids.z_min[row] <= z_high && z_low <= solids.z_max[row];
+  return solids.z_free(row) <= z_high && z_low <= solids.z_max[row];
 }
 inline bool at_height(const Solids& solids, std::size_t row, double z) {
   return at_height(solids, row, z, z);

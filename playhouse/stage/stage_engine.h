@@ -23,6 +23,7 @@ class StageEngine final : public behaviour::PhasedEngine {
                 std::vector<std::uint32_t>& out) const override;
   /// Makes every table anew that follows from who there is; those of what stands still only if `fixed`.
   void populate(bool fixed);
+  bool moves_within_body(const world::Change& change) const;
   void replace(const world::Change& change);
   void index();
   Space space() const { return {solids_, index_, walls_}; }

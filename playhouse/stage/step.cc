@@ -12,7 +12,7 @@ void StageEngine::ingest(std::span<const world::Change> changes) {
     const bool is_fixed = change.kind == Kind::kReload || change.mobility == world::Mobility::kFixed;
     const bool places = change.kind == Kind::kPlace;
     if (change.kind == Kind::kSet) continue;
-    population |= !places;
+    population |= !places || moves_within_body(change);
     fixed |= is_fixed;
     moved |= places;
   }
@@ -22,6 +22,14 @@ void StageEngine::ingest(std::span<const world::Change> changes) {
     for (const world::Change& change : changes) replace(change);
     index();
   }
+}
+
+/// True if a part of a rigid body was put elsewhere on it: what encloses what may be different.
+bool StageEngine::moves_within_body(const world::Change& change) const {
+  const world::ModelRow model = world_.row(change.model);
+  return change.kind == world::Change::Kind::kPlace && model &&
+         world_.models.parent[model.index] != world::ModelRow::kNone &&
+         !world::moves(world_.models.kind[model.index]);
 }
 
 /// Solids of a tree that was put elsewhere.
