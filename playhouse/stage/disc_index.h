@@ -68,7 +68,7 @@ class DiscIndex {
   struct Places {
     std::vector<double> x, y, z_min, z_max;  // m, in W
   };
-  static constexpr std::size_t kSpare = 4;
+  static constexpr std::size_t kSpare = 8;
   const Places& places() const { return places_; }
   const Disc* discs() const { return discs_.data(); }
 

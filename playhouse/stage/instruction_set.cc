@@ -11,23 +11,33 @@
 namespace playhouse::stage {
 
 bool vectors_use_avx2 = is_available(InstructionSet::kAvx2);
+WideKernels wide_kernels = is_available(InstructionSet::kAvx512) ? WideKernels::kAvx512 : WideKernels::kNone;
 
 bool is_available(InstructionSet set) {
-  if (set == InstructionSet::kPlain) return true;
+  if (set == InstructionSet::kPlain || set == InstructionSet::kAvx512Emulated) return true;
 #ifdef __x86_64__
-  return __builtin_cpu_supports("avx2");
+  const bool avx2 = __builtin_cpu_supports("avx2");
+  if (set == InstructionSet::kAvx2) return avx2;
+  return avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+         __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("bmi") &&
+         __builtin_cpu_supports("popcnt");
 #else
   return false;
 #endif
 }
 
 InstructionSet instruction_set() {
+  if (wide_kernels == WideKernels::kAvx512) return InstructionSet::kAvx512;
+  if (wide_kernels == WideKernels::kEmulated) return InstructionSet::kAvx512Emulated;
   return vectors_use_avx2 ? InstructionSet::kAvx2 : InstructionSet::kPlain;
 }
 
 void choose_instruction_set(InstructionSet set) {
   PLAYHOUSE_ASSERT(is_available(set));
-  vectors_use_avx2 = set == InstructionSet::kAvx2;
+  vectors_use_avx2 = set != InstructionSet::kPlain && is_available(InstructionSet::kAvx2);
+  wide_kernels = set == InstructionSet::kAvx512           ? WideKernels::kAvx512
+                 : set == InstructionSet::kAvx512Emulated ? WideKernels::kEmulated
+                                                          : WideKernels::kNone;
 }
 
 Result<InstructionSet> parse_instruction_set(std::string_view name) {

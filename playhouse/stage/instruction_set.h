@@ -11,13 +11,16 @@
 
 namespace playhouse::stage {
 
-enum class InstructionSet : std::uint8_t { kPlain, kAvx2 };  // plain: what every processor has
-inline constexpr std::array<std::string_view, 2> kInstructionSetNames = {"plain", "avx2"};
+/// Plain: what every processor has. Emulated: the kernels for AVX-512, on any processor, slowly.
+enum class InstructionSet : std::uint8_t { kPlain, kAvx2, kAvx512, kAvx512Emulated };
+inline constexpr std::array<std::string_view, 4> kInstructionSetNames = {"plain", "avx2", "avx512",
+                                                                         "avx512-emulated"};
 
 /// True where the processor has it.
 bool is_available(InstructionSet set);
 
-/// What vector functions run with: AVX2 where it is available, unless something else was chosen.
+/// What vector functions run with: AVX-512 or else AVX2 where it is available, unless something else was
+/// chosen.
 InstructionSet instruction_set();
 
 /// Changes it for the whole process, which must not be inside a tick. Asserts that it is available.

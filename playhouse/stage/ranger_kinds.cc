@@ -67,7 +67,7 @@ void finish_bundle(Bundle& bundle, double body_radius) {
   bundle.reach += kMargin;
   bundle.half = bundle.reach + body_radius + kMargin;
   bundle.cell = 2 * bundle.half / Bundle::kCells;
-  bundle.meets.assign(Bundle::kSide * Bundle::kSide, 0);
+  bundle.meets.assign(Bundle::kSide * Bundle::kSide + 1, 0);
   const double near = body_radius + 0.7072 * bundle.cell + kMargin;
   for (std::size_t row = 0; row < Bundle::kCells; ++row) {
     for (std::size_t column = 0; column < Bundle::kCells; ++column) {

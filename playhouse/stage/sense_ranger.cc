@@ -57,7 +57,7 @@ void RangerSense::populate(const world::World& world, const Space& space) {
 void RangerSense::Scratch::make_room(std::size_t beams, const Space& space) {
   const Solids& solids = space.solids;
   for (std::vector<double>* column : {&range, &solid, &beam_x, &beam_y}) column->resize(beams + Scan::kSpare);
-  const std::size_t bodies = solids.moving() + kFour;  // four at a time
+  const std::size_t bodies = solids.moving() + kEight;  // up to eight at a time
   for (std::vector<double>* column : {&x, &y, &distance, &bearing, &radius}) column->resize(bodies);
   place.resize(bodies);
   order.resize(bodies);

@@ -26,7 +26,8 @@ class WithInstructionSet {
 /// others.
 template <typename Body>
 void with_every_instruction_set(const Body& body) {
-  for (const InstructionSet set : {InstructionSet::kPlain, InstructionSet::kAvx2}) {
+  for (const InstructionSet set : {InstructionSet::kPlain, InstructionSet::kAvx2, InstructionSet::kAvx512,
+                                   InstructionSet::kAvx512Emulated}) {
     if (!is_available(set)) continue;
     const WithInstructionSet chosen(set);
     SCOPED_TRACE(std::string(kInstructionSetNames[static_cast<std::size_t>(set)]));

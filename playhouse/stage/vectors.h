@@ -17,7 +17,16 @@
 namespace playhouse::stage {
 
 /// See instruction_set.h; here so that a call costs one look.
+enum class WideKernels : std::uint8_t { kNone, kAvx512, kEmulated };
 extern bool vectors_use_avx2;
+extern WideKernels wide_kernels;
+
+/// What does the same with eight numbers at a time as a vector function does: kAvx512 and kEmulated, where it
+/// is worth while (wide.h).
+template <auto kFunction>
+struct Wide {
+  static constexpr bool kExists = false;
+};
 
 /// The versions of a function.
 template <auto kFunction>
@@ -36,6 +45,10 @@ struct Versions<kFunction> {
 #endif
   /// Not a part of its callers: it has nothing to do but to jump on.
   [[gnu::noinline]] static Value call(Arguments... arguments) {
+    if constexpr (Wide<kFunction>::kExists) {
+      if (wide_kernels == WideKernels::kAvx512) return Wide<kFunction>::kAvx512(arguments...);
+      if (wide_kernels == WideKernels::kEmulated) return Wide<kFunction>::kEmulated(arguments...);
+    }
     return vectors_use_avx2 ? avx2(arguments...) : plain(arguments...);
   }
 };

@@ -76,12 +76,16 @@ class Reproducible(HouseTest):
         with mock.patch.dict(os.environ, PLAYHOUSE_INSTRUCTION_SET=instruction_set):
             return finish("bench", "laser", "--robots", 50, "--duration", 5, program=program)
 
-    def test_avx2_and_plain_instructions_compute_the_same_bits(self):
-        if "avx2" not in Path("/proc/cpuinfo").read_text():
+    def test_all_instruction_sets_compute_the_same_bits(self):
+        flags = Path("/proc/cpuinfo").read_text()
+        if "avx2" not in flags:
             self.skipTest("this processor has no AVX2: THE AVX2 VERSIONS ARE NOT TESTED HERE")
+        sets = ["plain", "avx2", "avx512-emulated"]
+        if all(flag in flags for flag in ("avx512f", "avx512dq", "avx512vl")):
+            sets.append("avx512")
         hashes = set()
         for program in (PROGRAM, self.release()):
-            for instruction_set in ("plain", "avx2"):
+            for instruction_set in sets:
                 done = self.bench(program, instruction_set)
                 self.assertEqual(done.returncode, 0, done.stderr)
                 result = json.loads(done.stdout)
