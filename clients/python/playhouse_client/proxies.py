@@ -134,13 +134,15 @@ class Image(NamedTuple):
 
     def pixel(self, column: int, row: int) -> Tuple[int, ...]:
         """(red, green, blue), or (brightness,), or (distance in mm,). Raises InvalidValue for a JPEG file, for other
-        formats, and outside the picture."""
+        formats, outside the picture, and where the data are fewer than the pixels."""
         if self.is_jpeg or self.format not in _CHANNELS:
             raise InvalidValue("pixels can be told of raw MONO8, MONO16 and RGB888 alone")
         if not (0 <= column < self.width and 0 <= row < self.height):
             raise InvalidValue(f"pixel {column}, {row} is outside the {self.width} x {self.height} picture")
         channel, size = _CHANNELS[self.format]
         first = (row * self.width + column) * size
+        if first + size > len(self.data):
+            raise InvalidValue(f"the picture has fewer bytes than pixels: {len(self.data)}")
         return struct.unpack_from(channel, self.data, first)
 
 
