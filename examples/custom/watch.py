@@ -9,7 +9,7 @@ import playhouse_client
 
 with playhouse_client.connect(*sys.argv[1:2]) as client:
     rover, gate = client.robot("rover"), client.robot("gate")
-    counter, bar, base = rover.device("aio"), gate.device("aio"), rover.position2d
+    counter, bar, base = rover.aio, gate.aio, rover.position2d
     bar.set(0, 1)
     for angle, blocked in bar.updates():
         if angle > 1.39:

@@ -1,27 +1,15 @@
 #include "playhouse_client/position2d.h"
 
-#include <cmath>
-#include <initializer_list>
-#include <string_view>
 #include <utility>
 
 #include "convert.h"
+#include "finite.h"
 
 namespace playhouse::client {
 
 namespace position2d = wire::position2d;
 
 namespace {
-
-/// An error for the first number that is not finite; servers would drop the command without a word.
-Result<void> finite(const Device& device, std::string_view what, std::initializer_list<double> numbers) {
-  for (const double number : numbers) {
-    if (std::isfinite(number)) continue;
-    return Error{"", device.name() + ": " + std::string(what) + " takes finite numbers, not " +
-                         (std::isnan(number) ? "nan" : "infinity")};
-  }
-  return {};
-}
 
 Result<void> done(const Result<Nothing>& answer) {
   return answer ? Result<void>() : answer.error();

@@ -38,16 +38,19 @@ Result<Device> Robot::device(std::string_view interf, std::size_t n, Access acce
       "", "robot " + in_quotes(name_) + missing + " (it has " + (all.empty() ? "no devices" : all) + ")"};
 }
 
-Result<Position2d> Robot::position2d(std::size_t n, Access access) const {
-  Result<Device> opened = device("position2d", n, access);
+template <typename Proxy>
+Result<Proxy> Robot::open(std::string_view interf, std::size_t n, Access access) const {
+  Result<Device> opened = device(interf, n, access);
   if (!opened) return opened.error();
-  return Position2d(std::move(*opened));
+  return Proxy(std::move(*opened));
+}
+
+Result<Position2d> Robot::position2d(std::size_t n, Access access) const {
+  return open<Position2d>("position2d", n, access);
 }
 
 Result<Laser> Robot::laser(std::size_t n, Access access) const {
-  Result<Device> opened = device("laser", n, access);
-  if (!opened) return opened.error();
-  return Laser(std::move(*opened));
+  return open<Laser>("laser", n, access);
 }
 
 Result<Ranger> Robot::ranger(std::size_t n, Access access) const {
@@ -57,21 +60,31 @@ Result<Ranger> Robot::ranger(std::size_t n, Access access) const {
 }
 
 Result<Sonar> Robot::sonar(std::size_t n, Access access) const {
-  Result<Device> opened = device("sonar", n, access);
-  if (!opened) return opened.error();
-  return Sonar(std::move(*opened));
+  return open<Sonar>("sonar", n, access);
 }
 
 Result<Fiducial> Robot::fiducial(std::size_t n, Access access) const {
-  Result<Device> opened = device("fiducial", n, access);
-  if (!opened) return opened.error();
-  return Fiducial(std::move(*opened));
+  return open<Fiducial>("fiducial", n, access);
 }
 
 Result<Bumper> Robot::bumper(std::size_t n, Access access) const {
-  Result<Device> opened = device("bumper", n, access);
-  if (!opened) return opened.error();
-  return Bumper(std::move(*opened));
+  return open<Bumper>("bumper", n, access);
+}
+
+Result<Camera> Robot::camera(std::size_t n, Access access) const {
+  return open<Camera>("camera", n, access);
+}
+
+Result<Ptz> Robot::ptz(std::size_t n, Access access) const {
+  return open<Ptz>("ptz", n, access);
+}
+
+Result<Opaque> Robot::opaque(std::size_t n, Access access) const {
+  return open<Opaque>("opaque", n, access);
+}
+
+Result<Aio> Robot::aio(std::size_t n, Access access) const {
+  return open<Aio>("aio", n, access);
 }
 
 }  // namespace playhouse::client

@@ -26,6 +26,11 @@ bool is_answer(const wire::Header& header) {
   return header.type == wire::MessageType::kAck || header.type == wire::MessageType::kNack;
 }
 
+void keep(Slot& slot, const std::vector<std::byte>& body) {
+  if (slot.kept.size() == slot.kept_limit) slot.kept.pop_front();
+  slot.kept.push_back(body);
+}
+
 }  // namespace
 
 Result<void> Session::set_mode(Mode mode) {
@@ -242,6 +247,7 @@ bool Session::deliver_one(const Message& message) {
     if (slot->interf != header.interf || slot->index != header.index) continue;
     if (is_open && !slot->gone.empty()) continue;
     slot->latest[header.subtype] = message.body;
+    if (slot->kept_limit > 0) keep(*slot, message.body);
     slot->timestamp = header.timestamp;
     slot->fresh = true;
     taken = true;

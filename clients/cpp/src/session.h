@@ -28,6 +28,8 @@ struct Slot {
   std::map<std::uint8_t, std::vector<std::byte>> latest;  // body by subtype
   double timestamp = 0;                                   // s
   bool fresh = false;
+  std::size_t kept_limit = 0;               // of bodies that stay until somebody takes them
+  std::deque<std::vector<std::byte>> kept;  // the newest, in the order in which they came
   std::string gone;  // why nothing can be asked any more: the server retired the device; empty until then
   Device::OnData on_data;
 };

@@ -130,6 +130,194 @@ TEST(Reading, ABumperHasWhichSwitchesArePressedAndWhereTheyAre) {
   EXPECT_EQ((*faces)[0].length, 0.5);
 }
 
+/// Data of a device with index 0, subtype 1, measured at 2.5 s.
+template <typename T>
+void say_data(Peer& peer, std::uint16_t interf, const T& value) {
+  wire::Header header;
+  header.interf = interf;
+  header.subtype = 1;
+  header.timestamp = 2.5;
+  peer.say(header, wire::encode(value));
+}
+
+TEST(Reading, AnalogInputsAreVoltagesAndOutputsAreSetOneByOne) {
+  FakeServer server(rounds([](Peer& peer, const Received& message) {
+    if (message.header.type == MessageType::kCmd) return;
+    peer.answer(message);
+    say_data(peer, wire::aio::kCode, wire::aio::Data{{0.5f, -3.0f}});
+    peer.synch();
+  }));
+  {
+    Client client = connect(server);
+    Result<Aio> box = Aio::open(client, 0);
+    ASSERT_TRUE(box);
+    EXPECT_THAT(box->voltages(), IsEmpty());
+    ASSERT_TRUE(client.read());
+    EXPECT_THAT(box->voltages(), ElementsAre(0.5, -3.0));
+    EXPECT_EQ(box->set(1, std::nan("")).error().text, "aio:0: set takes finite numbers, not nan");
+    EXPECT_EQ(box->set(1, 1e39).error().text, "aio:0: set takes finite numbers, not one beyond float");
+    EXPECT_TRUE(box->set(2, 1.5));
+  }
+  server.finish();
+  std::vector<wire::aio::Cmd> commands;
+  for (const Received& message : server.received())
+    if (message.header.type == MessageType::kCmd)
+      commands.push_back(*wire::decode<wire::aio::Cmd>(message.body));
+  EXPECT_THAT(commands, ElementsAre(wire::aio::Cmd{2, 1.5f}));
+}
+
+TEST(Reading, ACameraTellsItsPixels) {
+  namespace camera = wire::camera;
+  std::vector<camera::Data> pictures = {
+      {2, 1, 24, camera::kFormatRgb888, 1, camera::kCompressRaw, {1, 2, 3, 4, 5, 6}},
+      {1, 2, 16, camera::kFormatMono16, 1, camera::kCompressRaw, {0x34, 0x12, 0, 0}},
+      {2, 1, 24, camera::kFormatRgb888, 1, camera::kCompressJpeg, {0xFF, 0xD8}},
+      {2, 1, 24, camera::kFormatRgb888, 1, camera::kCompressRaw, {1, 2, 3, 4, 5}},
+      {0xFFFFFFFF, 0xFFFFFFFF, 24, camera::kFormatRgb888, 1, camera::kCompressRaw, {}},
+  };
+  std::size_t next = 0;
+  FakeServer server(rounds([&](Peer& peer, const Received& message) {
+    peer.answer(message);
+    say_data(peer, camera::kCode, pictures.at(next++));
+    peer.synch();
+  }));
+  Client client = connect(server);
+  Result<Camera> eye = Camera::open(client, 0);
+  ASSERT_TRUE(eye);
+  EXPECT_FALSE(eye->image());
+  ASSERT_TRUE(client.read());
+  EXPECT_EQ(eye->image()->time, 2.5);
+  EXPECT_THAT(*eye->image()->pixel(0, 0), ElementsAre(1, 2, 3));
+  EXPECT_THAT(*eye->image()->pixel(1, 0), ElementsAre(4, 5, 6));
+  EXPECT_EQ(eye->image()->pixel(2, 0).error().text, "pixel 2, 0 is outside the 2 x 1 picture");
+  ASSERT_TRUE(client.read());
+  EXPECT_THAT(*eye->image()->pixel(0, 0), ElementsAre(0x1234));
+  EXPECT_THAT(*eye->image()->pixel(0, 1), ElementsAre(0));
+  ASSERT_TRUE(client.read());
+  EXPECT_TRUE(eye->image()->is_jpeg);
+  EXPECT_THAT(eye->image()->pixel(0, 0).error().text, HasSubstr("raw MONO8, MONO16 and RGB888 alone"));
+  ASSERT_TRUE(client.read());
+  EXPECT_TRUE(eye->image()->pixel(0, 0));
+  EXPECT_THAT(eye->image()->pixel(1, 0).error().text, HasSubstr("fewer bytes than pixels: 5"));
+  ASSERT_TRUE(client.read());
+  EXPECT_THAT(eye->image()->pixel(0xFFFFFFFE, 0xFFFFFFFE).error().text, HasSubstr("fewer bytes"));
+}
+
+TEST(Reading, AMountSaysWhereItLooksAndIsToldWhereTo) {
+  namespace ptz = wire::ptz;
+  FakeServer server(rounds([](Peer& peer, const Received& message) {
+    if (message.header.type == MessageType::kCmd) return;
+    const ptz::Geom geom{{0.25, 0, 0.5, 0, 0, 0}, {0.1, 0.2, 0.3}};
+    peer.answer(message, message.header.interf == ptz::kCode && message.header.subtype == ptz::kReqGeom
+                             ? wire::encode(geom)
+                             : std::vector<std::byte>());
+    if (message.header.interf == ptz::kCode) return;
+    say_data(peer, ptz::kCode, ptz::Data{0.5f, -0.25f, 1, 0.125f, 2, 0});
+    peer.synch();
+  }));
+  {
+    Client client = connect(server);
+    Result<Ptz> mount = Ptz::open(client, 0);
+    ASSERT_TRUE(mount);
+    EXPECT_FALSE(mount->view());
+    ASSERT_TRUE(client.read());
+    EXPECT_EQ(*mount->view(), (View{0.5, -0.25, 1, 0.125, 2}));
+    EXPECT_TRUE(mount->look(1, 0.5));
+    EXPECT_TRUE(mount->set_velocity_control(true));
+    EXPECT_TRUE(mount->turn(-0.5));
+    EXPECT_EQ(mount->look(std::nan("")).error().text, "ptz:0: look takes finite numbers, not nan");
+    EXPECT_FALSE(mount->turn(0, std::numeric_limits<double>::infinity()));
+    const auto geometry = mount->geometry();
+    ASSERT_TRUE(geometry);
+    EXPECT_EQ(geometry->pose, (Pose3d{0.25, 0, 0.5, 0, 0, 0}));
+    EXPECT_EQ(geometry->size, (Size{0.2, 0.1, 0.3}));
+  }
+  server.finish();
+  std::vector<ptz::Cmd> commands;
+  std::vector<std::uint32_t> modes;
+  for (const Received& message : server.received()) {
+    if (message.header.interf != ptz::kCode) continue;
+    if (message.header.type == MessageType::kCmd) commands.push_back(*wire::decode<ptz::Cmd>(message.body));
+    if (message.header.type == MessageType::kReq && message.header.subtype == ptz::kReqControlMode)
+      modes.push_back(wire::decode<ptz::ReqControlMode>(message.body)->mode);
+  }
+  EXPECT_THAT(commands, ElementsAre(ptz::Cmd{1, 0.5f, 0, 0, 0}, ptz::Cmd{0, 0, 0, -0.5f, 0}));
+  EXPECT_THAT(modes, ElementsAre(ptz::kVelocityControl));
+}
+
+wire::opaque::Data bytes_of(std::string_view text) {
+  return {{text.begin(), text.end()}};
+}
+
+TEST(Radio, MessagesThatArriveAreKeptInTheirOrderUntilTheyAreTaken) {
+  FakeServer server(rounds([](Peer& peer, const Received& message) {
+    peer.answer(message);
+    say_data(peer, wire::opaque::kCode, bytes_of("first"));
+    say_data(peer, wire::opaque::kCode, bytes_of(std::string_view("\0second", 7)));
+    say_data(peer, wire::opaque::kCode, bytes_of(""));
+    peer.synch();
+  }));
+  Client client = connect(server);
+  Result<Opaque> opened = Opaque::open(client, 0);
+  ASSERT_TRUE(opened);
+  Opaque radio = std::move(*opened);
+  int called = 0;
+  radio.device().on_data([&](std::uint8_t, std::span<const std::byte>, double) { ++called; });
+  EXPECT_THAT(radio.take_messages(), IsEmpty());
+  EXPECT_EQ(*client.read(), 3u);
+  EXPECT_THAT(radio.take_messages(), ElementsAre("first", std::string("\0second", 7), ""));
+  EXPECT_THAT(radio.take_messages(), IsEmpty());
+  EXPECT_EQ(called, 3) << "a callback of the program's own takes nothing away";
+  ASSERT_TRUE(radio.device().close());
+  EXPECT_THAT(radio.take_messages(), IsEmpty());
+}
+
+TEST(Radio, OfMoreMessagesThanAreKeptTheOldestAreLost) {
+  int round = 0;
+  FakeServer server(rounds([&](Peer& peer, const Received& message) {
+    peer.answer(message);
+    const int from = 300 * round++;
+    for (int i = from; i < from + 300; ++i) say_data(peer, wire::opaque::kCode, bytes_of(std::to_string(i)));
+    peer.synch();
+  }));
+  Client client = connect(server);
+  Result<Opaque> radio = Opaque::open(client, 0);
+  ASSERT_TRUE(radio);
+  for (int i = 0; i < 4; ++i) ASSERT_TRUE(client.read());
+  const std::vector<std::string> taken = radio->take_messages();
+  ASSERT_EQ(taken.size(), Opaque::kWaiting);
+  EXPECT_EQ(taken.front(), std::to_string(1200 - Opaque::kWaiting));
+  EXPECT_EQ(taken.back(), "1199");
+}
+
+TEST(Radio, SendsToAllByCommandAndToOneByRequest) {
+  FakeServer server(rounds([](Peer& peer, const Received& message) {
+    if (message.header.type == MessageType::kCmd) return;
+    const bool to_nobody = wire::decode<wire::opaque::Data>(message.body)->data.front() == '9';
+    peer.answer(message, {}, to_nobody ? MessageType::kNack : MessageType::kAck);
+  }));
+  {
+    Client client = connect(server);
+    Result<Opaque> radio = Opaque::open(client, 0);
+    ASSERT_TRUE(radio);
+    EXPECT_TRUE(radio->send("to all"));
+    EXPECT_TRUE(radio->send_to("10.0.0.1", "to one"));
+    EXPECT_THAT(radio->send_to("9.9.9.9", "to nobody").error().line(), HasSubstr("refused"));
+    const std::string endless(limits::kMessageBytes, 'x');
+    EXPECT_THAT(radio->send(endless).error().text, HasSubstr("over the wire's limit"));
+    EXPECT_THAT(radio->send_to("", endless).error().text, HasSubstr("over the wire's limit"));
+  }
+  server.finish();
+  std::vector<std::string> sent;
+  for (const Received& message : server.received()) {
+    if (message.header.interf != wire::opaque::kCode) continue;
+    const auto data = wire::decode<wire::opaque::Data>(message.body)->data;
+    sent.emplace_back(data.begin(), data.end());
+  }
+  EXPECT_THAT(sent, ElementsAre("to all", std::string("10.0.0.1\0to one", 15),
+                                std::string("9.9.9.9\0to nobody", 17)));
+}
+
 TEST(Reading, MessagesInSingleBytesArriveWhole) {
   FakeServer server(rounds([](Peer& peer, const Received& message) {
     peer.dribble();

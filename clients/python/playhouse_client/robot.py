@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Dict, List, cast
 from .device import Device
 from .errors import RequestRefused
 from .models import DeviceAddress, Model
-from .proxies import Bumper, Camera, Fiducial, Laser, Opaque, Position2d, Ptz, Ranger, Sonar
+from .proxies import Aio, Bumper, Camera, Fiducial, Laser, Opaque, Position2d, Ptz, Ranger, Sonar
 
 if TYPE_CHECKING:
     from .client import Client
@@ -15,9 +15,9 @@ class Robot:
     """A model and what it carries; Client.robot() and Client.robots() give it.
 
     `name` and `type` are those of the world file; `models` are the model itself and what it carries, `devices` the
-    addresses of all their devices. `position2d`, `laser`, `ranger`, `sonar`, `fiducial`, `bumper`, `camera`, `ptz` and
-    `opaque` are the first of their kind, `lasers` and so on all of them, opened on first use. Leaving a `with` block, or close(), closes what
-    was opened here; a moving robot is stopped first.
+    addresses of all their devices. `position2d`, `laser`, `ranger`, `sonar`, `fiducial`, `bumper`, `camera`, `ptz`,
+    `opaque` and `aio` are the first of their kind, `lasers` and so on all of them, opened on first use. Leaving a
+    `with` block, or close(), closes what was opened here; a moving robot is stopped first.
     """
 
     def __init__(self, client: "Client", models: List[Model], port: int) -> None:
@@ -77,6 +77,10 @@ class Robot:
         return cast(Opaque, self.device("opaque"))
 
     @property
+    def aio(self) -> Aio:
+        return cast(Aio, self.device("aio"))
+
+    @property
     def position2ds(self) -> List[Position2d]:
         return cast(List[Position2d], self._all("position2d"))
 
@@ -111,6 +115,10 @@ class Robot:
     @property
     def opaques(self) -> List[Opaque]:
         return cast(List[Opaque], self._all("opaque"))
+
+    @property
+    def aios(self) -> List[Aio]:
+        return cast(List[Aio], self._all("aio"))
 
     def close(self) -> None:
         """Closes the devices that were opened here, the last opened first. They open again when they are used."""

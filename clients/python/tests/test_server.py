@@ -127,14 +127,15 @@ class Examples(unittest.TestCase):
 @needed
 class Radios(unittest.TestCase):
     def test_talk_tells_each_of_two_robots_where_the_other_is(self) -> None:
-        talk = examples("talk")["python"]
-        with World("radio.world") as world:
-            first, second = (
-                subprocess.Popen([*talk, world.address, str(index), "4"], stdout=subprocess.PIPE, text=True)
-                for index in (0, 1)
-            )
-            self.assertIn("robot 1 is at", first.communicate(timeout=HANG)[0])
-            self.assertIn("robot 0 is at", second.communicate(timeout=HANG)[0])
+        for language, talk in examples("talk").items():
+            with self.subTest(language), World("radio.world") as world:
+                first, second = (
+                    subprocess.Popen([*talk, world.address, str(index), "4"], stdout=subprocess.PIPE, text=True)
+                    for index in (0, 1)
+                )
+                told = r"\d+\.\d s: robot {} is at -?\d+\.\d\d -?\d+\.\d\d\n"
+                self.assertRegex(first.communicate(timeout=HANG)[0], told.format(1))
+                self.assertRegex(second.communicate(timeout=HANG)[0], told.format(0))
 
     def test_messages_come_whole_and_in_order_and_to_whom_they_are_sent(self) -> None:
         with World("radio.world") as world, connect(world.address) as client, connect(world.address) as other:
@@ -153,6 +154,22 @@ class Radios(unittest.TestCase):
             for address, message in (("10.0.9.9", b"x"), ("", b"x" * 2305)):
                 with self.assertRaises(RequestRefused):
                     radio.send_to(address, message)
+
+
+@needed
+@unittest.skipUnless("PLAYHOUSE_CLIENT_ROBOTS" in os.environ, "run by ctest, which names the C++ program")
+class RobotsInCpp(unittest.TestCase):
+    def check(self, use: str) -> None:
+        with World(f"{use}.world") as world:
+            command = [os.environ["PLAYHOUSE_CLIENT_ROBOTS"], use, world.address]
+            done = subprocess.run(command, stderr=subprocess.PIPE, text=True, timeout=HANG)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def test_radios_take_messages_and_give_them(self) -> None:
+        self.check("radio")
+
+    def test_cameras_show_and_turn(self) -> None:
+        self.check("camera")
 
 
 @needed

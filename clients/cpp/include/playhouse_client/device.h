@@ -108,6 +108,7 @@ class Device {
   Result<void> close();
 
  private:
+  friend class Opaque;
   friend class Robot;
   friend class Simulation;
   static Result<Device> open(const std::shared_ptr<Session>& session, std::uint16_t interf,

@@ -8,11 +8,15 @@
 #include <string_view>
 #include <vector>
 
+#include "playhouse_client/aio.h"
 #include "playhouse_client/bumper.h"
+#include "playhouse_client/camera.h"
 #include "playhouse_client/fiducial.h"
 #include "playhouse_client/laser.h"
 #include "playhouse_client/model.h"
+#include "playhouse_client/opaque.h"
 #include "playhouse_client/position2d.h"
+#include "playhouse_client/ptz.h"
 #include "playhouse_client/ranger.h"
 #include "playhouse_client/sonar.h"
 
@@ -40,6 +44,10 @@ class Robot {
   Result<Sonar> sonar(std::size_t n = 0, Access access = Access::kAll) const;
   Result<Fiducial> fiducial(std::size_t n = 0, Access access = Access::kAll) const;
   Result<Bumper> bumper(std::size_t n = 0, Access access = Access::kAll) const;
+  Result<Camera> camera(std::size_t n = 0, Access access = Access::kAll) const;
+  Result<Ptz> ptz(std::size_t n = 0, Access access = Access::kAll) const;
+  Result<Opaque> opaque(std::size_t n = 0, Access access = Access::kAll) const;
+  Result<Aio> aio(std::size_t n = 0, Access access = Access::kAll) const;
   /// Any interface, by its name.
   Result<Device> device(std::string_view interf, std::size_t n = 0, Access access = Access::kAll) const;
 
@@ -47,6 +55,8 @@ class Robot {
   friend class Client;
   Robot(std::shared_ptr<Session> session, std::string name, std::string type,
         std::vector<RobotDevice> devices);
+  template <typename Proxy>
+  Result<Proxy> open(std::string_view interf, std::size_t n, Access access) const;
 
   std::shared_ptr<Session> session_;
   std::string name_, type_;

@@ -1,0 +1,46 @@
+#pragma once
+
+/// A camera.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "playhouse/wire/generated/camera.h"
+#include "playhouse_client/client.h"
+
+namespace playhouse::client {
+
+/// A picture: rows from the top, pixels from the left.
+struct Image {
+  std::uint32_t width = 0, height = 0;  // px
+  /// One of wire::camera::kFormatMono8, kFormatMono16 (of Playhouse: distances in mm, the low byte first, 0
+  /// where nothing is in range), kFormatRgb565 and kFormatRgb888.
+  std::uint32_t format = 0;
+  bool is_jpeg = false;
+  std::vector<std::uint8_t> data;  // those pixels; of a JPEG, the whole file
+  double time = 0;                 // the server's, of these data [s]
+
+  /// Red, green and blue, or the brightness alone, or the distance in mm alone. An error for a JPEG file, for
+  /// other formats, outside the picture, and where the data are fewer than the pixels.
+  Result<std::vector<std::uint16_t>> pixel(std::uint32_t column, std::uint32_t row) const;
+};
+
+class Camera {
+ public:
+  static Result<Camera> open(Client& client, std::uint16_t index, Access access = Access::kAll);
+
+  /// The newest; none before the first data.
+  std::optional<Image> image() const;
+
+  Device& device() { return device_; }
+
+ private:
+  friend class Robot;
+  explicit Camera(Device device) : device_(std::move(device)) {}
+
+  Device device_;
+};
+
+}  // namespace playhouse::client

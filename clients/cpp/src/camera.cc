@@ -1,0 +1,64 @@
+#include "playhouse_client/camera.h"
+
+#include <string>
+#include <utility>
+
+namespace playhouse::client {
+
+namespace camera = wire::camera;
+
+namespace {
+
+/// How a pixel lies in the data: so many values of so many bytes each. None of formats that pixel() does not
+/// take apart.
+struct Layout {
+  std::size_t values = 0;
+  std::size_t bytes = 0;
+};
+
+Layout layout_of(const Image& image) {
+  if (image.is_jpeg) return {};
+  if (image.format == camera::kFormatMono8) return {1, 1};
+  if (image.format == camera::kFormatMono16) return {1, 2};
+  if (image.format == camera::kFormatRgb888) return {3, 1};
+  return {};
+}
+
+}  // namespace
+
+Result<std::vector<std::uint16_t>> Image::pixel(std::uint32_t column, std::uint32_t row) const {
+  const Layout layout = layout_of(*this);
+  if (layout.values == 0) return Error{"", "pixels can be told of raw MONO8, MONO16 and RGB888 alone"};
+  if (column >= width || row >= height)
+    return Error{"", "pixel " + std::to_string(column) + ", " + std::to_string(row) + " is outside the " +
+                         std::to_string(width) + " x " + std::to_string(height) + " picture"};
+  const std::uint64_t size = layout.values * layout.bytes;
+  const std::uint64_t first = (std::uint64_t{row} * width + column) * size;
+  if (data.size() < size || first > data.size() - size)
+    return Error{"", "the picture has fewer bytes than pixels: " + std::to_string(data.size())};
+  std::vector<std::uint16_t> values;
+  for (std::size_t i = 0; i < layout.values; ++i) {
+    const std::uint8_t* at = &data[first + i * layout.bytes];
+    values.push_back(static_cast<std::uint16_t>(layout.bytes == 2 ? at[0] | at[1] << 8 : at[0]));
+  }
+  return values;
+}
+
+Result<Camera> Camera::open(Client& client, std::uint16_t index, Access access) {
+  Result<Device> device = Device::open(client, camera::kCode, index, access);
+  if (!device) return device.error();
+  return Camera(std::move(*device));
+}
+
+std::optional<Image> Camera::image() const {
+  auto data = device_.latest<camera::Data>(camera::kDataState);
+  if (!data) return std::nullopt;
+  return Image{data->width,
+               data->height,
+               data->format,
+               data->compression == camera::kCompressJpeg,
+               std::move(data->image),
+               device_.timestamp()};
+}
+
+}  // namespace playhouse::client

@@ -1,0 +1,59 @@
+#include "playhouse_client/opaque.h"
+
+#include <utility>
+
+#include "playhouse/base/limits.h"
+#include "playhouse/wire/codec.h"
+#include "session.h"
+
+namespace playhouse::client {
+
+namespace opaque = wire::opaque;
+
+namespace {
+
+constexpr std::size_t kLengthBytes = 8;  // before the bytes on the wire, which tells their number twice
+
+/// The message as the wire has it, or an error if that has no room for it.
+Result<opaque::Data> on_wire(const Device& device, std::string_view bytes) {
+  if (bytes.size() > limits::kBodyBytes - kLengthBytes)
+    return Error{"", device.name() + ": a message of " + std::to_string(bytes.size()) +
+                         " bytes is over the wire's limit"};
+  return opaque::Data{{bytes.begin(), bytes.end()}};
+}
+
+}  // namespace
+
+Result<Opaque> Opaque::open(Client& client, std::uint16_t index, Access access) {
+  Result<Device> device = Device::open(client, opaque::kCode, index, access);
+  if (!device) return device.error();
+  return Opaque(std::move(*device));
+}
+
+Opaque::Opaque(Device device) : device_(std::move(device)) {
+  device_.slot_->kept_limit = kWaiting;
+}
+
+Result<void> Opaque::send(std::string_view message) {
+  const auto data = on_wire(device_, message);
+  return data ? device_.command(opaque::kCmdData, *data) : data.error();
+}
+
+Result<void> Opaque::send_to(std::string_view address, std::string_view message) {
+  const auto data = on_wire(device_, wire::c_string(address).append(message));
+  if (!data) return data.error();
+  const auto done = device_.request(opaque::kReqData, *data);
+  return done ? Result<void>() : done.error();
+}
+
+std::vector<std::string> Opaque::take_messages() {
+  std::vector<std::string> taken;
+  if (!device_.is_open()) return taken;
+  for (const std::vector<std::byte>& body : std::exchange(device_.slot_->kept, {})) {
+    const opaque::Data data = *wire::decode<opaque::Data>(body);  // checked when it came
+    taken.emplace_back(data.data.begin(), data.data.end());
+  }
+  return taken;
+}
+
+}  // namespace playhouse::client

@@ -1,0 +1,110 @@
+/// What programs do with radios and cameras of the real server, done with this library:
+/// playhouse_client_robots radio|camera HOST:PORT, beside worlds/radio.world or worlds/camera.world. Says
+/// what is wrong and ends with 1; clients/python/tests/test_server.py runs it.
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "playhouse/wire/generated/wifi.h"
+#include "playhouse_client/robot.h"
+
+using namespace playhouse;
+using namespace playhouse::client;
+
+namespace {
+
+[[noreturn]] void fail(const std::string& what) {
+  std::fprintf(stderr, "%s\n", what.c_str());
+  std::exit(1);
+}
+
+template <typename T>
+T must(Result<T> result) {
+  if (!result) fail(result.error().line());
+  return std::move(*result);
+}
+
+void must(const Result<void>& result) {
+  if (!result) fail(result.error().line());
+}
+
+void must_be(bool fact, const std::string& what) {
+  if (!fact) fail("it is not true that " + what);
+}
+
+void must_refuse(const Result<void>& result, const std::string& what) {
+  if (result || result.error().text.find("refused") == std::string::npos)
+    fail("the server should have refused " + what);
+}
+
+/// The network address of the radio that this one hears best.
+std::string nearest(Client& client) {
+  Device air = must(Device::open(client, wire::wifi::kCode, 0));
+  while (!air.take_fresh()) must(client.read());
+  const auto data = air.latest<wire::wifi::Data>(wire::wifi::kDataState);
+  must_be(data && !data->links.empty(), "a radio hears another one");
+  const auto& ip = data->links.front().ip;
+  return {ip.begin(), ip.end()};
+}
+
+void use_radios(const std::string& address) {
+  Client client = must(Client::connect(address)), other = must(Client::connect(address));
+  Opaque radio = must(must(client.robot("r0")).opaque()), receiver = must(must(other.robot("r1")).opaque());
+  const std::string to_one("\0to one", 7);
+  must(radio.send("to all"));
+  must(radio.send_to(nearest(client), to_one));
+  must(radio.send_to("", ""));
+  std::vector<std::string> heard;
+  while (heard.size() < 3) {
+    must(other.read());
+    for (std::string& message : receiver.take_messages()) heard.push_back(std::move(message));
+  }
+  must_be(heard == std::vector<std::string>{"to all", to_one, ""}, "messages come whole and in order");
+  must_be(radio.take_messages().empty(), "nobody hears itself");
+  must_refuse(radio.send_to("10.0.9.9", "x"), "an address that no radio has");
+  must_refuse(radio.send_to("", std::string(2305, 'x')), "a message that is too long");
+}
+
+Image next_image(Client& client, Camera& camera) {
+  while (!camera.image()) must(client.read());
+  return *camera.image();
+}
+
+void use_cameras(const std::string& address) {
+  Client client = must(Client::connect(address));
+  const Robot robot = must(client.robot("r0"));
+  Camera color = must(robot.camera(0)), depth = must(robot.camera(1));
+  Ptz mount = must(robot.ptz());
+  const Image colors = next_image(client, color), distances = next_image(client, depth);
+  must_be(colors.width == 160 && colors.height == 120 && !colors.is_jpeg, "the picture is 160 x 120 and raw");
+  must_be(must(colors.pixel(159, 119)).size() == 3, "a pixel in colors has three values");
+  must_be(must(distances.pixel(40, 59)).at(0) > 50, "the floor before the robot is more than 5 cm away");
+  must_be(!distances.pixel(80, 0), "there is no pixel beside the picture");
+  must_be(must(mount.geometry()).pose.x == 0.12, "the camera is 12 cm before the robot's middle");
+  while (!mount.view()) must(client.read());
+  const View before = *mount.view();
+  must(mount.look(before.pan + 0.25, before.tilt));
+  while (std::abs(mount.view()->pan - before.pan - 0.25) > 0.001) must(client.read());
+  must(mount.set_velocity_control(true));
+  must(mount.turn(-0.5));
+  while (mount.view()->pan > before.pan) must(client.read());
+  must_be(mount.view()->pan_speed < 0, "it turns to the right");
+  must(mount.turn(0));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string use = argc == 3 ? argv[1] : "";
+  if (use == "radio") {
+    use_radios(argv[2]);
+  } else if (use == "camera") {
+    use_cameras(argv[2]);
+  } else {
+    fail("usage: playhouse_client_robots radio|camera HOST:PORT");
+  }
+  return 0;
+}
