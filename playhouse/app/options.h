@@ -1,6 +1,7 @@
 #pragma once
 
-/// What each command of the program was asked to do: plain values, filled by command_line.cc.
+/// What each command of the program was asked to do: plain values, filled by command_line.cc. Where code
+/// lists some members of a struct by name, the others have an initializer here: g++ warns of those without.
 
 #include <cstdint>
 #include <optional>
@@ -21,8 +22,8 @@ struct Serving {
   std::uint16_t port = kPlayerPort;             // 0: any free one
   std::optional<std::uint16_t> web = kWebPort;  // none: no page; 0: any free port
   std::string bind = "127.0.0.1";
-  std::string port_option = "--port";  // that sets `port`, for errors
-  std::vector<std::string> web_hosts;  // names of the page besides the machine's
+  std::string port_option = "--port";       // that sets `port`, for errors
+  std::vector<std::string> web_hosts = {};  // names of the page besides the machine's
 };
 
 /// Whom the world waits for in every tick.
@@ -33,17 +34,17 @@ struct LockStepping {
 
 /// How a world runs. What is not given comes from the world file.
 struct Running {
-  std::optional<double> speed;     // times real time; 0: as fast as possible
-  std::optional<double> duration;  // simulated seconds
+  std::optional<double> speed = {};     // times real time; 0: as fast as possible
+  std::optional<double> duration = {};  // simulated seconds
   std::uint64_t seed = 1;
   unsigned workers = 1;
-  std::vector<std::string>
-      allowed_libraries;                  // of controllers, outside the folders where they are looked for
-  std::string save_world;                 // the file into which clients may save the world; empty: none
-  std::optional<LockStepping> lock_step;  // none: for nobody
-  double lock_step_timeout = 0;           // s of silence after which the others go on; 0: never
-  std::string record;                     // the file that the run is recorded into; empty: none
-  std::string record_only;                // what of it, record::Selection; empty: everything
+  /// Of controllers and custom models, outside the folders where they are looked for.
+  std::vector<std::string> allowed_libraries = {};
+  std::string save_world = {};                 // the file into which clients may save the world; empty: none
+  std::optional<LockStepping> lock_step = {};  // none: for nobody
+  double lock_step_timeout = 0;                // s of silence after which the others go on; 0: never
+  std::string record = {};                     // the file that the run is recorded into; empty: none
+  std::string record_only = {};                // what of it, record::Selection; empty: everything
   bool paused = false;
   bool json = false;  // the result as the last line of standard output
 };
