@@ -1,7 +1,7 @@
-# cmake --install: the program, and find_package(playhouse) for libraries that it loads (docs/libraries.md).
+# cmake --install: the program, and find_package(playhouse) for libraries that it loads (docs/libraries.md) and for
+# programs that are its clients (docs/clients.md).
 
-include(GNUInstallDirs)
-include(CMakePackageConfigHelpers)
+include(cmake/InstallClient.cmake)
 
 install(TARGETS playhouse RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 
@@ -14,8 +14,9 @@ install(FILES playhouse/controllers/controller.h DESTINATION ${CMAKE_INSTALL_INC
 
 set(PACKAGE_DIR ${CMAKE_INSTALL_DATADIR}/playhouse/cmake)
 configure_package_config_file(cmake/playhouse-config.cmake.in ${CMAKE_BINARY_DIR}/playhouse-config.cmake
-  INSTALL_DESTINATION ${PACKAGE_DIR} PATH_VARS CMAKE_INSTALL_INCLUDEDIR NO_CHECK_REQUIRED_COMPONENTS_MACRO)
+  INSTALL_DESTINATION ${PACKAGE_DIR} PATH_VARS CMAKE_INSTALL_INCLUDEDIR CLIENT_PACKAGE_DIR
+  NO_CHECK_REQUIRED_COMPONENTS_MACRO)
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/playhouse-config-version.cmake
-  COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+  COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_BINARY_DIR}/playhouse-config.cmake ${CMAKE_BINARY_DIR}/playhouse-config-version.cmake
   DESTINATION ${PACKAGE_DIR})

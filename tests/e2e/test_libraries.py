@@ -1,4 +1,5 @@
-"""Custom models from outside the tree: examples/custom is built with the installed package, and its world runs."""
+"""Custom models and clients from outside the tree: examples/custom is built with the installed package, and its world
+runs."""
 
 import json
 import os
@@ -16,6 +17,14 @@ from house import ROOT, HouseTest, finish
 EXAMPLE = ROOT / "examples" / "custom"
 # Of the program: it has the install script.
 BUILD = os.environ.get("PLAYHOUSE_BUILD", str(ROOT / "build" / "release"))
+
+PROJECT = """
+cmake_minimum_required(VERSION 3.25)
+project(outside LANGUAGES CXX)
+find_package({package} 0.1 REQUIRED)
+add_executable(listen listen.cc)
+target_link_libraries(listen PRIVATE playhouse::client)
+"""
 
 
 def tool(*command, **more) -> str:
@@ -42,9 +51,11 @@ class Libraries(HouseTest):
 
     @classmethod
     def build(cls, source, build):
-        """With the installed package alone, and without the optimiser, which costs time and tells nothing."""
+        """With the installed package alone, and without the optimiser, which costs time and tells nothing. By the
+        compiler of the program, whose sanitizers the client library may have."""
+        compiler = re.search(r"^CMAKE_CXX_COMPILER:\w+=(.*)$", (Path(BUILD) / "CMakeCache.txt").read_text(), re.M).group(1)
         tool("cmake", "-G", "Ninja", "-S", source, "-B", build, "-DCMAKE_BUILD_TYPE=Debug",
-             f"-DCMAKE_PREFIX_PATH={cls.place}/prefix")
+             f"-DCMAKE_PREFIX_PATH={cls.place}/prefix", f"-DCMAKE_CXX_COMPILER={compiler}")
         tool("cmake", "--build", build)
 
     def setUp(self):
@@ -57,19 +68,33 @@ class Libraries(HouseTest):
         return json.loads(done.stdout)
 
     def run_beside(self, world, client, *arguments) -> str:
-        """What a client in Python prints beside a run of the world."""
+        """What a client, a program or one in Python, prints beside a run of the world."""
         environment = os.environ | {"PYTHONPATH": str(ROOT / "clients" / "python")}
+        command = [sys.executable, client] if Path(client).suffix == ".py" else [client]
         with self.run_house(*arguments, world=world) as house:
-            return tool(sys.executable, client, f"127.0.0.1:{house.port()}", env=environment)
+            return tool(*command, f"127.0.0.1:{house.port()}", env=environment)
 
-    def test_the_example_reads_the_counter_and_opens_the_gate(self):
-        told = self.run_beside(self.yard, EXAMPLE / "watch.py", "--speed", 5).splitlines()
-        self.assertEqual(told[0], "the gate is open")
-        counted = [(float(line.split()[0]), int(line.split()[3])) for line in told[1:]]
-        self.assertGreater(counted[-1][0], 2.5, "it came past the gate")
-        nearest = [counts for x, counts in counted if x > 1.5]
-        farthest = [counts for x, counts in counted if x < -1]
-        self.assertGreater(sum(nearest) / len(nearest), sum(farthest) / len(farthest) + 3)
+    def test_the_example_reads_the_counter_and_opens_the_gate_in_both_languages(self):
+        for client in (EXAMPLE / "watch.py", self.libraries / "watch"):
+            with self.subTest(client.name):
+                told = self.run_beside(self.yard, client, "--speed", 5).splitlines()
+                self.assertEqual(told[0], "the gate is open")
+                counted = [(float(line.split()[0]), int(line.split()[3])) for line in told[1:]]
+                self.assertGreaterEqual(counted[-1][0], 2.5, "it came past the gate")
+                nearest = [counts for x, counts in counted if x > 1.5]
+                farthest = [counts for x, counts in counted if x < -1]
+                self.assertGreater(sum(nearest) / len(nearest), sum(farthest) / len(farthest) + 3)
+
+    def test_a_client_is_built_by_the_packages_name_and_by_its_own(self):
+        program = re.search(r"```cpp\n(.*?)```", (ROOT / "docs" / "radios.md").read_text(), re.DOTALL).group(1)
+        for package in ("playhouse", "playhouse_client"):
+            with self.subTest(package):
+                folder = self.folder / package
+                folder.mkdir()
+                (folder / "CMakeLists.txt").write_text(PROJECT.format(package=package))
+                (folder / "listen.cc").write_text(program)
+                self.build(folder, folder / "build")
+                self.assertTrue((folder / "build" / "listen").is_file())
 
     def test_runs_are_the_same_with_any_number_of_workers(self):
         world = self.write("many.world", self.yard.read_text() + self.many())
