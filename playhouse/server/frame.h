@@ -14,7 +14,7 @@
 namespace playhouse::server {
 
 struct Frame {
-  net::SharedBytes bytes;  // header and body
+  net::SharedBytes bytes = {};  // header and body
   std::uint16_t interf = 0;
   std::uint16_t index = 0;
   wire::MessageType type = wire::MessageType::kData;
