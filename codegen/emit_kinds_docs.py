@@ -53,9 +53,9 @@ def _index(kinds: Kinds) -> str:
              "Each page lists the words of a kind, their values, units and defaults. How a file is written is in",
              "[worldfile.md](../worldfile.md); `playhouse kinds NAME` prints the same.", "",
              "Units are those of files that choose none: with `unit_length` and `unit_angle` lengths and angles have others.", ""]
-    lines += ["## Models", "", *_rows(kinds.simulated()),
-              "Other types of Stage 4 load as plain bodies, with one warning each:", "",
-              *_rows([k for k in kinds.models() if not k.simulated])]
+    lines += ["## Models", "", *_rows(kinds.simulated())]
+    if plain := [k for k in kinds.models() if not k.simulated]:
+        lines += ["Other types of Stage 4 load as plain bodies, with one warning each:", "", *_rows(plain)]
     lines += ["## Besides models", "", *_rows([k for k in kinds.all if k.entity != "model"])]
     lines += ["## Values", "", *_table(["value", "in a file"], [[name, text] for name, text in VALUES.items()])]
     old = sorted((each for kind in kinds.all for each in kind.old_types), key=lambda each: each.name)
