@@ -3,6 +3,7 @@
 #include <array>
 #include <set>
 
+#include "playhouse/base/base64.h"
 #include "playhouse/base/hash.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
@@ -34,6 +35,22 @@ TEST(InQuotes, keeps_words_as_they_are_and_takes_the_sting_out_of_others) {
             "\\xffa\\xc3 \\xc0\\x80 \\xed\\xa0\\x80 \xf0\x9f\xa4\x96 \\xe2\\x82")
       << "only UTF-8 is left as it is";
   EXPECT_EQ(escaped("a\nb" + std::string(300, 'x')), "a\\x0ab" + std::string(300, 'x'));
+}
+
+TEST(Base64, goes_there_and_back) {
+  const std::string bytes("\0\xff\x10 pixels", 10);
+  for (std::size_t size = 0; size <= bytes.size(); ++size) {
+    std::string text;
+    append_base64(text, {reinterpret_cast<const std::uint8_t*>(bytes.data()), size});
+    EXPECT_EQ(text.size(), (size + 2) / 3 * 4);
+    EXPECT_EQ(bytes_of_base64(text), bytes.substr(0, size));
+  }
+  EXPECT_EQ(bytes_of_base64("Zm9vYg=="), "foob");
+}
+
+TEST(Base64, refuses_what_is_none) {
+  for (const char* const text : {"Zm9", "Zm9v\n", "Zm9vY===", "Zm=vYg==", "=m9v", "Zm9\xff", "===="})
+    EXPECT_EQ(bytes_of_base64(text), std::nullopt) << text;
 }
 
 TEST(Result, holds_a_value_or_an_error) {

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "playhouse/base/base64.h"
 #include "playhouse/base/utf8.h"
 
 namespace playhouse::wire {
@@ -31,16 +32,6 @@ void append_escape(std::string& out, unsigned char c) {
   out += "\\u00";
   out += kHex[c >> 4];
   out += kHex[c & 15];
-}
-
-void append_base64(std::string& out, std::span<const std::uint8_t> bytes) {
-  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t have = bytes.size() - i < 3 ? bytes.size() - i : 3;
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k) group = group << 8 | (k < have ? bytes[i + k] : 0u);
-    for (std::size_t k = 0; k < 4; ++k) out += k <= have ? kDigits[group >> (18 - 6 * k) & 63] : '=';
-  }
 }
 
 }  // namespace
