@@ -1,6 +1,7 @@
 import { Driver } from './drive/driver';
 import { HeldKeys, handsOfAxes, sum, velocityOf } from './drive/hands';
 import { Link, type LinkState } from './link';
+import { PicturePage } from './picture_page';
 import type { Replica } from './protocol/replica';
 import { wheelsOf, type Scene } from './protocol/scene';
 import { Clock } from './ui/clock';
@@ -385,7 +386,10 @@ function sayWhyNot(): void {
   banner.hidden = false;
 }
 
-if (document.createElement('canvas').getContext('webgl2')) {
+const draws = document.createElement('canvas').getContext('webgl2') !== null;
+if (new URLSearchParams(location.search).has('picture')) {
+  Object.defineProperty(window, 'playhousePicture', { value: draws ? new PicturePage() : null });
+} else if (draws) {
   const page = new Page();
   Object.defineProperty(window, 'playhouse', { get: () => page.inspect() });
 } else {

@@ -33,3 +33,24 @@ describe('CameraRig.fit', () => {
     expect(rig.scale).toBeCloseTo(660, 0);
   });
 });
+
+describe('CameraRig.showFrom', () => {
+  const rig = new CameraRig();
+  rig.resize(200, 100);
+  Object.assign(rig, { pitch: 1, yaw: 2 });
+  rig.glideTo({ x: 50 });
+  rig.showFrom(-3, 7, 20);
+
+  it('has the corner at the top left, north up and so many pixels to a metre, and stays there', () => {
+    expect(rig.update(1)).toBe(false);
+    for (const z of [-1, 0, 5]) {
+      const [corner, inside] = [rig.pixelOf(-3, 7, z)!, rig.pixelOf(-2, 4, z)!];
+      expect([corner.x, corner.y]).toEqual([expect.closeTo(0, 6), expect.closeTo(0, 6)]);
+      expect([inside.x, inside.y]).toEqual([expect.closeTo(20, 6), expect.closeTo(60, 6)]);
+    }
+  });
+
+  it('shows what is higher than the picture is wide', () => {
+    expect(rig.pixelOf(0, 5, 900)).not.toBeNull();
+  });
+});

@@ -3,6 +3,7 @@ import { OrthographicCamera, PerspectiveCamera, Vector3, type Camera } from 'thr
 const kFov = (35 * Math.PI) / 180;
 const kScale = { least: 0.5, most: 2000 }; // pixels per metre
 const kFitSteps = 8;
+const kHighest = 1000; // m: what is drawn from above, however near one looks
 const kPitchMost = (78 * Math.PI) / 180;
 export const kTilted = (50 * Math.PI) / 180;
 
@@ -73,6 +74,13 @@ export class CameraRig {
   glideTo(to: { pitch?: number; x?: number; y?: number; scale?: number }): void {
     const now = this.glide ?? { pitch: this.pitch, x: this.x, y: this.y, scale: this.scale };
     this.glide = { ...now, ...to };
+  }
+
+  /** From straight above, with this corner of the world at the top left. Not on its way any more. */
+  showFrom(left: number, top: number, scale: number): void {
+    this.glide = null;
+    Object.assign(this, { x: left + this.width / 2 / scale, y: top - this.height / 2 / scale, scale, yaw: 0, pitch: 0 });
+    this.place();
   }
 
   /** The whole box within what the margins leave of the screen. */
@@ -196,8 +204,9 @@ export class CameraRig {
     this.flat.left = -this.flat.right;
     this.deep.fov = (kFov * 180) / Math.PI;
     this.deep.aspect = this.width / this.height;
+    this.flat.near = distance - kHighest;
+    this.deep.near = distance * 0.02;
     for (const camera of [this.flat, this.deep]) {
-      camera.near = distance * 0.02;
       camera.far = distance * 12 + 50;
       camera.updateProjectionMatrix();
       camera.updateMatrixWorld();

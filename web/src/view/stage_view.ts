@@ -6,6 +6,7 @@ import { Motion } from '../motion';
 import { kKindPages, type Drawing } from '../kinds/kind_page';
 import type { Replica } from '../protocol/replica';
 import { rootsOf, type Scene } from '../protocol/scene';
+import { Areas, type Area } from './areas';
 import { Bodies } from './bodies';
 import { Bubbles } from './bubbles';
 import { CameraRig, kTilted, type Box, type Margins } from './camera_rig';
@@ -16,6 +17,8 @@ import { heightOf } from './shapes';
 import { thingAt } from './things';
 import { themeNow, type Theme } from './theme';
 import { Trails } from './trails';
+
+const kTooLarge = 'the picture is too large for this browser';
 
 export interface Layers {
   sensors: boolean;
@@ -74,6 +77,7 @@ export class StageView {
   private readonly picture = new Picture();
   private readonly ring: LineLoop;
   private readonly sun = new DirectionalLight(0xffffff, 1.6);
+  private readonly areas = new Areas();
   private drawn: Drawn | null = null;
   private theme: Theme = themeNow();
   private dirty = true;
@@ -92,7 +96,7 @@ export class StageView {
     this.ring = new LineLoop(new BufferGeometry().setFromPoints(circle), new LineBasicMaterial({ depthTest: false, transparent: true }));
     this.ring.renderOrder = 10;
     this.ring.visible = false;
-    this.picture.add(this.ring);
+    this.picture.add(this.ring, this.areas.object);
     this.applyTheme();
   }
 
@@ -182,8 +186,19 @@ export class StageView {
     this.dirty = true;
   }
 
+  /** Lays these over the floor and what is as high as they are, in place of those before. */
+  showAreas(areas: Area[]): void {
+    this.areas.lay(areas);
+    this.dirty = true;
+  }
+
   /** Draws if anything changed since the last call. */
   frame(now: number): void {
+    if (this.advance(now)) this.draw();
+  }
+
+  /** Everything as it is at this moment, not drawn yet; false: as it was at the last call. */
+  advance(now: number): boolean {
     const seconds = Math.min((now - this.last) / 1000, 0.1);
     this.last = now;
     const resized = this.fitWindow();
@@ -194,9 +209,9 @@ export class StageView {
     }
     const glides = this.rig.update(seconds);
     if (moved) this.drawn?.bodies.move();
-    if (!(moved || glides || resized || this.dirty)) return;
+    const changed = moved || glides || resized || this.dirty;
     this.dirty = false;
-    this.draw();
+    return changed;
   }
 
   /**
@@ -259,11 +274,13 @@ export class StageView {
   picturePng(): Promise<Blob> {
     this.draw(); // a drawing buffer lasts until the browser has shown it, so it is copied at once
     const { domElement } = this.renderer;
+    const { drawingBufferWidth, drawingBufferHeight } = this.renderer.getContext();
+    if (drawingBufferWidth < domElement.width || drawingBufferHeight < domElement.height) return Promise.reject(new Error(kTooLarge));
     const copy = document.createElement('canvas');
     [copy.width, copy.height] = [domElement.width, domElement.height];
     const context = copy.getContext('2d')!;
     for (const layer of [domElement, this.overlay]) context.drawImage(layer, 0, 0, copy.width, copy.height);
-    return new Promise((done, fail) => copy.toBlob((png) => (png ? done(png) : fail(new Error('the picture is too large for this browser')))));
+    return new Promise((done, fail) => copy.toBlob((png) => (png ? done(png) : fail(new Error(kTooLarge)))));
   }
 
   private draw(): void {
