@@ -93,9 +93,9 @@ constexpr const char* kConvertExamples = R"(Examples:
 constexpr const char* kPictureExamples = R"(Examples:
   playhouse picture worlds/cave.world --at 10 -o cave.png
   playhouse picture worlds/cave.world --at 10 --show ranger -o scans.png
-  playhouse picture worlds/swarm.world -o swarm.png --width 400)";
+  playhouse picture worlds/swarm.world -o swarm.png --width 400 --renderer playhouse)";
 constexpr const char* kFilmExamples = R"(Examples:
-  playhouse film worlds/swarm.world --duration 5 -o swarm.png
+  playhouse film worlds/swarm.world --duration 2 -o swarm.png
   playhouse film worlds/cave.world --duration 2 --rate 5 --width 320 -o cave.png)";
 constexpr const char* kKindsExamples = R"(Examples:
   playhouse kinds
@@ -207,6 +207,13 @@ std::string check_show(const std::string& text) {
   return shown ? "" : shown.error().text;
 }
 
+std::string check_renderer(const std::string& text) {
+  constexpr std::string_view kNames[] = {kChromium, kPlayhouse};
+  if (std::ranges::find(kNames, text) != std::end(kNames)) return "";
+  return fmt::format("{} or {} is wanted, not {}{}", kChromium, kPlayhouse, in_quotes(text),
+                     did_you_mean(text, kNames));
+}
+
 void add_hosts(CLI::App& app, Serving& serving) {
   app.add_option("--bind", serving.bind, "address to listen on; 0.0.0.0: everybody's")
       ->check(check_bind)
@@ -269,22 +276,30 @@ LockStepping lock_stepping(const std::string& text) {
   return {.clients = names.size(), .names = std::move(names)};
 }
 
-/// How large a drawing of a run is, and what it depends on.
-void add_drawn_run(CLI::App& app, int& width, std::string& show, Running& running) {
-  app.add_option("--width", width, "pixels; the height follows from the world")
+/// How a run is drawn, and what it depends on: for PictureOptions and FilmOptions.
+template <typename Options>
+void add_drawn_run(CLI::App& app, Options& options) {
+  app.add_option("--width", options.width, "pixels; the height follows from the world")
       ->check(check_width)
       ->capture_default_str();
-  app.add_option("--show", show,
+  app.add_option("--show", options.show,
                  "what sensors see as well: " + SensorShapes::names() + ", between commas (nothing)")
       ->type_name("SENSOR,...")
       ->check(check_show);
-  app.add_option("--seed", running.seed, "seed of all random numbers")
+  app.add_option(
+         "--renderer", options.renderer,
+         "what draws: chromium, the page in a browser without a window, or playhouse, which needs none "
+         "(chromium, where there is one that draws)")
+      ->type_name("NAME")
+      ->check(check_renderer);
+  app.add_option("--seed", options.running.seed, "seed of all random numbers")
       ->check(check_count<std::uint64_t>)
       ->capture_default_str();
-  app.add_option("--workers", running.workers, "threads that compute; the result does not depend on it")
+  app.add_option("--workers", options.running.workers,
+                 "threads that compute; the result does not depend on it")
       ->check(check_workers)
       ->capture_default_str();
-  add_allowed_libraries(app, running);
+  add_allowed_libraries(app, options.running);
 }
 
 void add_lock_step(CLI::App& app, Raw& raw, Running& running) {
@@ -475,7 +490,7 @@ void add_commands(CLI::App& app, Raw& raw) {
   picture->add_option("--at", raw.picture.at, "after so many simulated seconds")
       ->check(check_not_negative)
       ->capture_default_str();
-  add_drawn_run(*picture, raw.picture.width, raw.picture.show, raw.picture.running);
+  add_drawn_run(*picture, raw.picture);
 
   CLI::App* film = app.add_subcommand("film", "draw a run from above, without a screen");
   film->footer(kFilmExamples);
@@ -490,7 +505,7 @@ void add_commands(CLI::App& app, Raw& raw) {
   film->add_option("--rate", raw.film.rate, "pictures per simulated second, one a tick at most")
       ->check(check_positive)
       ->capture_default_str();
-  add_drawn_run(*film, raw.film.width, raw.film.show, raw.film.running);
+  add_drawn_run(*film, raw.film);
 
   CLI::App* kinds = app.add_subcommand("kinds", "list what world files can hold, and its words");
   kinds->footer(kKindsExamples);

@@ -33,6 +33,16 @@ std::string fault(std::vector<const char*> words) {
   return line ? "accepted" : line.error().text;
 }
 
+TEST(CommandLine, who_draws_is_left_open_or_named) {
+  EXPECT_EQ(parsed<PictureOptions>({"picture", "w.world", "-o", "a.png"}).renderer, "");
+  EXPECT_EQ(parsed<FilmOptions>({"film", "w.world", "-o", "a.mp4", "--renderer", "playhouse"}).renderer,
+            kPlayhouse);
+  EXPECT_EQ(parsed<PictureOptions>({"picture", "w.world", "-o", "a.png", "--renderer=chromium"}).renderer,
+            kChromium);
+  EXPECT_THAT(fault({"picture", "w.world", "-o", "a.png", "--renderer", "firefox"}),
+              HasSubstr(R"(chromium or playhouse is wanted, not "firefox")"));
+}
+
 TEST(CommandLine, run_has_the_defaults_of_a_players_server) {
   const auto run = parsed<RunOptions>({"run", "cave.world"});
   EXPECT_EQ(run.world, "cave.world");

@@ -123,11 +123,15 @@ struct ConvertOptions {
   std::optional<double> height;  // of walls that are made, or at which they are looked for [m]
 };
 
+/// Who draws pictures.
+inline constexpr const char *kChromium = "chromium", *kPlayhouse = "playhouse";
+
 struct PictureOptions {
   std::string world, output;  // .world, .png
   double at = 0;              // simulated seconds
   int width = 1280;           // pixels
   std::string show;           // of what sensors see, SensorShapes; empty: nothing
+  std::string renderer;       // kChromium or kPlayhouse; empty: Chromium, where there is one that draws
   Running running;
 };
 
@@ -137,6 +141,7 @@ struct FilmOptions {
   double rate = 10;           // pictures per simulated second, at most one a tick
   int width = 640;            // pixels
   std::string show;           // as of a picture
+  std::string renderer;       // the same
   Running running;
 };
 

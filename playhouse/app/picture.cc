@@ -1,22 +1,29 @@
-#include "playhouse/app/picture_of_world.h"
+#include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "playhouse/app/animated_png.h"
 #include "playhouse/app/commands.h"
+#include "playhouse/app/drawing.h"
+#include "playhouse/app/drawn_run.h"
 #include "playhouse/app/fail.h"
 #include "playhouse/app/ffmpeg.h"
 #include "playhouse/app/whole_file.h"
 #include "playhouse/app/world_opener.h"
 #include "playhouse/base/in_quotes.h"
-#include "playhouse/base/log.h"
+#include "playhouse/base/log_output.h"
 #include "playhouse/scene/write_png.h"
+#include "playhouse/world/periods.h"
 
 namespace playhouse::app {
 namespace {
@@ -25,35 +32,22 @@ bool is_png(const std::string& path) {
   return std::filesystem::path(path).extension() == ".png";
 }
 
-/// A world that runs without anybody: its scene, which the simulation looks at, and that.
-struct Run {
-  scene::SceneDesc scene;
-  std::unique_ptr<drivers::Simulation> simulation;
-  const world::World& world() const { return simulation->engine().world(); }
-};
-
-/// The run after so many simulated seconds; or none, with the exit code, where its file is wrong.
-std::unique_ptr<Run> run_until(const std::string& world, const Running& running, const SensorShapes& seen,
-                               double seconds, int& code) {
-  std::vector<Error> others;
-  Result<scene::SceneDesc> scene = read_scene(world, &others);
-  if (!scene) return code = fail_in_file(scene.error(), others), nullptr;
-  auto run = std::make_unique<Run>(Run{std::move(*scene), nullptr});
-  Result<std::unique_ptr<world::Engine>> engine =
-      make_engine(run->scene, running, controllers::Libraries::Use::kLoad, &warn);
-  if (!engine) return code = fail(engine.error()), nullptr;
-  seen.watch((*engine)->world());
-  drivers::Simulation::Options options;
-  options.speed = 0;
-  options.duration = seconds;
-  run->simulation = std::make_unique<drivers::Simulation>(std::move(*engine), std::move(options));
-  run->simulation->run();
-  return run;
-}
-
 /// What --show says, which the command line has checked.
 SensorShapes shown(const std::string& text) {
   return text.empty() ? SensorShapes() : *SensorShapes::parse(text);
+}
+
+/// The run at its start; or none, with the exit code, where it cannot be drawn or its file is wrong.
+template <typename Options>
+std::unique_ptr<DrawnRun> open_run(const Options& options, const Drawing& drawing, int& code) {
+  if (const Result<void> possible = drawing.possible(); !possible)
+    return code = fail(possible.error()), nullptr;
+  std::vector<Error> others;
+  Result<scene::SceneDesc> scene = read_scene(options.world, &others);
+  if (!scene) return code = fail_in_file(scene.error(), others), nullptr;
+  auto run = std::make_unique<DrawnRun>(std::move(*scene), options.running, shown(options.show));
+  if (const Result<void> begun = run->begin(); !begun) return code = fail(begun.error()), nullptr;
+  return run;
 }
 
 int write(const std::string& path, const std::string& bytes) {
@@ -61,54 +55,113 @@ int write(const std::string& path, const std::string& bytes) {
   return written ? int{kDone} : fail(written.error());
 }
 
+/// When a film has pictures.
+struct Shots {
+  std::uint64_t count = 0;
+  std::uint64_t ticks = 0;  // from one to the next
+  double period = 0;        // s; the same
+
+  static Result<Shots> of(const FilmOptions& options, double interval) {
+    constexpr double kMost = 1e9;  // of pictures, and of ticks between two
+    Shots shots;
+    shots.ticks =
+        static_cast<std::uint64_t>(std::clamp(std::round(1 / (options.rate * interval)), 1.0, kMost));
+    shots.period = static_cast<double>(shots.ticks) * interval;
+    if (options.duration / shots.period > kMost)
+      return Error{"", "--duration: a film has at most a billion pictures"};
+    shots.count = static_cast<std::uint64_t>(options.duration / shots.period + 1e-9) + 1;
+    return shots;
+  }
+};
+
+/// One film, by one renderer.
+class Filming {
+ public:
+  Filming(const FilmOptions& options, const Shots& shots, DrawnRun& run, Renderer& renderer,
+          const Interrupt& interrupt)
+      : options_(options), shots_(shots), run_(run), renderer_(renderer), interrupt_(interrupt) {}
+  ~Filming() {
+    if (shows_progress_) log::show_progress("");
+  }
+  Filming(const Filming&) = delete;
+  Filming& operator=(const Filming&) = delete;
+
+  /// As Drawing::Draw.
+  Result<int> film() {
+    if (const Result<void> begun = run_.begin(); !begun) return fail(begun.error());
+    const Result<View> view = view_of(run_.world(), options_.width);
+    if (!view) return fail({escaped(options_.world), view.error().text}, kUsage);
+    const auto each = [&](const PictureTaker& take) { return take_all(*view, take); };
+    if (!is_png(options_.output)) return ended(film_by_ffmpeg(options_.output, *view, shots_.period, each));
+    AnimatedPng animation(shots_.count, shots_.period);
+    const Result<int> code = ended(each([&](const Picture& picture) { return animation.add(picture); }));
+    return code && *code == kDone ? write(options_.output, animation.take()) : code;
+  }
+
+ private:
+  Result<void> take_all(const View& view, const PictureTaker& take) {
+    for (std::uint64_t k = 0; k < shots_.count; ++k) {
+      const Result<void> ran = run_.advance(k * shots_.ticks, renderer_, interrupt_);
+      if (!ran) return refuse(ran.error());
+      const Result<Picture> drawn = renderer_.draw(run_.world(), view);
+      if (!drawn) return refuse(drawn.error());
+      if (const Result<void> taken = take(*drawn); !taken) return taken;
+      if (shows_progress_) log::show_progress(fmt::format("{} of {} pictures ", k + 1, shots_.count));
+    }
+    return {};
+  }
+
+  Error refuse(Error error) {
+    not_drawn_ = error;
+    return error;
+  }
+
+  Result<int> ended(const Result<void>& result) const {
+    if (not_drawn_) return *not_drawn_;
+    return result ? int{kDone} : fail({escaped(options_.output), result.error().text});
+  }
+
+  const FilmOptions& options_;
+  const Shots& shots_;
+  DrawnRun& run_;
+  Renderer& renderer_;
+  const Interrupt& interrupt_;
+  const bool shows_progress_ = isatty(STDERR_FILENO) == 1;
+  std::optional<Error> not_drawn_;  // the renderer's, or that a signal came
+};
+
 }  // namespace
 
 int picture(const PictureOptions& options) {
   if (!is_png(options.output)) return fail({escaped(options.output), "a picture is a .png"}, kUsage);
+  Drawing drawing("picture", options.renderer);
   int code = kDone;
-  const SensorShapes seen = shown(options.show);
-  const std::unique_ptr<Run> run = run_until(options.world, options.running, seen, options.at, code);
+  const std::unique_ptr<DrawnRun> run = open_run(options, drawing, code);
   if (!run) return code;
-  const Result<View> view = view_of(run->world(), options.width);
-  if (!view) return fail({escaped(options.world), view.error().text}, kUsage);
-  const Picture drawn = picture_of(run->world(), *view, seen);
-  const Result<std::string> png = scene::png_of(drawn.width, drawn.height, drawn.rgb);
-  return png ? write(options.output, *png) : fail({escaped(options.output), png.error().text});
+  const std::uint64_t tick = options.at > 0 ? world::ticks_of(options.at, run->interval()) : 0;
+  const Interrupt interrupt;
+  return drawing.run(*run, interrupt, [&](Renderer& renderer) -> Result<int> {
+    if (const Result<void> ran = run->advance(tick, renderer, interrupt); !ran) return ran.error();
+    const Result<View> view = view_of(run->world(), options.width);
+    if (!view) return fail({escaped(options.world), view.error().text}, kUsage);
+    const Result<Picture> drawn = renderer.draw(run->world(), *view);
+    if (!drawn) return drawn.error();
+    const Result<std::string> png = scene::png_of(drawn->width, drawn->height, drawn->rgb);
+    return png ? write(options.output, *png) : fail({escaped(options.output), png.error().text});
+  });
 }
 
 int film(const FilmOptions& options) {
+  Drawing drawing("film", options.renderer);
   int code = kDone;
-  const SensorShapes seen = shown(options.show);
-  const std::unique_ptr<Run> run = run_until(options.world, options.running, seen, 0, code);
+  const std::unique_ptr<DrawnRun> run = open_run(options, drawing, code);
   if (!run) return code;
-  const Result<View> view = view_of(run->world(), options.width);
-  if (!view) return fail({escaped(options.world), view.error().text}, kUsage);
-  const double tick = run->scene.interval;
-  constexpr double kMost = 1e9;  // of pictures, and of ticks between two
-  const auto ticks =
-      static_cast<std::uint64_t>(std::clamp(std::round(1 / (options.rate * tick)), 1.0, kMost));
-  const double period = static_cast<double>(ticks) * tick;
-  if (options.duration / period > kMost)
-    return fail({"", "--duration: a film has at most a billion pictures"}, kUsage);
-  const auto pictures = static_cast<std::uint64_t>(options.duration / period + 1e-9) + 1;
-  const auto each = [&](const PictureTaker& take) -> Result<void> {
-    for (std::uint64_t k = 0; k < pictures; ++k) {
-      if (k > 0) {
-        run->simulation->extend(ticks);
-        run->simulation->run();
-      }
-      if (const Result<void> taken = take(picture_of(run->world(), *view, seen)); !taken) return taken;
-    }
-    return {};
-  };
-  if (!is_png(options.output)) {
-    const Result<void> filmed = film_by_ffmpeg(options.output, *view, period, each);
-    return filmed ? int{kDone} : fail({escaped(options.output), filmed.error().text});
-  }
-  AnimatedPng animation(pictures, period);
-  const Result<void> drawn = each([&](const Picture& picture) { return animation.add(picture); });
-  return drawn ? write(options.output, animation.take())
-               : fail({escaped(options.output), drawn.error().text});
+  const Result<Shots> shots = Shots::of(options, run->interval());
+  if (!shots) return fail(shots.error(), kUsage);
+  const Interrupt interrupt;
+  return drawing.run(*run, interrupt, [&](Renderer& renderer) {
+    return Filming(options, *shots, *run, renderer, interrupt).film();
+  });
 }
 
 }  // namespace playhouse::app

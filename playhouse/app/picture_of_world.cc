@@ -23,8 +23,6 @@ constexpr double kEmpty = 10;     // m, side of a picture without bodies
 constexpr std::uint8_t kFloor[] = {236, 239, 244};  // so that white bodies are seen
 constexpr scene::Color kNose{0, 0, 0, 0.55f};
 
-constexpr double kLine = 1.5;  // pixels
-
 /// A prism where its model stands, or a nose on it, each as a shape.
 class Bodies {
  public:
@@ -167,7 +165,7 @@ Result<View> view_of(const world::World& world, int width) {
 /// From the lowest top to the highest; of equals, bodies first, in the order of the models.
 Picture picture_of(const world::World& world, const View& view, const SensorShapes& seen) {
   std::vector<Shape> shapes = Bodies(world).shapes();
-  seen.add_to(shapes, world, kLine / view.pixels_per_metre);
+  seen.add_to(shapes, world, view.line_width());
   std::ranges::stable_sort(shapes, {}, &Shape::z_max);
   Painter painter(view);
   for (const Shape& shape : shapes) painter.paint(shape);

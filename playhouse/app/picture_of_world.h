@@ -26,6 +26,9 @@ struct View {
   int width = 0, height = 0;  // pixels
   double left = 0, top = 0;   // m
   double pixels_per_metre = 1;
+
+  /// How broad lines of what sensors see are. [m]
+  double line_width() const { return 1.5 / pixels_per_metre; }
 };
 
 /// All bodies of a world with a margin, in a picture of so many pixels across; where there are none, ten

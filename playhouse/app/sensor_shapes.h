@@ -28,7 +28,8 @@ class SensorShapes {
   /// Has the sensors measure for whoever looks, which changes nothing else. Before the first tick.
   void watch(world::World& world) const;
 
-  /// Appends what has been measured. Lines are so broad. [m]
+  /// Appends what has been measured, as shapes of one loop, all of which can be seen from its first corner.
+  /// Lines are so broad. [m]
   void add_to(std::vector<Shape>& shapes, const world::World& world, double line_width) const;
 
  private:

@@ -101,6 +101,7 @@ inline constexpr std::size_t kOldPartsOfOne = 1024;               // the same of
 inline constexpr std::size_t kGlbBytes = 1u << 30;                // of a world as glTF
 inline constexpr std::size_t kPicturePixels = 1u << 26;           // of a world from above
 inline constexpr std::size_t kFilmBytes = 1u << 30;               // of a film that is an animated PNG
+inline constexpr std::size_t kBrowserMessage = 1u << 29;          // from a browser that draws: a picture is one
 inline constexpr int kRangerSamples = 1 << 16;                    // beams of one sensor
 inline constexpr std::size_t kBeams = 1u << 26;                   // of all sensors of a world, and pixels of its cameras
 

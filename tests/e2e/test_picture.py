@@ -1,11 +1,16 @@
 """Pictures and films of worlds, drawn without a screen: read back byte by byte, so that nothing that draws is trusted."""
 
 import os
+import shutil
+import signal
 import struct
+import subprocess
+import time
 import unittest
 import zlib
+from pathlib import Path
 
-from house import HouseTest, finish
+from house import PATIENCE, PROGRAM, ROOT, HouseTest, finish
 
 # A square of red, 2 m wide, half of it under blue that is higher, and a driving robot, in 8 m by 8 m.
 WORLD = """
@@ -56,8 +61,9 @@ class Pictures(HouseTest):
     def drawn(self, *words, world=WORLD):
         file = self.folder / "made.png"
         world = self.write("w.world", world)
-        done = finish(words[0], world, "-o", file, *words[1:])
-        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
+        done = finish(words[0], world, "-o", file, "--renderer", "playhouse", *words[1:])
+        self.assertEqual((done.returncode, done.stdout), (0, ""))
+        self.assertRegex(done.stderr, rf"^{words[0]}: drawn by Playhouse in [0-9.]+ s\n$")
         return chunks_of(file.read_bytes())
 
     def test_a_picture_shows_what_is_higher_over_what_is_lower_where_it_is(self):
@@ -154,36 +160,204 @@ wifi( name "post" pose [-3 -3 1 0] )
 
     def test_other_films_are_for_ffmpeg_which_may_not_be_there(self):
         world, film = self.write("w.world", WORLD), self.folder / "a.mp4"
-        done = finish("film", world, "-o", film, env={**os.environ, "PATH": str(self.folder)})
+        done = finish("film", world, "--renderer", "playhouse", "-o", film, env={**os.environ, "PATH": str(self.folder)})
         self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
         self.assertIn("ffmpeg makes, which is not in PATH; -o FILE.png makes an animated PNG", done.stderr)
         tool = self.folder / "ffmpeg"
         tool.write_text(f'#!/bin/sh\n/usr/bin/wc -c > "{self.folder}/bytes"\necho "$@" > "{self.folder}/words"\n')
         tool.chmod(0o755)
-        done = finish("film", world, "-o", film, "--duration", 1, "--width", 32, env={**os.environ, "PATH": str(self.folder)})
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        done = finish("film", world, "--renderer", "playhouse", "-o", film, "--duration", 1, "--width", 32, env={**os.environ, "PATH": str(self.folder)})
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stderr, r"^film: drawn by Playhouse in [0-9.]+ s\n$")
         self.assertEqual(int((self.folder / "bytes").read_text()), 11 * 32 * 32 * 3)
         self.assertIn(f"file:{film}", (self.folder / "words").read_text())
         tool.write_text("#!/bin/sh\nexit 3\n")
-        done = finish("film", world, "-o", film, "--duration", 1, env={**os.environ, "PATH": str(self.folder)})
+        done = finish("film", world, "--renderer", "playhouse", "-o", film, "--duration", 1, env={**os.environ, "PATH": str(self.folder)})
         self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
 
     def test_faults_are_told_in_a_line(self):
         world = self.write("w.world", WORLD)
         for words, code, told in (
                 (("picture", world, "-o", "a.jpg"), 2, "a picture is a .png"),
-                (("picture", world, "-o", self.folder / "no" / "a.png"), 1, "a.png"),
+                (("picture", world, "-o", self.folder / "no" / "a.png", "--renderer", "playhouse"), 1, "a.png"),
                 (("picture", self.folder / "gone.world", "-o", self.folder / "a.png"), 2, "gone.world"),
                 (("picture", world), 2, "--output is required"),
                 (("picture", world, "-o", "a.png", "--width", 0), 2, "--width"),
                 (("picture", world, "-o", "a.png", "--show", "rangr"), 2, 'not "rangr" (did you mean "ranger"?)'),
                 (("film", world, "-o", "a.png", "--show", "ranger,"), 2, 'not ""'),
+                (("picture", world, "-o", "a.png", "--renderer", "chromum"), 2, 'not "chromum" (did you mean "chromium"?)'),
                 (("film", world, "-o", "a.png", "--duration", "1e300"), 2, "a billion pictures"),
                 (("film", world, "-o", "a.png", "--rate", 0), 2, "--rate")):
             with self.subTest(words):
                 done = finish(*words)
                 self.assertEqual((done.returncode, len(done.stderr.splitlines())), (code, 1), done.stderr)
                 self.assertIn(told, done.stderr)
+
+
+
+class Chromium(HouseTest):
+    """The page in a browser without a window, as it is installed, and what stands in for one that does not draw."""
+
+    def setUp(self):
+        super().setUp()
+        self.tools, self.left = self.folder / "tools", self.folder / "left"
+        self.tools.mkdir()
+        self.left.mkdir()
+
+    def real(self):
+        """Chromium as this machine has it."""
+        if not shutil.which("chromium") or not (ROOT / "web" / "dist" / "index.html").exists():
+            self.skipTest("there is no chromium, or no built page")
+        (self.tools / "chromium").symlink_to(shutil.which("chromium"))
+
+    def fake(self, script: str):
+        tool = self.tools / "chromium"
+        tool.write_text(f"#!/bin/sh\n{script}\n")
+        tool.chmod(0o755)
+
+    def environment(self):
+        """In which nothing but the tools is found, and what is left in the folder of temporary files can be seen."""
+        return {**os.environ, "PATH": f"{self.tools}:/usr/bin:/bin" if (self.tools / "chromium").exists() else str(self.tools), "TMPDIR": str(self.left)}
+
+    def draw(self, *words, world=WORLD) -> tuple[subprocess.CompletedProcess, Path]:
+        file = self.folder / "made.png"
+        file.unlink(missing_ok=True)
+        done = subprocess.run([PROGRAM, words[0], self.write("w.world", world), "-o", file, *map(str, words[1:])], stdin=subprocess.DEVNULL,
+                              capture_output=True, text=True, timeout=4 * PATIENCE, env=self.environment())
+        self.assertEqual(list(self.left.iterdir()), [], "nothing is left")
+        return done, file
+
+    def drawn(self, *words, world=WORLD):
+        done, file = self.draw(*words, world=world)
+        self.assertEqual((done.returncode, done.stdout), (0, ""), done.stderr)
+        self.assertRegex(done.stderr, rf"^{words[0]}: Chromium draws \({self.tools}/chromium\)\n{words[0]}: drawn by Chromium in [0-9.]+ s\n$")
+        return chunks_of(file.read_bytes())
+
+    def places(self, chunks):
+        self.assertEqual(struct.unpack_from(">II", dict(chunks)["IHDR"]), (212, 212))
+        rows = pixels_of(b"".join(content for kind, content in chunks if kind == "IDAT"), 212, 212)
+        return lambda x, y: rows[round(106 - 25 * y)][round(106 + 25 * x)]
+
+    def test_bodies_are_where_they_are_in_their_colors_from_above(self):
+        self.real()
+        at = self.places(self.drawn("picture", "--width", 212))
+        red, green, blue = at(1.5, 0)
+        self.assertTrue(red > 150 and max(green, blue) < 60, at(1.5, 0))
+        red, green, blue = at(2.5, 0)
+        self.assertTrue(blue > 150 and max(red, green) < 60, at(2.5, 0))
+        red, green, blue = at(-3.3, -0.2)
+        self.assertTrue(green > 80 and max(red, blue) < 60, at(-3.3, -0.2))
+        self.assertGreater(min(at(0, 3)), 200, "white")
+        self.assertGreater(min(at(-1, -2)), 200, "white")
+
+    def test_what_sensors_see_is_drawn_where_the_other_renderer_draws_it(self):
+        self.real()
+        world = """
+interval_sim 100
+model( name "edge" size [8 8 0.1] color "white" obstacle_return 0 ranger_return -1 )
+model( name "box" pose [2 0 0 0] size [2 2 0.9] color "red" )
+position( name "r" pose [-3 0 0 0] size [1 1 0.3] color "green"
+  ranger( size [0 0 0.1] sensor( range [0 6] fov 90 samples 91 ) ) camera( size [0.1 0.1 0.1] pose [0 0 0 90] range [0.2 3] fov [90 40] ) )
+"""
+        scan = self.places(self.drawn("picture", "--width", 212, "--at", 0.2, "--show", "ranger", world=world))
+        self.assertGreater(scan(0, 0.7)[2], scan(0, 0.7)[0] + 20, "blue that one can see through")
+        self.assertGreater(scan(1.5, 2.2)[2], scan(1.5, 2.2)[0] + 20, "past the box")
+        self.assertLess(scan(2, 0)[2], 60, "it ends at the box")
+        self.assertLess(max(scan(-3.2, 2.2)) - min(scan(-3.2, 2.2)), 20, "it looks 45 degrees to each side")
+        camera = self.places(self.drawn("picture", "--width", 212, "--at", 0.2, "--show", "camera", world=world))
+        self.assertGreater(camera(-3.2, 2.2)[2], camera(-3.2, 2.2)[1] + 10, "purple")
+        self.assertLess(max(camera(0, 0.7)) - min(camera(0, 0.7)), 20)
+
+    def test_films_have_the_same_pictures_of_the_same_view_in_which_things_move(self):
+        self.real()
+        chunks = self.drawn("film", "--duration", 1, "--rate", 2, "--width", 106)
+        self.assertEqual(struct.unpack(">II", dict(chunks)["acTL"]), (3, 0))
+        frames = [content for kind, content in chunks if kind == "fcTL"]
+        self.assertEqual([struct.unpack(">IIIIIHHBB", frame)[1:5] for frame in frames], [(106, 106, 0, 0)] * 3)
+        first, last = [pixels_of(b"".join(frame), 106, 106) for frame in self.frames(chunks)][::2]
+        self.assertEqual(first[100], last[100])
+        self.assertNotEqual(first[53], last[53], "the robot drives")
+
+    def frames(self, chunks):
+        """The packed pixels of each picture, in the parts that it came in."""
+        pictures = []
+        for kind, content in chunks:
+            if kind == "fcTL":
+                pictures.append([])
+            elif kind in ("IDAT", "fdAT"):
+                pictures[-1].append(content if kind == "IDAT" else content[4:])
+        return pictures
+
+    def own(self, *words):
+        done, file = self.draw(*words, "--renderer", "playhouse")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return file.read_bytes()
+
+    def test_without_chromium_the_other_renderer_draws_and_that_is_told(self):
+        done, file = self.draw("picture", "--width", 100)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stderr, r"^picture: Playhouse draws: there is no Chromium in PATH\npicture: drawn by Playhouse in [0-9.]+ s\n$")
+        self.assertEqual(file.read_bytes(), self.own("picture", "--width", 100))
+        done, file = self.draw("picture", "--renderer", "chromium")
+        self.assertEqual((done.returncode, len(done.stderr.splitlines()), file.exists()), (1, 1, False), done.stderr)
+        self.assertIn("there is no chromium or chromium-browser or google-chrome in PATH", done.stderr)
+
+    def test_where_chromium_does_not_draw_the_other_renderer_does_unless_it_was_asked_for(self):
+        for command in (("picture", "--width", 100, "--at", 0.5), ("film", "--width", 100, "--duration", 0.5)):
+            self.fake("exit 7")
+            with self.subTest(command):
+                done, file = self.draw(*command)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertRegex(done.stderr, rf"(?m)^warning: {command[0]}: Chromium ended with exit code 7; Playhouse draws$")
+                self.assertRegex(done.stderr, rf"(?m)^{command[0]}: drawn by Playhouse in")
+                self.assertEqual(file.read_bytes(), self.own(*command))
+                done, file = self.draw(*command, "--renderer", "chromium")
+                self.assertEqual((done.returncode, file.exists()), (1, False), done.stderr)
+                self.assertEqual([line for line in done.stderr.splitlines() if line.startswith("error")],
+                                 ["error: Chromium ended with exit code 7; --renderer playhouse draws without it"])
+
+    def test_a_browser_without_webgl_does_not_draw(self):
+        self.real()
+        (self.tools / "chromium").rename(self.tools / "real")
+        self.fake(f'exec "{self.tools}/real" "$@" --disable-3d-apis')
+        done, file = self.draw("picture", "--width", 100)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("warning: picture: Chromium has no WebGL 2; Playhouse draws\n", done.stderr)
+        self.assertEqual(file.read_bytes(), self.own("picture", "--width", 100))
+
+    def test_a_picture_that_is_too_large_for_the_browser_is_refused_by_name_alone(self):
+        self.real()
+        done, _ = self.draw("picture", "--width", 16384, "--renderer", "chromium", world='model( size [16 2 1] color "red" )')
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("error: Chromium cannot draw it: the picture is too large for this browser; --renderer playhouse", done.stderr)
+
+    def test_an_interrupt_ends_the_browser_and_removes_its_folder(self):
+        self.real()
+        film = subprocess.Popen([PROGRAM, "film", self.write("w.world", WORLD), "-o", self.folder / "a.png", "--duration", "1e6"],
+                                stdin=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, env=self.environment())
+        with film:
+            self.assertIn("Chromium draws", film.stderr.readline())
+            while not self.browsers():
+                self.assertIsNone(film.poll())
+                time.sleep(0.05)
+            film.send_signal(signal.SIGINT)
+            self.assertEqual((film.stderr.read(), film.wait(PATIENCE)), ("", 130))
+        self.assertEqual(list(self.left.iterdir()), [])
+        deadline = time.monotonic() + PATIENCE
+        while self.browsers() and time.monotonic() < deadline:
+            time.sleep(0.05)
+        self.assertEqual(self.browsers(), [])
+
+    def browsers(self):
+        """Processes that have the folder of temporary files among their words."""
+        found = []
+        for about in Path("/proc").glob("[0-9]*/cmdline"):
+            try:
+                if bytes(self.left) in about.read_bytes():
+                    found.append(about.parent.name)
+            except OSError:
+                pass  # it has ended
+        return found
 
 
 if __name__ == "__main__":

@@ -1,0 +1,41 @@
+#include "playhouse/app/drawn_run.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "playhouse/app/fail.h"
+#include "playhouse/app/world_opener.h"
+#include "playhouse/world/periods.h"
+
+namespace playhouse::app {
+
+Result<void> DrawnRun::begin() {
+  const bool again = simulation_ != nullptr;
+  if (again && world().tick() == 0) return {};
+  const Warn tell_once = [again](const std::string& line) {
+    if (!again) warn(line);
+  };
+  Result<std::unique_ptr<world::Engine>> engine =
+      make_engine(scene_, running_, controllers::Libraries::Use::kLoad, tell_once);
+  if (!engine) return engine.error();
+  seen_.watch((*engine)->world());
+  drivers::Simulation::Options options;
+  options.speed = 0;
+  simulation_ = std::make_unique<drivers::Simulation>(std::move(*engine), std::move(options));
+  return {};
+}
+
+Result<void> DrawnRun::advance(std::uint64_t tick, Renderer& renderer, const Interrupt& interrupt) {
+  const std::uint64_t step = world::ticks_of(kSeePeriod, interval());
+  const double remembered = renderer.memory() / interval();
+  for (std::uint64_t now = world().tick(); now < tick; now = world().tick()) {
+    if (interrupt.signal() != 0) return Error{"", "was interrupted"};
+    if (static_cast<double>(tick - now) <= remembered)
+      if (const Result<void> saw = renderer.see(world()); !saw) return saw;
+    simulation_->extend(std::min(step, tick - now));
+    simulation_->run();
+  }
+  return {};
+}
+
+}  // namespace playhouse::app
