@@ -517,7 +517,7 @@ void add_commands(CLI::App& app, Raw& raw) {
   bench->footer(kBenchExamples);
   bench
       ->add_option("SCENARIO", raw.bench.scenario,
-                   "sonar, laser, cave, hospital, vaughan2008, diffusion, world, load, open or server")
+                   "sonar, laser, cave, hospital, swarm, vaughan2008, diffusion, world, load, open or server")
       ->required();
   bench->add_option("WORLD", raw.bench.world, "a .world file, of bench world");
   bench

@@ -196,14 +196,14 @@ TEST(CommandLine, a_whole_number_that_does_not_fit_is_refused) {
     EXPECT_THAT(fault({"run", "w", "--seed", text}), HasSubstr("--seed: a whole number")) << text;
     EXPECT_THAT(fault({"watch", "localhost", "laser:0", "--count", text}), HasSubstr("--count")) << text;
     EXPECT_EQ(fault({"bench", "laser", "--robots", text}),
-              fmt::format("--robots: a whole number from 1 to 100000 is wanted, not \"{}\"", text));
+              fmt::format("--robots: a whole number from 1 to 1000000 is wanted, not \"{}\"", text));
   }
   EXPECT_EQ(parsed<RunOptions>({"run", "w", "--seed", "18446744073709551615"}).running.seed,
             18446744073709551615u);
 }
 
 TEST(CommandLine, what_means_nothing_is_refused) {
-  EXPECT_THAT(fault({"bench", "laser", "--robots", "0"}), HasSubstr("from 1 to 100000"));
+  EXPECT_THAT(fault({"bench", "laser", "--robots", "0"}), HasSubstr("from 1 to 1000000"));
   EXPECT_THAT(fault({"bench", "cave", "--duration", "0"}), HasSubstr("above 0"));
   EXPECT_THAT(fault({"bench", "server", "--duration", "3"}), HasSubstr("--duration"));
   EXPECT_THAT(fault({"bench", "load", "--duration", "3"}), HasSubstr("--duration"));

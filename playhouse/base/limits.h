@@ -81,7 +81,7 @@ inline constexpr std::size_t kRadioSends = 64;                    // messages th
 inline constexpr std::size_t kRadioReceives = 256;                // messages that one radio receives in a tick
 
 // Files.
-inline constexpr std::size_t kFileBytes = 16u << 20;
+inline constexpr std::size_t kFileBytes = 64u << 20;
 inline constexpr int kIncludeDepth = 32;
 inline constexpr std::size_t kIncludes = 1u << 16;                // of all include statements, each as often as it is met
 inline constexpr std::size_t kWarningsOfAKind = 20;               // of one file; the others are counted
@@ -95,7 +95,7 @@ inline constexpr std::size_t kBitmapPixels = 1u << 28;            // of all bitm
 inline constexpr std::size_t kBitmapBytes = 64u << 20;            // of their files
 inline constexpr std::size_t kCorners = 1u << 22;                 // of all bodies of a world, bitmaps' contours included
 inline constexpr std::size_t kTextBytes = 1u << 27;               // names and texts of all models
-inline constexpr std::size_t kSensors = 1u << 21;                 // of all rangers of a world
+inline constexpr std::size_t kSensors = 1u << 24;                 // of all rangers of a world
 inline constexpr std::size_t kOldParts = 1u << 18;                // of rangers and bodies, that worlds of Stage 2 tell of by numbered words
 inline constexpr std::size_t kOldPartsOfOne = 1024;               // the same of one model
 inline constexpr std::size_t kGlbBytes = 1u << 30;                // of a world as glTF

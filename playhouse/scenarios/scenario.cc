@@ -19,7 +19,9 @@ namespace {
 constexpr double kCaveSide = 16;           // m
 constexpr std::size_t kCaveRobots = 100;   // in a cave; more have more caves
 constexpr double kDiffusionDensity = 2.5;  // robots per square metre: ten in 2 m x 2 m, as in ARGoS's example
-constexpr double kFootBotRadius = 0.085;   // m
+constexpr double kSwarmDensity = 0.25;     // robots per square metre, as in wards
+constexpr double kSwarmBotRadius = 0.0708;  // m
+constexpr double kFootBotRadius = 0.085;    // m
 
 std::string meters(double value) {
   return std::to_string(value);
@@ -121,6 +123,9 @@ Result<Draft> draft(std::string_view name, std::size_t robots,
                     const std::map<std::string, std::string>& files) {
   if (name == "cave") return draft_cave(robots, files.at("worlds/bitmaps/cave.png"));
   if (name == "hospital") return draft_hospital(robots);
+  if (name == "swarm")
+    return draft_square(name, robots, kSwarmDensity, kSwarmBotRadius,
+                        "swarmbot( name \"r\" ctrl \"expand_swarm\" )\n");
   if (name == "diffusion")
     return draft_square(name, robots, kDiffusionDensity, kFootBotRadius,
                         "footbot( name \"r\" ctrl \"diffusion\" )\n");

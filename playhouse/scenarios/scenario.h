@@ -14,7 +14,7 @@ namespace playhouse::scenarios {
 
 /// Robots per square metre of the walled squares of `sonar` and `laser`.
 inline constexpr double kDensity = 0.39;
-inline constexpr std::size_t kMostRobots = 100000;
+inline constexpr std::size_t kMostRobots = 1000000;
 
 struct Scenario {
   std::string_view name;
@@ -23,13 +23,15 @@ struct Scenario {
   double seconds;          // simulated, unless asked otherwise
 };
 
-inline constexpr std::array<Scenario, 5> kScenarios{{
+inline constexpr std::array<Scenario, 6> kScenarios{{
     {"sonar", "robots with 16 sonars of 5 m spread over a walled square (expand_swarm)", 1000, 60},
     {"laser", "robots with 180 laser beams of 8 m wander in a walled square (wander)", 1000, 60},
     {"cave", "robots with 16 sonars and an idle laser spread through the 16 m cave (expand_pioneer)", 100,
      60},
     {"hospital", "robots of 0.1 m with 12 infrared sensors spread through rooms and corridors (expand_swarm)",
      2000, 60},
+    {"swarm", "robots of 0.1 m with 12 infrared sensors spread over a walled square (expand_swarm)", 10000,
+     60},
     {"diffusion", "foot-bots with 24 proximity sensors of 0.1 m in a walled square (diffusion)", 1000, 60},
 }};
 

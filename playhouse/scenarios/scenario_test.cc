@@ -39,7 +39,7 @@ void expect_no_overlaps(std::string_view name, std::size_t robots) {
   ASSERT_TRUE(scene) << scene.error().line();
   const std::vector<geom::Pose> poses = robot_poses(*scene);
   ASSERT_EQ(poses.size(), robots);
-  const double radius = name == "diffusion" ? 0.085 : kRobotRadius;
+  const double radius = name == "diffusion" ? 0.085 : name == "swarm" ? 0.05 * std::sqrt(2.0) : kRobotRadius;
   EXPECT_GE(closest_pair(poses), 2 * radius - 1e-9) << name << " with " << robots;
 }
 
@@ -128,14 +128,15 @@ TEST(Scenario, has_the_sensors_and_controllers_it_names) {
   EXPECT_EQ(part(*cave, "r1.ranger:1")->parent, part(*cave, "r1") - cave->models.begin());
   EXPECT_FALSE(part(*cave, "room0")->bitmaps.empty());
   EXPECT_EQ(part(*sonar, "r1")->blocks[0].points.size(), 8u);
-  auto hospital = make("hospital", 2), diffusion = make("diffusion", 2);
-  ASSERT_TRUE(hospital && diffusion);
-  for (auto* scene : {&hospital, &diffusion}) **scene = scene::expanded(std::move(**scene));
+  auto hospital = make("hospital", 2), diffusion = make("diffusion", 2), swarm = make("swarm", 2);
+  ASSERT_TRUE(hospital && diffusion && swarm);
+  for (auto* scene : {&hospital, &diffusion, &swarm}) **scene = scene::expanded(std::move(**scene));
   EXPECT_EQ(part(*hospital, "r1.ranger:0")->sensors.size(), 12u);
+  EXPECT_EQ(part(*swarm, "r1.ranger:0")->sensors.size(), 12u);
   EXPECT_EQ(part(*diffusion, "r1.ranger:0")->sensors[0].samples, 24u);
   EXPECT_NEAR(part(*diffusion, "r1.ranger:0")->sensors[0].range_max, 0.085 + 0.1, 1e-12);
-  for (const auto* scene :
-       {&sonar.value(), &laser.value(), &cave.value(), &hospital.value(), &diffusion.value()}) {
+  for (const auto* scene : {&sonar.value(), &laser.value(), &cave.value(), &hospital.value(),
+                            &diffusion.value(), &swarm.value()}) {
     EXPECT_TRUE(scene->warnings.empty()) << scene->warnings[0];
     EXPECT_EQ(scene->interval, 0.1);
   }

@@ -209,10 +209,10 @@ TEST(WorldText, a_few_lines_cannot_include_without_bound) {
     doubling["w/" + std::to_string(i)] = next + next;
   }
   EXPECT_THAT(error_of("include \"0\"", doubling), HasSubstr("more than 65536 files are included"));
-  const std::string big = "#" + std::string(std::size_t{6} << 20, '-') + "\n";
+  const std::string big = "#" + std::string(limits::kFileBytes * 3 / 8, '-') + "\n";
   EXPECT_THAT(
       error_of(repeated("include \"big\"\n", 3), {{"w/big", big}}),
-      testing::AllOf(HasSubstr("w/t.world:3: "), HasSubstr("more than 16 MiB of text with all includes")));
+      testing::AllOf(HasSubstr("w/t.world:3: "), HasSubstr("more than 64 MiB of text with all includes")));
 }
 
 // ---- macros

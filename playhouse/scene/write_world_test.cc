@@ -405,7 +405,7 @@ TEST(WriteWorld, a_file_that_would_be_too_large_is_refused_with_a_line) {
   scene.models[0].say = std::string(limits::kFileBytes, 'x');
   const Result<std::string> text = write_world(scene, "w/t.world");
   ASSERT_FALSE(text.ok());
-  EXPECT_EQ(text.error().text, "the world is too large for a file of 16777216 bytes");
+  EXPECT_EQ(text.error().text, "the world is too large for a file of 67108864 bytes");
 }
 
 // ---- anything

@@ -24,7 +24,7 @@ double edges_across(std::size_t edges) {
 double cell_for(double total_length, std::size_t edges) {
   constexpr double kLeast = 0.05, kMost = 0.5;  // m
   const double typical = total_length / static_cast<double>(edges);
-  const double affordable = total_length / (8.0 * static_cast<double>(edges) + 65536.0);
+  const double affordable = total_length / (static_cast<double>(edges) + 65536.0);
   return std::clamp(edges_across(edges) * typical, std::max(kLeast, affordable), std::max(kMost, affordable));
 }
 
@@ -32,7 +32,7 @@ double cell_for(double total_length, std::size_t edges) {
 std::size_t cells_for(const geom::Box& box, std::size_t edges, double total_length, double cell) {
   const double across = std::max(box.x_max - box.x_min, box.y_max - box.y_min) / cell + 2;
   const double listings = static_cast<double>(edges) + total_length / cell;
-  return static_cast<std::size_t>(std::min(across * across, std::clamp(16 * listings, 65536.0, 4194304.0)));
+  return static_cast<std::size_t>(std::min(across * across, std::clamp(16 * listings, 65536.0, 16777216.0)));
 }
 
 }  // namespace
