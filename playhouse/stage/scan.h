@@ -51,14 +51,19 @@ PLAYHOUSE_INLINE void project_body(const Row& row, const Vec2* polygon, std::siz
                      row.solid[k]);
 }
 
+/// True if each of these beams has met something at `nearest` or before.
+PLAYHOUSE_INLINE bool is_hidden(const Row& row, double nearest, std::size_t first, std::size_t last) {
+  bool hidden = true;
+  for (std::size_t k = first; k <= last && hidden; ++k) hidden = row.range[k] <= nearest;
+  return hidden;
+}
+
 /// A convex body from outside, at a distance of up to `farthest`, all within the beams first .. last:
 /// projects the edges that face the scanner, unless every beam has met something nearer than `nearest`.
 PLAYHOUSE_INLINE void project_facing(const Row& row, const Vec2* __restrict polygon, std::size_t corners,
                                      double seen, double nearest, double farthest, std::size_t first,
                                      std::size_t last) {
-  bool hidden = true;
-  for (std::size_t k = first; k <= last && hidden; ++k) hidden = row.range[k] <= nearest;
-  if (hidden) return;
+  if (is_hidden(row, nearest, first, last)) return;
 
   // Corners from where the scanner is and the areas of the edges from there, all of them twice.
   double u[2 * kConvexCorners], v[2 * kConvexCorners], area[2 * kConvexCorners];
@@ -134,7 +139,7 @@ struct Gathered {
 };
 
 /// Finds what is in a sector, among what is in the runs; returns how many. Behind the last there is room for
-/// one more.
+/// eight more.
 PLAYHOUSE_INLINE std::size_t gather(const Sector& sector, double radius_max, const DiscIndex::Places& places,
                                     const std::vector<DiscIndex::Run>& runs, const Gathered& out) {
   const double *const from_x = places.x.data(), *const from_y = places.y.data();
