@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "must.h"
 #include "playhouse/wire/generated/wifi.h"
 #include "playhouse_client/robot.h"
 
@@ -15,21 +16,6 @@ using namespace playhouse;
 using namespace playhouse::client;
 
 namespace {
-
-[[noreturn]] void fail(const std::string& what) {
-  std::fprintf(stderr, "%s\n", what.c_str());
-  std::exit(1);
-}
-
-template <typename T>
-T must(Result<T> result) {
-  if (!result) fail(result.error().line());
-  return std::move(*result);
-}
-
-void must(const Result<void>& result) {
-  if (!result) fail(result.error().line());
-}
 
 void must_be(bool fact, const std::string& what) {
   if (!fact) fail("it is not true that " + what);

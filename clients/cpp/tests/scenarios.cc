@@ -9,6 +9,7 @@
 #include <numbers>
 #include <string>
 
+#include "must.h"
 #include "playhouse/wire/generated/map.h"
 #include "playhouse_client/laser.h"
 #include "playhouse_client/position2d.h"
@@ -21,21 +22,6 @@ using namespace playhouse::client;
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-[[noreturn]] void fail(const std::string& what) {
-  std::fprintf(stderr, "%s\n", what.c_str());
-  std::exit(1);
-}
-
-template <typename T>
-T must(Result<T> result) {
-  if (!result) fail(result.error().line());
-  return std::move(*result);
-}
-
-void must(const Result<void>& result) {
-  if (!result) fail(result.error().line());
-}
 
 template <typename T>
 void must_refuse(const Result<T>& result) {
