@@ -13,6 +13,7 @@
 #include "playhouse/app/bench_load.h"
 #include "playhouse/app/bench_open.h"
 #include "playhouse/app/bench_server.h"
+#include "playhouse/app/bench_watched.h"
 #include "playhouse/app/commands.h"
 #include "playhouse/app/fail.h"
 #include "playhouse/app/world_opener.h"
@@ -56,6 +57,7 @@ int unknown(const std::string& name) {
   names.push_back("load");
   names.push_back("open");
   names.push_back("server");
+  names.push_back("watched");
   log::error("there is no scenario {}{}; there are {}", in_quotes(name), did_you_mean(name, names),
              fmt::join(names, ", "));
   return kUsage;
@@ -146,6 +148,7 @@ int bench(const BenchOptions& options) {
   if (options.scenario == "load") return bench_load(options);
   if (options.scenario == "open") return bench_open(options);
   if (options.scenario == "server") return bench_server(options);
+  if (options.scenario == "watched") return bench_watched(options);
   const auto series = std::ranges::find(kSeries, options.scenario, &Series::name);
   if (series != std::end(kSeries)) return bench_series(options, *series);
   const scenarios::Scenario* scenario = scenarios::find(options.scenario);

@@ -9,12 +9,19 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/websocket/stream.hpp>
 #include <chrono>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <span>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -31,6 +38,7 @@ namespace playhouse::app {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+constexpr double kSettle = 0.5;  // s, until every device is open
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -115,7 +123,7 @@ class Listener {
       banner_ = true;
       if (header.type != wire::MessageType::kData) continue;
       ++messages;
-      double& last = last_[header.interf == wire::laser::kCode ? 1 : 0];
+      double& last = last_[header.interf << 16 | header.index];
       if (last > 0)
         lost +=
             static_cast<std::uint64_t>(std::max(0l, std::lround((header.timestamp - last) / interval) - 1));
@@ -127,8 +135,8 @@ class Listener {
  private:
   int socket_ = -1;
   std::vector<std::byte> buffer_;
-  bool banner_ = false;              // has been skipped
-  std::array<double, 2> last_ = {};  // timestamps of position2d and laser
+  bool banner_ = false;                   // has been skipped
+  std::map<std::uint32_t, double> last_;  // timestamps of the newest data, by device
 };
 
 Result<std::vector<Listener>> open_all(const FanOutPlan& plan) {
@@ -164,6 +172,36 @@ Result<Count> listen_for(std::vector<Listener>& listeners, double seconds, doubl
   return count;
 }
 
+namespace asio = boost::asio;
+using Stream = boost::beast::websocket::stream<asio::ip::tcp::socket>;
+
+/// Numbers of seven bits a byte, the low ones first.
+std::uint64_t varint(std::span<const std::byte> bytes) {
+  std::uint64_t value = 0;
+  for (unsigned shift = 0; const std::byte byte : bytes.first(std::min<std::size_t>(bytes.size(), 9))) {
+    value |= std::to_integer<std::uint64_t>(byte & std::byte{0x7f}) << shift;
+    shift += 7;
+    if ((byte & std::byte{0x80}) == std::byte{}) break;
+  }
+  return value;
+}
+
+/// A page that has all of the world on its screen, with what sensors measure; it takes in and acknowledges
+/// what comes for so long, and gives the number of packets.
+std::uint64_t be_page(Stream& page, double seconds) {
+  std::uint64_t packets = 0;
+  boost::beast::flat_buffer buffer;
+  for (const Clock::time_point start = Clock::now(); seconds_since(start) < seconds; buffer.clear()) {
+    page.read(buffer);  // a packet a second comes at least
+    if (!page.got_binary()) continue;
+    constexpr std::size_t kHead = 2;  // before the number of the frame (replicate/delta.h)
+    const std::span bytes(static_cast<const std::byte*>(buffer.data().data()), buffer.size());
+    page.write(asio::buffer(fmt::format(R"({{"do":"ack","frame":{}}})", varint(bytes.subspan(kHead)))));
+    ++packets;
+  }
+  return packets;
+}
+
 }  // namespace
 
 Result<RoundTrip> measure_round_trip(std::uint16_t port, int requests) {
@@ -192,7 +230,6 @@ Result<RoundTrip> measure_round_trip_among_idle(std::uint16_t port, int requests
 }
 
 Result<FanOut> measure_fan_out(const FanOutPlan& plan) {
-  constexpr double kSettle = 0.5;  // s, until every device is open
   Result<std::vector<Listener>> listeners = open_all(plan);
   if (!listeners) return listeners.error();
   if (const Result<Count> settled = listen_for(*listeners, kSettle, plan.interval); !settled)
@@ -204,6 +241,41 @@ Result<FanOut> measure_fan_out(const FanOutPlan& plan) {
   const double elapsed = seconds_since(start);
   return FanOut{plan.clients, static_cast<double>(count->messages) / elapsed, count->lost,
                 (cpu_seconds(plan.server) - cpu_before) / elapsed};
+}
+
+Result<double> watch_as_page(std::uint16_t port, double seconds, const std::function<void(bool)>& watches) {
+  try {
+    asio::io_context context;
+    Stream page(context);
+    page.next_layer().connect({asio::ip::address_v4::loopback(), port});
+    page.read_message_max(0);  // the scene of many robots is large
+    page.handshake("127.0.0.1", "/live");
+    page.write(asio::buffer(std::string_view(
+        R"({"do":"look","x_min":-1e6,"y_min":-1e6,"x_max":1e6,"y_max":1e6,"sensors":true})")));
+    be_page(page, kSettle);
+    watches(true);
+    const std::uint64_t packets = be_page(page, seconds);
+    watches(false);
+    return static_cast<double>(packets) / seconds;
+  } catch (const boost::system::system_error& error) {
+    return Error{"", fmt::format("a page: {}", error.what())};
+  }
+}
+
+Result<FanOut> read_lasers(const FanOutPlan& plan, const std::function<void(bool)>& reads) {
+  std::vector<Listener> listeners(plan.clients);
+  for (Listener& listener : listeners)
+    if (!listener.connect(plan.port)) return Error{"", std::string("a client: ") + std::strerror(errno)};
+  for (std::size_t robot = 0; robot < plan.robots; ++robot)
+    if (!listeners[robot % plan.clients].open_device(wire::laser::kCode, static_cast<std::uint16_t>(robot)))
+      return Error{"", fmt::format("laser:{} cannot be opened: {}", robot, std::strerror(errno))};
+  if (const Result<Count> settled = listen_for(listeners, kSettle, plan.interval); !settled)
+    return settled.error();
+  reads(true);
+  const Result<Count> count = listen_for(listeners, plan.seconds, plan.interval);
+  reads(false);
+  if (!count) return count.error();
+  return FanOut{plan.clients, static_cast<double>(count->messages) / plan.seconds, count->lost, 0};
 }
 
 }  // namespace playhouse::app

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 
 #include "playhouse/base/result.h"
@@ -37,5 +38,12 @@ struct FanOutPlan {
   pid_t server = 0;
 };
 Result<FanOut> measure_fan_out(const FanOutPlan& plan);
+
+/// Watches all of a world and what its sensors measure as a page does, whose port that is, for so long;
+/// `watches` hears when that begins and ends. Gives the packets per second.
+Result<double> watch_as_page(std::uint16_t port, double seconds, const std::function<void(bool)>& watches);
+/// Reads the lasers of all robots, each with one of the clients; `reads` hears when all are open, and of the
+/// end.
+Result<FanOut> read_lasers(const FanOutPlan& plan, const std::function<void(bool)>& reads);
 
 }  // namespace playhouse::app

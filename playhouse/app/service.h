@@ -97,6 +97,8 @@ class Service final : private drivers::Surroundings {
 
   /// Ports for Player clients, the default one first.
   const std::vector<std::uint16_t>& player_ports() const { return player_ports_; }
+  /// Of the web page; 0 where there is none.
+  std::uint16_t web_port() const { return web_port_; }
   /// "Player clients: ..." and "web page: ...", one line each.
   std::vector<std::string> places() const;
 

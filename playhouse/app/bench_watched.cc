@@ -1,0 +1,137 @@
+#include "playhouse/app/bench_watched.h"
+
+#include <fmt/format.h>
+#include <sys/mman.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <ctime>
+#include <new>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "playhouse/app/bench_apart.h"
+#include "playhouse/app/bench_clients.h"
+#include "playhouse/app/fail.h"
+#include "playhouse/scenarios/scenario.h"
+
+namespace playhouse::app {
+namespace {
+
+constexpr std::uint32_t kRobots = 1000;  // unless asked otherwise
+constexpr std::size_t kClients = 200;
+constexpr int kRounds = 8;
+constexpr double kSeconds = 1.5;  // of each phase of a round
+
+enum Phase : int { kAlone, kPage, kLasers, kPhases, kBetween };
+
+/// What the two processes share.
+struct Board {
+  std::atomic<int> phase = kBetween;
+  std::atomic<double> packets_per_s = 0, messages_per_s = 0;
+  std::atomic<std::uint64_t> lost = 0;
+};
+static_assert(std::atomic<double>::is_always_lock_free, "processes can share it");
+
+Board* share_board() {
+  void* const memory =
+      mmap(nullptr, sizeof(Board), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  return memory == MAP_FAILED ? nullptr : new (memory) Board;
+}
+
+Result<void> watch_in_turn(const Ports& ports, std::size_t robots, Board& board) {
+  const auto in_phase = [&](Phase phase) {
+    return [&board, phase](bool begins) { board.phase = begins ? phase : kBetween; };
+  };
+  for (int round = 0; round < kRounds; ++round) {
+    board.phase = kAlone;
+    std::this_thread::sleep_for(std::chrono::duration<double>(kSeconds));
+    board.phase = kBetween;
+    const Result<double> packets = watch_as_page(ports.web, kSeconds, in_phase(kPage));
+    if (!packets) return packets.error();
+    const Result<FanOut> lasers =
+        read_lasers({.port = ports.player, .clients = kClients, .robots = robots, .seconds = kSeconds},
+                    in_phase(kLasers));
+    if (!lasers) return lasers.error();
+    board.packets_per_s = *packets;
+    board.messages_per_s = lasers->messages_per_s;
+    board.lost += lasers->lost;
+    std::this_thread::sleep_for(std::chrono::duration<double>(0.3));  // until all of them are gone
+  }
+  return {};
+}
+
+/// Processor time of the calling thread. [s]
+double thread_time() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Of whole ticks, by the phase in which they were. [s]
+class TickTimes {
+ public:
+  explicit TickTimes(const Board& board) : board_(board) {}
+
+  /// After each tick, on its thread.
+  void add_tick() {
+    const double now = thread_time();
+    const int phase = board_.phase;
+    if (phase == phase_ && phase < kPhases) times_[static_cast<std::size_t>(phase)].push_back(now - last_);
+    phase_ = phase;
+    last_ = now;
+  }
+  double median_ms(Phase phase) {
+    std::vector<double>& times = times_[phase];
+    if (times.empty()) return 0;
+    const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+    std::ranges::nth_element(times, middle);
+    return 1e3 * *middle;
+  }
+
+ private:
+  const Board& board_;
+  std::array<std::vector<double>, kPhases> times_;
+  int phase_ = kBetween;
+  double last_ = 0;
+};
+
+void print_result(const BenchOptions& options, std::size_t robots, const Board& board, TickTimes& times) {
+  const double alone = times.median_ms(kAlone), page = times.median_ms(kPage),
+               lasers = times.median_ms(kLasers);
+  fmt::print(
+      R"({{"scenario":"watched","robots":{},"workers":{},"tick_ms":{:.3f},"tick_ms_with_page":{:.3f},"tick_ms_with_lasers":{:.3f},"page_ratio":{:.3f},"lasers_ratio":{:.3f},)"
+      R"("packets_per_s":{:.1f},"clients":{},"messages_per_s":{:.0f},"lost":{}}})"
+      "\n",
+      robots, options.workers, alone, page, lasers, page / alone, lasers / alone, board.packets_per_s.load(),
+      kClients, board.messages_per_s.load(), board.lost.load());
+}
+
+}  // namespace
+
+int bench_watched(const BenchOptions& options) {
+  const std::uint32_t robots = options.robots > 0 ? options.robots : kRobots;
+  Result<scene::SceneDesc> scene = scenarios::make("laser", robots);
+  if (!scene) return fail(scene.error(), kUsage);
+  Board* const board = share_board();
+  if (board == nullptr) return kFailed;
+  TickTimes times(*board);
+  const int code = serve_apart(
+      options, std::move(*scene),
+      [&](const Ports& ports, pid_t) {
+        const Result<void> done = watch_in_turn(ports, robots, *board);
+        return done ? kDone : fail(done.error());
+      },
+      [&](Service& service) {
+        service.simulation().add_listener([&](const world::World&, const world::Pace&) { times.add_tick(); });
+      });
+  if (code == kDone) print_result(options, robots, *board, times);
+  munmap(board, sizeof(Board));
+  return code;
+}
+
+}  // namespace playhouse::app
