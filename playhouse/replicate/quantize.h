@@ -3,6 +3,7 @@
 /// Whole numbers that travel to viewers, and what they stand for.
 
 #include <cstdint>
+#include <span>
 
 namespace playhouse::replicate {
 
@@ -12,5 +13,7 @@ std::int32_t quantize(double value, double per_unit);
 std::uint16_t quantize_angle(double radians);
 /// [m] to a fraction of the sensor's range_max, 65535 at or beyond it.
 std::uint16_t quantize_range(double range, double range_max);
+/// The same of many ranges; `out` has room for them.
+void quantize_ranges(std::span<const float> ranges, double range_max, std::uint16_t* out);
 
 }  // namespace playhouse::replicate

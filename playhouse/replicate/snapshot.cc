@@ -1,6 +1,7 @@
 #include "playhouse/replicate/snapshot.h"
 
 #include <algorithm>
+#include <span>
 
 #include "playhouse/base/limits.h"
 #include "playhouse/replicate/quantize.h"
@@ -106,10 +107,9 @@ class Capture {
 
   void copy_scan(std::uint32_t row, const SensorLayout& sensor) {
     out_.scans.push_back({row, static_cast<std::uint32_t>(out_.beams.size())});
-    const float* ranges = world_.sensors.ranges.data() + sensor.first_beam;
-    for (std::uint32_t beam = 0; beam < sensor.beam_count; ++beam) {
-      out_.beams.push_back(quantize_range(ranges[beam], sensor.range_max));
-    }
+    const auto ranges = std::span(world_.sensors.ranges).subspan(sensor.first_beam, sensor.beam_count);
+    out_.beams.resize(out_.beams.size() + ranges.size());
+    quantize_ranges(ranges, sensor.range_max, out_.beams.data() + out_.scans.back().first);
   }
 
   const world::World& world_;

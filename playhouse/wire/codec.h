@@ -20,11 +20,15 @@ namespace playhouse::wire {
 /// come from outside are cut or checked before they are put into a value.
 template <typename T>
 std::vector<std::byte> encode(const T& value) {
-  std::vector<std::byte> out;
-  Writer writer(out);
+  // A scratch buffer, so that the body is allocated once, at its size.
+  thread_local std::vector<std::byte> scratch;
+  scratch.clear();
+  Writer writer(scratch);
   write(writer, value);
   PLAYHOUSE_ASSERT(writer.ok());
-  return out;
+  constexpr std::size_t kKept = 1 << 16;  // a map's bytes are not worth a copy, and not kept
+  if (scratch.size() > kKept) return std::exchange(scratch, {});
+  return {scratch.begin(), scratch.end()};
 }
 
 /// The value that a body carries, or what is wrong with the body. Bytes after the value are tolerated, as the

@@ -2,14 +2,41 @@
 
 #include <array>
 #include <bit>
+#include <cstring>
 
 namespace playhouse::wire {
+namespace {
+
+std::uint32_t turned(std::uint32_t word) { return __builtin_bswap32(word); }
+std::uint64_t turned(std::uint64_t word) { return __builtin_bswap64(word); }
+
+/// Words as they are in memory to the same words with their high bytes first.
+template <typename Word>
+void copy_turned(std::span<const std::byte> from, std::byte* to) {
+  for (std::size_t i = 0; i < from.size(); i += sizeof(Word)) {
+    Word word = 0;
+    std::memcpy(&word, from.data() + i, sizeof word);
+    if constexpr (std::endian::native == std::endian::little) word = turned(word);
+    std::memcpy(to + i, &word, sizeof word);
+  }
+}
+
+}  // namespace
 
 void Writer::word(std::uint32_t value) {
   const std::array<std::byte, 4> bytes = {
       static_cast<std::byte>(value >> 24), static_cast<std::byte>(value >> 16 & 0xFF),
       static_cast<std::byte>(value >> 8 & 0xFF), static_cast<std::byte>(value & 0xFF)};
   out_->insert(out_->end(), bytes.begin(), bytes.end());
+}
+
+void Writer::write_together(std::span<const std::byte> numbers, std::size_t bytes_each) {
+  const std::size_t begin = out_->size();
+  out_->resize(begin + numbers.size());
+  if (bytes_each == 4)
+    copy_turned<std::uint32_t>(numbers, out_->data() + begin);
+  else
+    copy_turned<std::uint64_t>(numbers, out_->data() + begin);
 }
 
 void Writer::double_word(std::uint64_t value) {

@@ -37,7 +37,10 @@ class Writer {
 
   template <typename Number>
   void write_numbers(const std::vector<Number>& numbers) {
-    for (const Number number : numbers) write(number);
+    if constexpr (sizeof(Number) == 4 || sizeof(Number) == 8)
+      write_together(std::as_bytes(std::span(numbers)), sizeof(Number));
+    else
+      for (const Number number : numbers) write(number);
   }
 
   /// Raw bytes, then zeros up to a multiple of four.
@@ -47,6 +50,8 @@ class Writer {
 
  private:
   void word(std::uint32_t value);
+  /// Numbers of four or eight bytes each, as they are in memory.
+  void write_together(std::span<const std::byte> numbers, std::size_t bytes_each);
   void double_word(std::uint64_t value);
   void fail_length(std::string_view name, std::size_t length, std::size_t max);
 

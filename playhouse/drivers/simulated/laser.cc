@@ -28,6 +28,15 @@ lsr::Config configuration(const world::World& world, world::ModelRow model,
   return config;
 }
 
+/// Clipped to what a byte holds, without branches, so that the loop becomes vector instructions.
+void put_intensities(std::span<const float> intensities, std::uint8_t* __restrict to) {
+  const float* __restrict const from = intensities.data();
+  for (std::size_t i = 0; i < intensities.size(); ++i) {
+    const float below = from[i] < 255 ? from[i] : 255, clipped = below > 0 ? below : 0;
+    to[i] = static_cast<std::uint8_t>(static_cast<std::int32_t>(clipped));
+  }
+}
+
 }  // namespace
 
 Laser::Laser(Simulation& simulation, world::ModelRow model)
@@ -69,20 +78,16 @@ void Laser::request(const device::Message& message, device::Replier replier) {
 void Laser::emit(const world::World& world, std::vector<device::Publication>& out) {
   const std::optional<RangerRows> rows = fresh_rows(world, model());
   if (!rows) return;
-  beams(world, {rows->first_sensor + scanner_}, readings_);
-  lsr::Data scan;
-  scan.min_angle = static_cast<float>(-sensor_.fov / 2);
-  scan.max_angle = static_cast<float>(sensor_.fov / 2);
-  scan.resolution = static_cast<float>(angular_resolution(sensor_));
-  scan.max_range = static_cast<float>(sensor_.range_max);
-  scan.id = static_cast<std::uint32_t>(world.tick());
-  scan.ranges.reserve(readings_.size());
-  scan.intensity.reserve(readings_.size());
-  for (const Reading& reading : readings_) {
-    scan.ranges.push_back(static_cast<float>(reading.range));
-    scan.intensity.push_back(static_cast<std::uint8_t>(std::clamp(reading.intensity, 0.0, 255.0)));
-  }
-  publish(world, lsr::kDataScan, scan, out);
+  const Beams measured = beams(world, {rows->first_sensor + scanner_});
+  scan_.min_angle = static_cast<float>(-sensor_.fov / 2);
+  scan_.max_angle = static_cast<float>(sensor_.fov / 2);
+  scan_.resolution = static_cast<float>(angular_resolution(sensor_));
+  scan_.max_range = static_cast<float>(sensor_.range_max);
+  scan_.id = static_cast<std::uint32_t>(world.tick());
+  scan_.ranges.assign(measured.ranges.begin(), measured.ranges.end());
+  scan_.intensity.resize(measured.intensities.size());
+  put_intensities(measured.intensities, scan_.intensity.data());
+  publish(world, lsr::kDataScan, scan_, out);
 }
 
 std::unique_ptr<SimulatedDevice> make_laser_device(Simulation& simulation, world::ModelRow model) {

@@ -4,6 +4,7 @@
 
 #include "playhouse/drivers/generated/device_makers.h"
 #include "playhouse/drivers/simulated/scan.h"
+#include "playhouse/wire/generated/laser.h"
 
 namespace playhouse::drivers {
 
@@ -20,7 +21,7 @@ class Laser final : public SimulatedDevice {
   std::uint32_t scanner_;  // which of the ranger's sensors
   const scene::RangerSensorDesc& sensor_;
   Bytes geometry_, configuration_;
-  std::vector<Reading> readings_;  // kept for its memory
+  wire::laser::Data scan_;  // kept for its memory
 };
 
 }  // namespace playhouse::drivers

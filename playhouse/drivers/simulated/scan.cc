@@ -45,19 +45,21 @@ double angular_resolution(const scene::RangerSensorDesc& sensor) {
   return sensor.samples > 1 ? sensor.fov / (sensor.samples - 1) : sensor.fov;
 }
 
-void beams(const world::World& world, world::SensorRow sensor, std::vector<Reading>& out) {
+Beams beams(const world::World& world, world::SensorRow sensor) {
   const std::uint32_t first = world.sensors.first_beam[sensor.index];
   const std::uint32_t count = world.sensors.beam_count[sensor.index];
-  out.clear();
-  for (std::uint32_t beam = first; beam < first + count; ++beam) out.push_back(reading(world.sensors, beam));
+  return {std::span(world.sensors.ranges).subspan(first, count),
+          std::span(world.sensors.intensities).subspan(first, count)};
 }
 
 void readings(const world::World& world, const RangerRows& rows, std::vector<Reading>& out) {
+  out.clear();
   if (rows.sensor_count == 1) {
-    beams(world, {rows.first_sensor}, out);
+    const Beams all = beams(world, {rows.first_sensor});
+    for (std::size_t i = 0; i < all.ranges.size(); ++i)
+      out.push_back({static_cast<double>(all.ranges[i]), static_cast<double>(all.intensities[i])});
     return;
   }
-  out.clear();
   for (std::uint32_t i = 0; i < rows.sensor_count; ++i) {
     out.push_back(nearest(world.sensors, rows.first_sensor + i));
   }

@@ -3,6 +3,7 @@
 /// What a ranger measured, in the shapes that the interfaces ranger, laser and sonar want.
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "playhouse/world/world.h"
@@ -38,7 +39,11 @@ struct Reading {
 /// order.
 void readings(const world::World& world, const RangerRows& rows, std::vector<Reading>& out);
 
+/// What the beams of a sensor measured: distances [m] and what came back [1].
+struct Beams {
+  std::span<const float> ranges, intensities;
+};
 /// All beams of one sensor, rightmost first.
-void beams(const world::World& world, world::SensorRow sensor, std::vector<Reading>& out);
+Beams beams(const world::World& world, world::SensorRow sensor);
 
 }  // namespace playhouse::drivers

@@ -16,6 +16,7 @@ constexpr std::size_t kRange = 64;
 void Sources::emit(const world::World& world, world::Workers& workers, Batch& out) {
   const std::size_t ranges = (all_.size() + kRange - 1) / kRange;
   if (ranges <= 1 || workers.count() == 1) {
+    out.reserve(out.size() + all_.size());
     for (const std::shared_ptr<Source>& source : all_) source->emit(world, out);
     return;
   }
