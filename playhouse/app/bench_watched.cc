@@ -7,6 +7,7 @@
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <new>
@@ -24,8 +25,8 @@ namespace {
 
 constexpr std::uint32_t kRobots = 1000;  // unless asked otherwise
 constexpr std::size_t kClients = 200;
-constexpr int kRounds = 8;
-constexpr double kSeconds = 1.5;  // of each phase of a round
+constexpr double kSeconds = 12;        // of each phase, unless asked otherwise
+constexpr double kRoundSeconds = 1.5;  // of a phase in a round, at most
 
 enum Phase : int { kAlone, kPage, kLasers, kPhases, kBetween };
 
@@ -43,18 +44,21 @@ Board* share_board() {
   return memory == MAP_FAILED ? nullptr : new (memory) Board;
 }
 
-Result<void> watch_in_turn(const Ports& ports, std::size_t robots, Board& board) {
+/// In turn, so that what else the machine does slows all.
+Result<void> watch_in_turn(const Ports& ports, std::size_t robots, double seconds, Board& board) {
+  const int rounds = static_cast<int>(std::ceil(seconds / kRoundSeconds));
+  const double of_round = seconds / rounds;
   const auto in_phase = [&](Phase phase) {
     return [&board, phase](bool begins) { board.phase = begins ? phase : kBetween; };
   };
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < rounds; ++round) {
     board.phase = kAlone;
-    std::this_thread::sleep_for(std::chrono::duration<double>(kSeconds));
+    std::this_thread::sleep_for(std::chrono::duration<double>(of_round));
     board.phase = kBetween;
-    const Result<double> packets = watch_as_page(ports.web, kSeconds, in_phase(kPage));
+    const Result<double> packets = watch_as_page(ports.web, of_round, in_phase(kPage));
     if (!packets) return packets.error();
     const Result<FanOut> lasers =
-        read_lasers({.port = ports.player, .clients = kClients, .robots = robots, .seconds = kSeconds},
+        read_lasers({.port = ports.player, .clients = kClients, .robots = robots, .seconds = of_round},
                     in_phase(kLasers));
     if (!lasers) return lasers.error();
     board.packets_per_s = *packets;
@@ -123,7 +127,8 @@ int bench_watched(const BenchOptions& options) {
   const int code = serve_apart(
       options, std::move(*scene),
       [&](const Ports& ports, pid_t) {
-        const Result<void> done = watch_in_turn(ports, robots, *board);
+        const Result<void> done =
+            watch_in_turn(ports, robots, options.duration > 0 ? options.duration : kSeconds, *board);
         return done ? kDone : fail(done.error());
       },
       [&](Service& service) {

@@ -528,7 +528,7 @@ void add_commands(CLI::App& app, Raw& raw) {
       ->check(check_robots);
   bench
       ->add_option("--duration", raw.bench.duration,
-                   "simulated seconds (the scenario's own); not of load, server, watched")
+                   "simulated seconds (the scenario's own); not of load, server")
       ->check(check_positive);
   bench->add_option("--seed", raw.bench.seed, "seed of all random numbers")
       ->check(check_count<std::uint64_t>)
@@ -669,8 +669,8 @@ Result<CommandLine> parse_command_line(std::span<const char* const> words) {
       return Error{"", "--save-at wants a number of seconds that is not negative, and a file"};
     raw.run.saves.push_back({seconds, file});
   }
-  if ((raw.bench.scenario == "server" || raw.bench.scenario == "watched") && raw.bench.duration > 0)
-    return Error{"", fmt::format("--duration: bench {} measures for a time of its own", raw.bench.scenario)};
+  if (raw.bench.scenario == "server" && raw.bench.duration > 0)
+    return Error{"", "--duration: bench server measures for a time of its own"};
   if (raw.bench.scenario == "load" && raw.bench.duration > 0)
     return Error{"", "--duration: bench load ends before the first tick"};
   if (raw.bench.scenario == "world" && raw.bench.world.empty())

@@ -323,6 +323,14 @@ class Ending(HouseTest):
                 house.wait_for_line("unknown_key")     # it has read the file, and makes the models
                 self.assertEqual(house.end(by), code, house.log())
 
+    def test_bench_watched_tells_what_a_page_and_clients_cost(self):
+        done = finish("bench", "watched", "--robots", "10", "--duration", "1")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        figures = json.loads(done.stdout)
+        self.assertEqual((figures["robots"], figures["clients"], figures["lost"]), (10, 200, 0))
+        for name in ("tick_ms", "tick_ms_with_page", "tick_ms_with_lasers", "packets_per_s", "messages_per_s"):
+            self.assertGreater(figures[name], 0, name)
+
     def test_a_bench_of_the_server_ends_with_the_code_and_without_figures(self):
         with House("bench", "server", "--robots", "1") as bench:
             threads = Path(f"/proc/{bench.process.pid}/task")
