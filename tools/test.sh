@@ -6,10 +6,10 @@
 set -eu
 cd "$(dirname "$0")/.."
 
-echo "== building and running the tests of base, geom and stage as the program is compiled"
+echo "== building and running the tests of what is computed, as the program is compiled"
 tools/configure.sh release-test
 cmake --build --preset release-test
-ctest --test-dir build/release-test --output-on-failure -j "$(nproc)" -R '^(base|geom|stage)\.'
+ctest --test-dir build/release-test --output-on-failure -j "$(nproc)" -R '^(base|geom|stage|wire|replicate|drivers)\.'
 
 echo "== building the tests (address and undefined sanitizers)"
 tools/configure.sh ci
