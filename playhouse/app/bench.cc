@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <ctime>
 #include <fstream>
 #include <span>
 #include <vector>
 
+#include "playhouse/app/bench_figures.h"
 #include "playhouse/app/bench_load.h"
 #include "playhouse/app/bench_open.h"
 #include "playhouse/app/bench_server.h"
@@ -32,13 +32,6 @@ std::uint64_t resident_bytes() {
   std::uint64_t pages = 0, resident = 0;
   statm >> pages >> resident;
   return resident * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
-}
-
-/// Processor time of this process, of all its threads. [s]
-double cpu_time() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 /// Scenarios at growing populations, each with the same room for a robot.
@@ -97,11 +90,11 @@ int bench_scene(const BenchOptions& options, std::string_view scenario, const sc
   // The run itself is the one that `playhouse run --fast --headless` does.
   drivers::Simulation simulation(std::move(*engine), {.speed = 0, .duration = duration});
   const auto start = std::chrono::steady_clock::now();
-  const double cpu_start = cpu_time();
+  const double cpu_start = cpu_time(CLOCK_PROCESS_CPUTIME_ID);
   simulation.run();
   const Took took{
       .wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
-      .cpu_time = cpu_time() - cpu_start};
+      .cpu_time = cpu_time(CLOCK_PROCESS_CPUTIME_ID) - cpu_start};
   print_result(options, scenario, simulation.engine(), took, memory_before);
   return kDone;
 }

@@ -8,7 +8,7 @@
 #include <thread>
 #include <utility>
 
-#include "playhouse/base/log.h"
+#include "playhouse/app/fail.h"
 #include "playhouse/base/log_output.h"
 
 namespace playhouse::app {
@@ -30,10 +30,7 @@ int be_clients(int ports_from, const Clients& clients) {
 /// Serves until the clients' process ends.
 int be_server(Service& service, int ports_to, pid_t clients, const std::function<void(Service&)>& ready) {
   for (const auto step : {&Service::open_ports, &Service::make_devices, &Service::open_page}) {
-    if (const Result<void> done = (service.*step)(); !done) {
-      log::error("{}", done.error().line());
-      return kFailed;
-    }
+    if (const Result<void> done = (service.*step)(); !done) return fail(done.error());
   }
   if (ready) ready(service);
   const Ports ports{service.player_ports().front(), service.web_port()};

@@ -27,6 +27,7 @@
 #include <vector>
 
 #include "playhouse/base/limits.h"
+#include "playhouse/base/packing.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/wire/generated/laser.h"
 #include "playhouse/wire/generated/player.h"
@@ -175,15 +176,12 @@ Result<Count> listen_for(std::vector<Listener>& listeners, double seconds, doubl
 namespace asio = boost::asio;
 using Stream = boost::beast::websocket::stream<asio::ip::tcp::socket>;
 
-/// Numbers of seven bits a byte, the low ones first.
-std::uint64_t varint(std::span<const std::byte> bytes) {
-  std::uint64_t value = 0;
-  for (unsigned shift = 0; const std::byte byte : bytes.first(std::min<std::size_t>(bytes.size(), 9))) {
-    value |= std::to_integer<std::uint64_t>(byte & std::byte{0x7f}) << shift;
-    shift += 7;
-    if ((byte & std::byte{0x80}) == std::byte{}) break;
-  }
-  return value;
+/// The number of a packet (replicate/delta.h).
+std::uint64_t frame_of(std::span<const std::byte> packet) {
+  Unpacker in(packet);
+  in.u8();  // version
+  in.u8();  // flags
+  return in.varint();
 }
 
 /// A page that has all of the world on its screen, with what sensors measure; it takes in and acknowledges
@@ -194,9 +192,8 @@ std::uint64_t be_page(Stream& page, double seconds) {
   for (const Clock::time_point start = Clock::now(); seconds_since(start) < seconds; buffer.clear()) {
     page.read(buffer);  // a packet a second comes at least
     if (!page.got_binary()) continue;
-    constexpr std::size_t kHead = 2;  // before the number of the frame (replicate/delta.h)
-    const std::span bytes(static_cast<const std::byte*>(buffer.data().data()), buffer.size());
-    page.write(asio::buffer(fmt::format(R"({{"do":"ack","frame":{}}})", varint(bytes.subspan(kHead)))));
+    const std::span packet(static_cast<const std::byte*>(buffer.data().data()), buffer.size());
+    page.write(asio::buffer(fmt::format(R"({{"do":"ack","frame":{}}})", frame_of(packet))));
     ++packets;
   }
   return packets;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "playhouse/app/bench_figures.h"
 #include "playhouse/app/commands.h"
 #include "playhouse/app/fail.h"
 #include "playhouse/app/world_opener.h"
@@ -84,12 +85,6 @@ bool same(const std::vector<device::Publication>& one, const std::vector<device:
   return std::ranges::equal(one, other, [](const auto& a, const auto& b) {
     return a.device == b.device && a.subtype == b.subtype && a.timestamp == b.timestamp && a.body == b.body;
   });
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
 }
 
 /// In turn, so that what else the machine does slows both.

@@ -9,7 +9,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <new>
 #include <thread>
 #include <utility>
@@ -17,6 +16,7 @@
 
 #include "playhouse/app/bench_apart.h"
 #include "playhouse/app/bench_clients.h"
+#include "playhouse/app/bench_figures.h"
 #include "playhouse/app/fail.h"
 #include "playhouse/scenarios/scenario.h"
 
@@ -69,13 +69,6 @@ Result<void> watch_in_turn(const Ports& ports, std::size_t robots, double second
   return {};
 }
 
-/// Processor time of the calling thread. [s]
-double thread_time() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 /// Of whole ticks, by the phase in which they were. [s]
 class TickTimes {
  public:
@@ -83,19 +76,17 @@ class TickTimes {
 
   /// After each tick, on its thread.
   void add_tick() {
-    const double now = thread_time();
+    const double now = cpu_time(CLOCK_THREAD_CPUTIME_ID);
     const int phase = board_.phase;
     if (phase == phase_ && phase < kPhases) times_[static_cast<std::size_t>(phase)].push_back(now - last_);
     phase_ = phase;
     last_ = now;
   }
-  double median_ms(Phase phase) {
-    std::vector<double>& times = times_[phase];
-    if (times.empty()) return 0;
-    const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-    std::ranges::nth_element(times, middle);
-    return 1e3 * *middle;
+  /// False: a phase had no whole tick.
+  bool in_all_phases() const {
+    return std::ranges::none_of(times_, [](const std::vector<double>& times) { return times.empty(); });
   }
+  double median_ms(Phase phase) const { return 1e3 * median(times_[phase]); }
 
  private:
   const Board& board_;
@@ -104,7 +95,8 @@ class TickTimes {
   double last_ = 0;
 };
 
-void print_result(const BenchOptions& options, std::size_t robots, const Board& board, TickTimes& times) {
+void print_result(const BenchOptions& options, std::size_t robots, const Board& board,
+                  const TickTimes& times) {
   const double alone = times.median_ms(kAlone), page = times.median_ms(kPage),
                lasers = times.median_ms(kLasers);
   fmt::print(
@@ -134,9 +126,11 @@ int bench_watched(const BenchOptions& options) {
       [&](Service& service) {
         service.simulation().add_listener([&](const world::World&, const world::Pace&) { times.add_tick(); });
       });
-  if (code == kDone) print_result(options, robots, *board, times);
-  munmap(board, sizeof(Board));
-  return code;
+  if (code != kDone) return code;
+  if (!times.in_all_phases())
+    return fail({"--duration", "too short: not one whole tick of each of the three"});
+  print_result(options, robots, *board, times);
+  return kDone;
 }
 
 }  // namespace playhouse::app

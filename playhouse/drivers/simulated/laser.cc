@@ -47,6 +47,10 @@ Laser::Laser(Simulation& simulation, world::ModelRow model)
       configuration_(wire::encode(configuration(simulation.world(), model, sensor_))) {
   const geom::Pose X_RS = geom::compose(pose_on_robot(simulation.world(), model), sensor_.X_BS);
   geometry_ = wire::encode(lsr::Geom{pose3d(X_RS), bbox3d(simulation.world().desc(model).size)});
+  scan_.min_angle = static_cast<float>(-sensor_.fov / 2);
+  scan_.max_angle = static_cast<float>(sensor_.fov / 2);
+  scan_.resolution = static_cast<float>(angular_resolution(sensor_));
+  scan_.max_range = static_cast<float>(sensor_.range_max);
 }
 
 std::span<const Served> Laser::served() const {
@@ -79,10 +83,6 @@ void Laser::emit(const world::World& world, std::vector<device::Publication>& ou
   const std::optional<RangerRows> rows = fresh_rows(world, model());
   if (!rows) return;
   const Beams measured = beams(world, {rows->first_sensor + scanner_});
-  scan_.min_angle = static_cast<float>(-sensor_.fov / 2);
-  scan_.max_angle = static_cast<float>(sensor_.fov / 2);
-  scan_.resolution = static_cast<float>(angular_resolution(sensor_));
-  scan_.max_range = static_cast<float>(sensor_.range_max);
   scan_.id = static_cast<std::uint32_t>(world.tick());
   scan_.ranges.assign(measured.ranges.begin(), measured.ranges.end());
   scan_.intensity.resize(measured.intensities.size());

@@ -21,7 +21,7 @@ class Laser final : public SimulatedDevice {
   std::uint32_t scanner_;  // which of the ranger's sensors
   const scene::RangerSensorDesc& sensor_;
   Bytes geometry_, configuration_;
-  wire::laser::Data scan_;  // kept for its memory
+  wire::laser::Data scan_;  // the newest; kept for what does not change, and its memory
 };
 
 }  // namespace playhouse::drivers
