@@ -118,12 +118,27 @@ void add_model_solids(Solids& solids, const world::World& world, Shapes& shapes,
     add_solid(solids, shape, desc, model, world.models.root[model], tree, first);
 }
 
+/// Those of p again, as columns.
+void put_corners(Solids& solids, std::size_t row) {
+  const std::span<const Vec2> polygon = solids.polygon(row);
+  if (polygon.size() > EightCorners::kCorners) return;
+  EightCorners& corners = solids.corners[row - solids.fixed];
+  for (std::size_t i = 0; i < EightCorners::kCorners; ++i) {
+    const Vec2 p = polygon[i < polygon.size() ? i : 0];
+    corners.x[i] = p.x;
+    corners.y[i] = p.y;
+  }
+}
+
 /// Room for where solids are, and where they are from row `first` on.
 void put_in_place(Solids& solids, const world::Models& models, std::size_t first) {
   solids.center.resize(solids.size());
   solids.z_min.resize(solids.size());
   solids.z_max.resize(solids.size());
   solids.p.resize(solids.p_M.size() + Solids::kSpare);
+  solids.corners.resize(solids.moving());
+  solids.rotation.resize(models.size());
+  for (std::uint32_t model = 0; model < models.size(); ++model) turn(solids, models, {&model, 1});
   place(solids, models, first, solids.size());
 }
 
@@ -216,20 +231,20 @@ void replace_moving_solids(Solids& solids, const world::World& world, Shapes& sh
   put_in_place(solids, world.models, fixed);
 }
 
+void turn(Solids& solids, const world::Models& models, std::span<const std::uint32_t> tree) {
+  for (const std::uint32_t model : tree) solids.rotation[model] = Rotation::of(models.X_WM[model].a);
+}
+
 void place(Solids& solids, const world::Models& models, std::size_t begin, std::size_t end) {
-  std::uint32_t model = kNone;
-  Rotation rotation;
   for (std::size_t row = begin; row < end; ++row) {
-    if (solids.model[row] != model) {
-      model = solids.model[row];
-      rotation = Rotation::of(models.X_WM[model].a);
-    }
-    const Pose& X_WM = models.X_WM[model];
+    const Pose& X_WM = models.X_WM[solids.model[row]];
+    const Rotation rotation = solids.rotation[solids.model[row]];
     solids.center[row] = X_WM.xy() + rotation * solids.center_M[row];
     solids.z_min[row] = X_WM.z + solids.z_min_M[row];
     solids.z_max[row] = X_WM.z + solids.z_max_M[row];
     for (std::uint32_t v = solids.first_vertex[row]; v < solids.first_vertex[row + 1]; ++v)
       solids.p[v] = X_WM.xy() + rotation * solids.p_M[v];
+    if (row >= solids.fixed) put_corners(solids, row);
   }
 }
 

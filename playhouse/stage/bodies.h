@@ -36,6 +36,9 @@ struct Trees {
   std::vector<Mover> movers;
   std::vector<std::uint32_t> first_solid;  // solids first_solid[t] .. first_solid[t + 1] - 1
   std::size_t size() const { return root.size(); }
+  std::span<const std::uint32_t> models_of(std::uint32_t tree) const {
+    return std::span(models).subspan(first_model[tree], first_model[tree + 1] - first_model[tree]);
+  }
   /// Row of the tree with this top.
   std::uint32_t of_root(std::uint32_t top) const {
     return static_cast<std::uint32_t>(std::ranges::lower_bound(root, top) - root.begin());
@@ -65,6 +68,12 @@ class Shapes {
   std::map<std::uint32_t, std::vector<Shape>> made_;
 };
 
+/// The corners of a convex polygon of up to eight, the first again in place of those that it lacks.
+struct alignas(64) EightCorners {
+  static constexpr std::size_t kCorners = 8;
+  double x[kCorners], y[kCorners];  // m
+};
+
 struct Solids {
   // What a solid is.
   std::vector<std::uint32_t> model, root;  // rows of world::Models
@@ -87,11 +96,15 @@ struct Solids {
   std::vector<Vec2> p_M;
   std::size_t fixed = 0;  // rows below this stand still
 
+  std::vector<Rotation> rotation;  // headings of models in W, kept by who moves them (models)
+
   // Where it is.                              written by: place
   std::vector<Vec2> center;          // in W                                                    [m]
   std::vector<double> z_min, z_max;  // in W                                                    [m]
   std::vector<Vec2> p;  // vertices in W, and kSpare more to read past the end           [m] (vertices)
   static constexpr std::size_t kSpare = 32;
+  // In W, of a polygon that is convex and has up to eight corners.                  (solids that move)
+  std::vector<EightCorners> corners;
 
   std::size_t size() const { return model.size(); }
   std::size_t moving() const { return size() - fixed; }
@@ -109,7 +122,9 @@ Solids make_fixed_solids(const world::World& world, Shapes& shapes);
 /// Replaces the solids of trees by those of `trees`, in place; sets trees.first_solid.
 void replace_moving_solids(Solids& solids, const world::World& world, Shapes& shapes, Trees& trees);
 
-/// Puts the solids [begin, end) where their models are.
+/// Turns the models of a tree, in solids.rotation, to where they head.
+void turn(Solids& solids, const world::Models& models, std::span<const std::uint32_t> tree);
+/// Puts the solids [begin, end) where their models are; those have been turned.
 void place(Solids& solids, const world::Models& models, std::size_t begin, std::size_t end);
 
 /// Where one tree would be: a proposal, or a step on the way to it. Rows count from the tree's first.

@@ -57,75 +57,6 @@ PLAYHOUSE_INLINE void meet_edge(Vec2 a, Vec2 b, double row, const Rays::Part& pa
     keep_first(edge_hit(a - rays.p(k), b - rays.p(k), rays.d(k)), row, rays.range[k], rays.solid[k]);
 }
 
-/// A body that a ray may meet: its circle lies across the way.
-struct Meeting {
-  std::uint32_t place, ray;
-};
-constexpr std::size_t kMeetings = 256;
-
-/// A number of each of four rays.
-PLAYHOUSE_INLINE void load_rays(const double* column, const Meeting* four, Four& numbers) {
-  numbers = Four{column[four[0].ray], column[four[1].ray], column[four[2].ray], column[four[3].ray]};
-}
-
-/// Keeps the first of what is known about rays and the bodies that they may meet, four at a time; behind the
-/// last there is room for three.
-PLAYHOUSE_INLINE void meet(const Space& space, Meeting* meetings, std::size_t count, Rays& rays) {
-  for (std::size_t i = count; i % kFour != 0; ++i) meetings[i] = meetings[count - 1];
-  for (std::size_t i = 0; i < count; i += kFour) {
-    const Meeting* const four = meetings + i;
-    const DiscIndex::Disc* disc[kFour];
-    const Vec2* polygon[kFour];
-    FourInts convex, row;
-    for (std::size_t j = 0; j < kFour; ++j) {
-      disc[j] = space.index.discs() + four[j].place;
-      polygon[j] = space.solids.p.data() + disc[j]->first_vertex;
-      convex[j] = static_cast<std::int32_t>(disc[j]->convex);
-      row[j] = static_cast<std::int32_t>(disc[j]->row);
-    }
-    const Four corners = __builtin_convertvector(convex, Four), rows = __builtin_convertvector(row, Four);
-    const std::int32_t most = std::max(std::max(convex[0], convex[1]), std::max(convex[2], convex[3]));
-    Four px, py, dx, dy, t;
-    load_rays(rays.px, four, px);
-    load_rays(rays.py, four, py);
-    load_rays(rays.dx, four, dx);
-    load_rays(rays.dy, four, dy);
-    entries(polygon, corners, static_cast<std::size_t>(most), px, py, dx, dy, t);
-    if (any((t < 0) | (corners == 0)))
-      for (std::size_t j = 0; j < kFour; ++j)
-        t[j] = body_hit_here(polygon[j], disc[j]->vertices, convex[j] != 0, rays.p(four[j].ray),
-                             rays.d(four[j].ray));
-    for (std::size_t j = 0; j < kFour; ++j)
-      keep_first_alone(t[j], rows[j], rays.range[four[j].ray], rays.solid[four[j].ray]);
-  }
-}
-
-/// Keeps the first of what is known and the bodies at `place`, each for the rays that its bits name.
-PLAYHOUSE_INLINE void meet_bodies(const Space& space, std::uint32_t own_root, const std::uint32_t* place,
-                                  const std::uint16_t* near, std::size_t count, std::size_t first,
-                                  bool heights, Rays& rays) {
-  Meeting meetings[kMeetings + Bundle::kRays + kFour];
-  std::size_t met = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const DiscIndex::Disc& disc = space.index.discs()[place[i]];
-    if (disc.root == own_root || (disc.seen_by & bit(Observer::kRanger)) == 0) continue;
-    const double radius = disc.radius + kMargin;
-    unsigned left = near[i];
-    do {  // branch-free: hits are unpredictable
-      const auto k = static_cast<std::uint32_t>(first + static_cast<std::size_t>(std::countr_zero(left)));
-      meetings[met] = {place[i], k};
-      met += (std::fabs(geom::cross(rays.d(k), disc.center - rays.p(k))) <= radius) &
-             (!heights || (disc.z_min <= rays.z[k] && rays.z[k] <= disc.z_max));
-      left &= left - 1;
-    } while (left != 0);
-    if (met >= kMeetings) {
-      meet(space, meetings, met, rays);
-      met = 0;
-    }
-  }
-  meet(space, meetings, met, rays);
-}
-
 }  // namespace
 
 /// The rays of a part, one after the other, for those that cannot march.
@@ -151,14 +82,13 @@ void RangerSense::meet_few_walls(const Space& space, const View& view, const Ray
 void RangerSense::run_bundle(const Space& space, const View& view, const Bundle& bundle, Scratch& scratch) {
   if (scratch.rays.count + bundle.rays() > Rays::kMost) finish_rays(space, scratch);
   Rays& rays = scratch.rays;
-  const Rotation rotation = Rotation::of(view.X_WM.a);
-  in_vectors<put_rays>(bundle, view.X_WM, rotation, scratch.first_beam, rays);
+  in_vectors<put_rays>(bundle, view.X_WM, view.rotation, scratch.first_beam, rays);
   const Rays::Part part = rays.parts[rays.part_count - 1];
   const double z_low = view.X_WM.z + bundle.z_min, z_high = view.X_WM.z + bundle.z_max;
   space.index.find_runs(view.X_WM.xy(), bundle.reach, z_low, z_high, scratch.runs);
   const std::size_t count =
-      in_vectors<find_bodies>(bundle, space.index.places(), scratch.runs, view.X_WM.xy(), rotation, z_low,
-                              z_high, scratch.place.data(), scratch.met_by.data());
+      in_vectors<find_bodies>(bundle, space.index.places(), scratch.runs, view.X_WM.xy(), view.rotation,
+                              z_low, z_high, scratch.place.data(), scratch.met_by.data());
   in_vectors<meet_bodies>(space, view.root, scratch.place.data(), scratch.met_by.data(), count, part.begin,
                           z_low != z_high, rays);
 

@@ -64,6 +64,8 @@ class Wanderers {
       from.push_back(X_WM.xy());
       X_WM = next[tree];
     }
+    for (std::uint32_t tree = 0; tree < trees_.size(); ++tree)
+      turn(solids_, world_.models, trees_.models_of(tree));
     place(solids_, world_.models, solids_.fixed, solids_.size());
     for (const std::uint32_t tree : are_free)
       for (const Vec2 p : {from[tree], next[tree].xy()}) {

@@ -61,10 +61,35 @@ scene::SceneDesc among_posts(testing::Sensing sensing) {
   return scene;
 }
 
+/// Robots whose bodies have any number of corners, from three on, every seventh the shape of a star; they
+/// overlap, so that rays begin within others, and are lower or higher than some of the sonars.
+scene::SceneDesc of_all_shapes() {
+  scene::SceneDesc scene = testing::crowd(80, testing::Sensing::kSonar);
+  Rng rng(4);
+  for (std::size_t i = 0, body = 0; i < scene.models.size(); ++i) {
+    scene::ModelDesc& model = scene.models[i];
+    if (model.kind == scene::ModelKind::kRanger)
+      for (std::size_t k = 0; k < model.sensors.size(); k += 3) model.sensors[k].X_BS.z = 0.1;
+    if (model.kind != scene::ModelKind::kPosition) continue;
+    const std::size_t corners = 3 + body % 12;
+    std::vector<Vec2> points;
+    for (std::size_t k = 0; k < corners; ++k) {
+      const double radius = body % 7 == 6 && k % 2 == 0 ? 0.3 : 0.6;
+      const geom::SinCos at = geom::sincos((static_cast<double>(k) + rng.uniform(0, 0.5)) * geom::kTwoPi /
+                                           static_cast<double>(corners));
+      points.push_back({radius * at.cos, radius * at.sin});
+    }
+    model.blocks = {{points, rng.uniform(0, 0.2), rng.uniform(0.2, 0.4)}};
+    ++body;
+  }
+  return scene;
+}
+
 TEST(InstructionSets, give_the_same_bits) {
-  const std::vector<scene::SceneDesc> scenes = {
-      testing::crowd(60, testing::Sensing::kLaser), testing::crowd(60, testing::Sensing::kSonar),
-      among_posts(testing::Sensing::kLaser), among_posts(testing::Sensing::kSonar)};
+  const std::vector<scene::SceneDesc> scenes = {of_all_shapes(), testing::crowd(60, testing::Sensing::kLaser),
+                                                testing::crowd(60, testing::Sensing::kSonar),
+                                                among_posts(testing::Sensing::kLaser),
+                                                among_posts(testing::Sensing::kSonar)};
   for (const scene::SceneDesc& scene : scenes) {
     std::vector<std::vector<std::uint64_t>> outcomes;
     testing::with_every_instruction_set([&] { outcomes.push_back(outcome(scene, 30)); });

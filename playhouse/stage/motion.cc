@@ -87,8 +87,7 @@ void Motion::populate(const Trees& trees, const Solids& solids, const world::Mod
   std::size_t largest_tree = 0, most_solids = 0, most_vertices = 0;
   for (std::size_t tree = 0; tree < trees.size(); ++tree) {
     const std::uint32_t begin = trees.first_model[tree], end = trees.first_model[tree + 1];
-    add_parents(std::span(trees.models).subspan(begin, end - begin), models,
-                static_cast<std::uint32_t>(tree));
+    add_parents(trees.models_of(static_cast<std::uint32_t>(tree)), models, static_cast<std::uint32_t>(tree));
     const std::uint32_t first = trees.first_solid[tree], last = trees.first_solid[tree + 1];
     largest_tree = std::max<std::size_t>(largest_tree, end - begin);
     most_solids = std::max<std::size_t>(most_solids, last - first);
@@ -405,7 +404,7 @@ void Motion::decide() {
 }
 
 /// Computes again where the parts of the proposal are: most memory would be theirs otherwise.
-void Motion::put(world::Models& models, std::uint32_t tree, Sweep& sweep) const {
+void Motion::put(world::Models& models, Solids& solids, std::uint32_t tree) const {
   const std::uint32_t first = trees_->first_model[tree];
   for (std::uint32_t i = trees_->first_mover[tree]; i < trees_->first_mover[tree + 1]; ++i)
     models.X_PM.own(trees_->movers[i].model) = moved_[i];
@@ -414,23 +413,22 @@ void Motion::put(world::Models& models, std::uint32_t tree, Sweep& sweep) const 
     const Pose& X_PM = models.X_PM[model];
     if (i == first) {
       models.X_WM[model] = X_PM;
-      sweep.rotation[0] = rotation_[tree];
+      solids.rotation[model] = rotation_[tree];
       continue;
     }
-    const std::uint32_t parent = parent_of(models, tree, model, i - first);
-    models.X_WM[model] = part_at(models.X_WM[models.parent[model]], sweep.rotation[parent], X_PM);
-    if (models.first_child[model] == world::ModelRow::kNone) continue;
-    sweep.rotation[i - first] = X_PM.a == 0 ? sweep.rotation[parent] : Rotation::of(models.X_WM[model].a);
+    const std::uint32_t parent = models.parent[model];
+    models.X_WM[model] = part_at(models.X_WM[parent], solids.rotation[parent], X_PM);
+    solids.rotation[model] = X_PM.a == 0 ? solids.rotation[parent] : Rotation::of(models.X_WM[model].a);
   }
 }
 
-void Motion::commit(world::World& world, Solids& solids, std::uint32_t tree, Sweep& sweep) const {
+void Motion::commit(world::World& world, Solids& solids, std::uint32_t tree) const {
   for (const Mover& mover : movers_of(tree)) {
     const bool stalls = stalls_[tree] && is_moving(world, mover);
     with_move(mover.kind, [&](auto move) { move.stall(world, mover.part, stalls); });
   }
   if (!proposes_[tree] || stalls_[tree]) return;
-  put(world.models, tree, sweep);
+  put(world.models, solids, tree);
   place(solids, world.models, trees_->first_solid[tree], trees_->first_solid[tree + 1]);
   for (const Mover& mover : movers_of(tree))
     with_move(mover.kind, [&](auto move) { move.arrive(world, mover.part); });
@@ -463,7 +461,7 @@ bool Motion::move(world::World& world, Solids& solids, const DiscIndex& index, c
     if (proposes_[tree] && !free_[tree]) follow(in, tree, workers.current());
   });
   decide();
-  each_tree([&](std::uint32_t tree) { commit(world, solids, tree, sweeps_[workers.current()]); });
+  each_tree([&](std::uint32_t tree) { commit(world, solids, tree); });
   for (std::size_t tree = 0; tree < trees_->size(); ++tree)
     if (proposes_[tree] && !stalls_[tree]) return true;
   return false;

@@ -107,8 +107,8 @@ class Motion {
     return std::fabs(z_[place_of(row)] + solids.z_min_M[row] - solids.z_min[row]);
   }
   void decide();
-  void commit(world::World& world, Solids& solids, std::uint32_t tree, Sweep& sweep) const;
-  void put(world::Models& models, std::uint32_t tree, Sweep& sweep) const;
+  void commit(world::World& world, Solids& solids, std::uint32_t tree) const;
+  void put(world::Models& models, Solids& solids, std::uint32_t tree) const;
   /// The proposal's own memory, with the sweep's for what can be computed again.
   TreeShape proposal(const Solids& solids, std::uint32_t tree, Sweep& sweep);
 

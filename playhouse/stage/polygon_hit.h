@@ -118,4 +118,10 @@ PLAYHOUSE_INLINE double body_hit_here(const Vec2* polygon, std::size_t corners, 
   return t < 0 || !convex ? polygon_hit_here(polygon, corners, p, d) : t;
 }
 
+/// The same, where it is rare.
+[[gnu::noinline]] inline double body_hit(const Vec2* polygon, std::size_t corners, bool convex, Vec2 p,
+                                         Vec2 d) {
+  return body_hit_here(polygon, corners, convex, p, d);
+}
+
 }  // namespace playhouse::stage

@@ -105,7 +105,7 @@ void RangerSense::measure(world::World& world, const Space& space, std::uint32_t
                           Scratch& scratch) const {
   const std::uint32_t model = world.rangers.model[ranger].index;
   const std::uint32_t root = world.models.root[model];
-  const View view{world.models.X_WM[model], root, is_wall_[root] != 0};
+  const View view{world.models.X_WM[model], space.solids.rotation[model], root, is_wall_[root] != 0};
   const RangerKind& kind = kinds_.kinds[kinds_.of_ranger[ranger]];
   std::fill_n(scratch.solid.begin() + scratch.first_beam, kind.beams, kNoSolid);
   for (const Scan& scan : kind.scans) run_scan(space, view, scan, scratch);

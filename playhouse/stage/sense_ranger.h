@@ -76,6 +76,7 @@ struct RangerSense::View {
   static constexpr Observers kBy = bit(Observer::kRanger);
 
   Pose X_WM;
+  Rotation rotation;  // of X_WM
   std::uint32_t root;
   bool is_wall;  // of a tree that stands still: its own edges are among the walls
 

@@ -37,6 +37,7 @@ void StageEngine::replace(const world::Change& change) {
   const world::ModelRow model = world_.row(change.model);
   if (change.kind != world::Change::Kind::kPlace || !model) return;
   const std::uint32_t tree = trees_.of_root(world_.models.root[model.index]);
+  turn(solids_, world_.models, trees_.models_of(tree));
   place(solids_, world_.models, trees_.first_solid[tree], trees_.first_solid[tree + 1]);
   motion_.replaced(tree, solids_, world_.models);
 }

@@ -49,6 +49,10 @@ struct Versions<kFunction> {
       if (wide_kernels == WideKernels::kAvx512) return Wide<kFunction>::kAvx512(arguments...);
       if (wide_kernels == WideKernels::kEmulated) return Wide<kFunction>::kEmulated(arguments...);
     }
+    return narrow(arguments...);
+  }
+  /// By the version for four numbers, whatever the processor has.
+  static Value narrow(Arguments... arguments) {
     return vectors_use_avx2 ? avx2(arguments...) : plain(arguments...);
   }
 };
