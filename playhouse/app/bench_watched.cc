@@ -19,6 +19,7 @@
 #include "playhouse/app/bench_figures.h"
 #include "playhouse/app/fail.h"
 #include "playhouse/scenarios/scenario.h"
+#include "playhouse/world/witness.h"
 
 namespace playhouse::app {
 namespace {
@@ -70,12 +71,13 @@ Result<void> watch_in_turn(const Ports& ports, std::size_t robots, double second
 }
 
 /// Of whole ticks, by the phase in which they were. [s]
-class TickTimes {
+class TickTimes final : public world::Witness {
  public:
   explicit TickTimes(const Board& board) : board_(board) {}
 
-  /// After each tick, on its thread.
-  void add_tick() {
+  void before_changes(const world::World&) override {}
+  void after_changes(const world::World&) override {}
+  void ticked(const world::World&) override {
     const double now = cpu_time(CLOCK_THREAD_CPUTIME_ID);
     const int phase = board_.phase;
     if (phase == phase_ && phase < kPhases) times_[static_cast<std::size_t>(phase)].push_back(now - last_);
@@ -123,9 +125,7 @@ int bench_watched(const BenchOptions& options) {
             watch_in_turn(ports, robots, options.duration > 0 ? options.duration : kSeconds, *board);
         return done ? kDone : fail(done.error());
       },
-      [&](Service& service) {
-        service.simulation().add_listener([&](const world::World&, const world::Pace&) { times.add_tick(); });
-      });
+      [&](Service& service) { service.simulation().show_to(times); });
   if (code != kDone) return code;
   if (!times.in_all_phases())
     return fail({"--duration", "too short: not one whole tick of each of the three"});

@@ -272,8 +272,9 @@ Result<void> Service::open_page() {
   const Result<std::uint16_t> port = web_->listen();
   if (!port) return Error{port.error().where, port.error().text + "; --web takes another port, or off"};
   web_port_ = *port;
-  simulation().add_listener(
-      [this](const world::World& world, const world::Pace& pace) { web_->show(world, pace); });
+  simulation().add_watcher(
+      {[this] { return web_->wants_show(); },
+       [this](const world::World& world, const world::Pace& pace) { web_->show(world, pace); }});
   return {};
 }
 

@@ -2,7 +2,7 @@
 
 /// Layout: one population of a world as viewers need it: who is part of whom, which sensor belongs to which
 /// model, and the quantised state at the moment the layout was made, which is the first baseline of models
-/// that a viewer did not know. Made on the tick thread whenever the population is another one, then shared
+/// that a viewer did not know. Made between two ticks whenever the population is another one, then shared
 /// read-only by all threads. Rows are those of the world at that moment; viewers name models by id.
 
 #include <cstdint>
@@ -40,7 +40,8 @@ inline constexpr std::uint8_t kMovable = 1;   // a person may drag it
 inline constexpr std::uint8_t kAlwaysOn = 2;  // measures without subscribers
 inline constexpr std::uint8_t kDrives = 4;    // it has wheels
 
-/// The devices that show a model to Player clients, as a person writes them. Thread: tick.
+/// The devices that show a model to Player clients, as a person writes them. Asked while the world stands
+/// between two ticks.
 using DeviceNames = std::function<std::vector<std::string>(world::ModelId)>;
 
 struct Layout {

@@ -1,8 +1,8 @@
 #pragma once
 
-/// Snapshot: the quantised state of one tick, copied from the world on the tick thread and read by the thread
-/// that serves viewers. Only hot columns, and only the sensors that somebody looks at. Buffers are reused:
-/// after the first captures nothing is allocated.
+/// Snapshot: the quantised state of one tick, copied from the world while that stands between two ticks, and
+/// read by the thread that serves viewers. Only hot columns, and only the sensors that somebody looks at.
+/// Buffers are reused: after the first captures nothing is allocated.
 
 #include <cstdint>
 #include <memory>
@@ -56,7 +56,7 @@ struct Snapshot {
 
 /// Copies the world's state. `layout` is of its present population. A sensor is captured when it measures (it
 /// has subscribers and a first scan) and its robot is selected or in view; selected robots come first when
-/// there is no room for all. Thread: tick, between steps. Cost O(models + beams captured), and texts only
+/// there is no room for all. Thread: any, between steps. Cost O(models + beams captured), and texts only
 /// when somebody has said something since the last capture into `out`.
 void capture(const world::World& world, const world::Pace& pace, std::shared_ptr<const Layout> layout,
              const Interest& interest, Snapshot& out);

@@ -114,11 +114,13 @@ class WebServer::Impl final : public net::HttpService,
     return listener_->port();
   }
 
+  bool wants_show() const {
+    return watched_.load(std::memory_order_relaxed) != 0 &&
+           std::chrono::steady_clock::now() - capture_time_ >= kFramePeriod;
+  }
+
   void show(const world::World& world, const world::Pace& pace) {
-    if (watched_.load(std::memory_order_relaxed) == 0) return;
-    const auto now = std::chrono::steady_clock::now();
-    if (now - capture_time_ < kFramePeriod) return;
-    capture_time_ = now;
+    capture_time_ = std::chrono::steady_clock::now();
     {
       const std::lock_guard lock(mutex_);
       tick_interest_ = interest_;
@@ -557,7 +559,7 @@ class WebServer::Impl final : public net::HttpService,
   WebStatus status_;
   std::uint64_t hosts_refused_ = 0, origins_refused_ = 0;
 
-  // tick thread
+  // who calls wants_show() and show()
   const replicate::DeviceNames devices_;
   std::shared_ptr<const replicate::Layout> layout_;  // of the newest capture
   std::chrono::steady_clock::time_point capture_time_;
@@ -582,6 +584,9 @@ WebServer::~WebServer() {
 
 Result<std::uint16_t> WebServer::listen() {
   return impl_->listen();
+}
+bool WebServer::wants_show() const {
+  return impl_->wants_show();
 }
 void WebServer::show(const world::World& world, const world::Pace& pace) {
   impl_->show(world, pace);

@@ -3,8 +3,8 @@
 /// WebServer: the page at http://bind:port/ and its viewers. Serves the built page from memory, sends every
 /// viewer the scene and then changes only (replicate), and carries out what viewers ask for through
 /// world::Control. Costs nothing while nobody watches. docs/viewer.md, docs/viewer-protocol.md. Threads:
-/// show() is for the tick thread, all else for the thread of the loop (the web thread) or for before it
-/// runs.
+/// wants_show() and show() are for the tick thread or one that works for it, all else for the thread of the
+/// loop (the web thread) or for before it runs.
 
 #include <chrono>
 #include <cstddef>
@@ -43,10 +43,10 @@ struct WebStatus {
 
 class WebServer {
  public:
-  /// Reads the world at once, so the first tick comes after; `devices` is asked now, and later on the tick
-  /// thread for models that come. The scene, the loop and the control outlive the server; destroy it when the
-  /// loop no longer runs and the tick thread no longer calls show(). A control that is still given changes
-  /// (Control::post) may carry them out later: they touch only the world and the loop.
+  /// Reads the world at once, so the first tick comes after; `devices` is asked now, and later by show() for
+  /// models that come. The scene, the loop and the control outlive the server; destroy it when the loop no
+  /// longer runs and show() is no longer called. A control that is still given changes (Control::post) may
+  /// carry them out later: they touch only the world and the loop.
   WebServer(net::IoLoop& loop, WebOptions options, world::Control& control, const world::World& world,
             replicate::DeviceNames devices);
   ~WebServer();
@@ -56,9 +56,11 @@ class WebServer {
   /// Opens the port and returns its number.
   Result<std::uint16_t> listen();
 
-  /// Gives viewers the world's present state. Call it after each tick, and while paused at least ten times a
-  /// second, so that they see what was dragged and that the program lives. Copies at most 30 times a second
-  /// of wall time, and only when somebody watches; else it costs an atomic load.
+  /// Whether viewers are to be given the world's present state: somebody watches, and the last time was 33 ms
+  /// of wall time ago. Ask after each tick, and while paused at least ten times a second, so that they see
+  /// what was dragged and that the program lives. Costs an atomic load while nobody watches.
+  bool wants_show() const;
+  /// Gives it to them. The world stands still meanwhile.
   void show(const world::World& world, const world::Pace& pace);
 
   WebStatus status() const;

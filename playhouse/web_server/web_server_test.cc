@@ -149,7 +149,7 @@ class WebServerTest : public testing::Test {
   void turn() {
     notes_.carry_out(small_.world);
     small_.tick();
-    server_.show(small_.world, {});
+    if (server_.wants_show()) server_.show(small_.world, {});
   }
   std::function<void()> turning() {
     return [this] { turn(); };

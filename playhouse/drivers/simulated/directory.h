@@ -2,7 +2,8 @@
 
 /// Directory: which devices show each model of the world, whoever made them: automatic devices, sections of a
 /// configuration file, a driver that converts another one's data. Lists of names for clients and for the page
-/// are made of it. During a run devices come and go with their models, and it is the tick thread's.
+/// are made of it. During a run devices come and go with their models, and it is the tick thread's; others
+/// read it as they do the world, while that stands between two ticks (publisher_thread.h).
 
 #include <map>
 #include <span>

@@ -206,5 +206,30 @@ TEST(Simulation, without_lock_step_keeps_no_start) {
   EXPECT_FALSE(still.simulation.start_again(1).ok());
 }
 
+TEST(Simulation, in_lock_step_tells_when_the_data_of_many_devices_are_out) {
+  struct Many final : Source {
+    void emit(const world::World& world, std::vector<device::Publication>& out) override {
+      out.push_back({{0}, 0, world.time(), {}});
+    }
+  };
+  constexpr std::size_t kDevices = 200;
+  const scene::SceneDesc scene = testing::scene_of(kRobot);
+  testing::Recorder recorder;
+  Simulation simulation(std::make_unique<testing::StillEngine>(scene),
+                        {.speed = 0, .duration = 0.5, .lock_step = LockStep::Options{}});
+  simulation.publish_to(recorder);
+  for (std::size_t k = 0; k < kDevices; ++k) simulation.add_source(std::make_shared<Many>());
+  std::thread ticks([&] { simulation.run(); });
+  std::atomic<bool> done = false;
+  simulation.lock_step()->step(&done, "test", 3, [&](const std::optional<std::string>& why) {
+    EXPECT_FALSE(why);
+    EXPECT_EQ(recorder.published.size(), 3 * kDevices);
+    done = true;
+  });
+  while (!done) std::this_thread::yield();
+  simulation.stop();
+  ticks.join();
+}
+
 }  // namespace
 }  // namespace playhouse::drivers

@@ -78,12 +78,19 @@ void Simulation::run() {
     // Looked at first: what members said before they asked for the tick is in the inbox then.
     const bool asked_for = lock_step_ == nullptr || lock_step_->is_due();
     if (woken_.exchange(false)) {
+      finish_publishing();
       take_wanted();
       take_inbox();
       if (now_.instant) go_back(*std::exchange(now_.instant, std::nullopt));
     }
-    if (now_.stop || world.tick() >= end_tick_) return;
-    if (wait_for_tick(asked_for)) tick();
+    const bool ends = now_.stop || world.tick() >= end_tick_;
+    if (!ends && !wait_for_tick(asked_for)) continue;
+    if (publisher_thread_.under_way()) {
+      finish_publishing();
+      continue;  // drivers that read the data may have posted something for this very tick
+    }
+    if (ends) return;
+    tick();
   }
 }
 
@@ -95,12 +102,16 @@ bool Simulation::wait_for_tick(bool asked_for) {
   const double due = stands ? now + kPausedShow : now_.steps > 0 ? now : pacer_.due().value_or(now);
   if (due <= now) return true;
   const double until = std::min(due, now + kLongestWait);
+  publisher_thread_.go_on();
   bool woken = false;
   {
     std::unique_lock lock(mutex_);
     woken = changed_.wait_until(lock, wall_time(until), [this] { return woken_.load(); });
   }
-  if (stands && !woken) tell_listeners();
+  if (stands && !woken) {
+    finish_publishing();
+    show();
+  }
   if (lock_step_) lock_step_->look_for_silence(clock_(), now_.paused && now_.steps == 0);
   return false;
 }
@@ -121,8 +132,9 @@ void Simulation::tick() {
   if (witness_) witness_->ticked(world);
   if (now_.recording) history_.record(world);
   show_past();
-  publish();
-  tell_listeners();
+  encode();
+  show();
+  if (!done.empty() || last_step) finish_publishing();
   for (const LockStep::Done& each : done) each({});
   if (last_step) answer_steps();
 }
@@ -136,9 +148,21 @@ void Simulation::answer_steps() {
   for (const LockStep::Done& each : done) each({});
 }
 
+/// Few messages are encoded and sent at once; many are work for the publisher thread.
+void Simulation::encode() {
+  const std::size_t ranges = sources_.ranges();
+  const auto encode_range = [this](std::size_t range) { sources_.emit_range(engine_->world(), range); };
+  if (ranges > 1) {
+    works_.push_back({ranges, encode_range, [this] { publish(); }});
+    return;
+  }
+  if (ranges == 1) encode_range(0);
+  publish();
+}
+
 void Simulation::publish() {
   batch_.clear();
-  sources_.emit(engine_->world(), engine_->workers(), batch_);
+  sources_.join(batch_);
   if (!batch_.empty() && publisher_) publisher_->publish(std::exchange(batch_, {}));
 }
 
@@ -149,10 +173,23 @@ void Simulation::follow_changes() {
   followed_ = world.changes.end();
 }
 
-void Simulation::tell_listeners() {
+/// The world as it stands, to all who want to see it; starts what `works_` has.
+void Simulation::show() {
+  shown_pace_ = {now_.paused, now_.speed, now_.paused ? 0 : pacer_.real_time_factor()};
+  for (const Watcher& watcher : watchers_) {
+    if (!watcher.wants()) continue;
+    works_.push_back({.run = [this, &watcher](std::size_t) { watcher.look(engine_->world(), shown_pace_); }});
+  }
+  if (!works_.empty()) publisher_thread_.begin(works_);
   if (listeners_.empty()) return;
-  const world::Pace pace{now_.paused, now_.speed, now_.paused ? 0 : pacer_.real_time_factor()};
-  for (const Listener& listener : listeners_) listener(engine_->world(), pace);
+  finish_publishing();
+  for (const Listener& listener : listeners_) listener(engine_->world(), shown_pace_);
+}
+
+/// Before anything but a tick's data leaves the tick thread, or changes the world.
+void Simulation::finish_publishing() {
+  publisher_thread_.finish(engine_->workers());
+  works_.clear();
 }
 
 void Simulation::take_wanted() {
@@ -170,12 +207,13 @@ void Simulation::take_wanted() {
   if (now_.steps == 0) answer_steps();  // somebody let the world go on
   if (!now_.pace_changed) return;
   pacer_.change(clock_(), now_.speed, now_.paused);
-  tell_listeners();
+  show();
 }
 
 void Simulation::take_inbox() {
   inbox_.take(taken_);
   if (taken_.empty()) return;
+  finish_publishing();
   if (witness_) witness_->before_changes(engine_->world());
   for (const Change& change : taken_) {
     carry_out(change);
@@ -186,7 +224,7 @@ void Simulation::take_inbox() {
   world::World& world = engine_->world();
   for (const std::unique_ptr<world::Decider>& decider : world.deciders) decider->follow(world);
   if (witness_) witness_->after_changes(engine_->world());
-  tell_listeners();
+  show();
 }
 
 /// Who comes after the run was taken back is nobody who came before: ids go on from where they were. The
@@ -203,6 +241,7 @@ void Simulation::carry_out(const Change& change) {
 void Simulation::go_back(std::uint64_t tick) {
   world::World& world = engine_->world();
   if (history_.empty()) return;
+  finish_publishing();
   history_.take(world);  // so that there is a way back
   if (witness_) witness_->before_changes(world);
   const std::vector<world::ModelId> before = world.models.id;
@@ -215,7 +254,7 @@ void Simulation::go_back(std::uint64_t tick) {
   show_past();
   follow_changes();
   if (witness_) witness_->after_changes(world);
-  tell_listeners();
+  show();
 }
 
 /// A controller that does not take back what it said leaves the world where it is, and is heard no more.

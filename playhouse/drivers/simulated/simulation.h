@@ -23,6 +23,7 @@
 #include "playhouse/drivers/simulated/inbox.h"
 #include "playhouse/drivers/simulated/lock_step.h"
 #include "playhouse/drivers/simulated/pacer.h"
+#include "playhouse/drivers/simulated/publisher_thread.h"
 #include "playhouse/drivers/simulated/sources.h"
 #include "playhouse/world/control.h"
 #include "playhouse/world/engine.h"
@@ -39,9 +40,16 @@ class Simulation final : public world::Control {
     std::function<double()> clock = {};  // s; steady, called on the tick thread; by default, the system's
     std::optional<LockStep::Options> lock_step = {};  // none: time goes on by itself
   };
-  /// Called after every tick, after changes made between ticks, and ten times a second while paused, on the
-  /// tick thread.
+  /// Called after every tick, when its data are out, after changes made between ticks, and ten times a second
+  /// while paused, on the tick thread, which waits for it.
   using Listener = std::function<void(const world::World&, const world::Pace&)>;
+
+  /// Who copies something of the world on those occasions, and changes nothing.
+  struct Watcher {
+    std::function<bool()> wants;  // asked each time, on the tick thread: cheap
+    /// Any thread, one call after another; wants() is not asked meanwhile.
+    std::function<void(const world::World&, const world::Pace&)> look;
+  };
 
   /// Called for every entry of world.changes, in their order, on the tick thread: between any two changes
   /// that were posted, and before the data of a tick and the listeners. So what it decides is the same in
@@ -53,6 +61,7 @@ class Simulation final : public world::Control {
   // Before run().
   void publish_to(device::Publisher& publisher) { publisher_ = &publisher; }
   void add_listener(Listener listener) { listeners_.push_back(std::move(listener)); }
+  void add_watcher(Watcher watcher) { watchers_.push_back(std::move(watcher)); }
   void add_follower(Follower follower) { followers_.push_back(std::move(follower)); }
   /// Who hears of every tick and of every change between two. Outlives run().
   void show_to(world::Witness& witness) { witness_ = &witness; }
@@ -62,7 +71,8 @@ class Simulation final : public world::Control {
   void save_by(Saver saver) { saver_ = std::move(saver); }
 
   /// Ticks until the duration is over or stop() is called. The calling thread is the tick thread; with no
-  /// wall clock to keep (speed 0) and nothing posted, no lock is taken and no other thread is involved.
+  /// wall clock to keep (speed 0), nothing posted and nobody who reads or watches, no lock is taken and no
+  /// other thread is involved.
   void run();
   /// Makes run() return before the next tick. Any thread.
   void stop();
@@ -138,15 +148,18 @@ class Simulation final : public world::Control {
   void keep_start();
   bool wait_for_tick(bool asked_for);
   void tick();
+  void encode();
   void publish();
   void follow_changes();
-  void tell_listeners();
+  void show();
+  void finish_publishing();
   void answer_steps();
 
   std::unique_ptr<world::Engine> engine_;
   device::Publisher* publisher_ = nullptr;
   std::vector<Follower> followers_;
   std::vector<Listener> listeners_;
+  std::vector<Watcher> watchers_;
   Saver saver_;
   world::Witness* witness_ = nullptr;
   Directory directory_;
@@ -178,6 +191,9 @@ class Simulation final : public world::Control {
   std::uint64_t followed_;  // changes that the followers know
   Sources sources_;
   std::vector<device::Publication> batch_;
+  world::Pace shown_pace_;                    // of the newest show()
+  std::vector<PublisherThread::Work> works_;  // for the publisher thread
+  PublisherThread publisher_thread_;          // reads what is above
 };
 
 }  // namespace playhouse::drivers

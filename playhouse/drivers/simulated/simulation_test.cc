@@ -61,6 +61,73 @@ TEST(Simulation, shows_every_tick_to_its_listeners_with_the_time) {
   EXPECT_DOUBLE_EQ(still.simulation.time(), 0.2);
 }
 
+TEST(Simulation, shows_every_tick_to_watchers_who_want_it_while_the_world_stands) {
+  StillSimulation still(kRobot);
+  std::vector<std::uint64_t> seen;
+  still.simulation.add_watcher({[&] { return still.world().tick() % 2 == 1; },
+                                [&](const world::World& world, const world::Pace&) {
+                                  const std::uint64_t tick = world.tick();
+                                  std::this_thread::yield();
+                                  EXPECT_EQ(world.tick(), tick);
+                                  seen.push_back(tick);
+                                }});
+  still.run(6);
+  EXPECT_EQ(seen, (std::vector<std::uint64_t>{1, 3, 5}));
+}
+
+/// So many that the publisher thread encodes for them.
+constexpr std::uint32_t kManySources = 200;
+
+/// Publishes its number in each tick.
+struct Numbered final : Source {
+  explicit Numbered(std::uint32_t number) : number(number) {}
+  void emit(const world::World& world, std::vector<device::Publication>& out) override {
+    out.push_back({{number}, 0, world.time(), {}});
+  }
+  std::uint32_t number;
+};
+
+void add_many_sources(Simulation& simulation) {
+  for (std::uint32_t number = 0; number < kManySources; ++number)
+    simulation.add_source(std::make_shared<Numbered>(number));
+}
+
+/// Asks for something whenever it gets data, as drivers do that read others.
+struct Asking final : device::Publisher {
+  explicit Asking(Simulation& simulation) : simulation(simulation) {}
+  void publish(std::vector<device::Publication> batch) override {
+    times.push_back(batch.size() == kManySources ? batch.back().timestamp : -1);
+    simulation.post_always([this](world::World& world) { answered.push_back(world.time()); }, {});
+  }
+  Simulation& simulation;
+  std::vector<double> times, answered;
+};
+
+TEST(Simulation, what_drivers_ask_for_at_the_data_of_many_devices_happens_before_the_next_tick) {
+  for (const unsigned workers : {1u, 3u}) {
+    StillSimulation still(kRobot, workers);
+    Asking asking(still.simulation);
+    still.simulation.publish_to(asking);
+    add_many_sources(still.simulation);
+    std::vector<double> ticks;
+    for (int tick = 1; tick <= 50; ++tick) ticks.push_back(tick * 0.1);
+    still.run(50);
+    ASSERT_EQ(asking.times.size(), 50u);
+    EXPECT_EQ(asking.answered, asking.times);
+    for (std::size_t k = 0; k < 50; ++k) EXPECT_DOUBLE_EQ(asking.times[k], ticks[k]);
+  }
+}
+
+TEST(Simulation, tells_its_listeners_when_the_data_of_many_devices_are_out) {
+  StillSimulation still(kRobot);
+  add_many_sources(still.simulation);
+  std::vector<std::size_t> published;
+  still.simulation.add_listener(
+      [&](const world::World&, const world::Pace&) { published.push_back(still.recorder.published.size()); });
+  still.run(2);
+  EXPECT_EQ(published, (std::vector<std::size_t>{0, kManySources, 2 * kManySources}));
+}
+
 TEST(Simulation, tells_its_followers_of_each_change_before_the_next_and_before_its_listeners) {
   StillSimulation still(kRobot);
   std::string told;

@@ -108,6 +108,11 @@ TEST(Sources, come_in_the_order_in_which_they_were_added_behind_what_is_there) {
     sources.add(numbers.back());
   }
   std::vector<device::Publication> batch;
+  const auto emit = [&] {
+    for (std::size_t range = sources.ranges(); range > 0; --range)
+      sources.emit_range(engine.world(), range - 1);
+    sources.join(batch);
+  };
   const auto rows = [&] {
     std::vector<std::uint32_t> found;
     for (const device::Publication& each : std::exchange(batch, {})) found.push_back(each.device.row);
@@ -115,13 +120,13 @@ TEST(Sources, come_in_the_order_in_which_they_were_added_behind_what_is_there) {
   };
   for (int k = 0; k < 600; ++k) engine.step();
   batch.push_back({{7777}, 0, 0, {}});
-  sources.emit(engine.world(), engine.workers(), batch);
+  emit();
   EXPECT_THAT(rows(), ElementsAreArray({7777, 600, 300, 200, 150, 120, 100, 75, 60, 50, 40, 30, 25,
                                         24,   20,  15,  12,  10,  8,   6,   5,  4,  3,  2,  1}));
-  sources.emit(engine.world(), engine.workers(), batch);
+  emit();
   EXPECT_EQ(rows().size(), 24u) << "nothing is left of the last call";
   for (const std::shared_ptr<Number>& number : numbers) sources.remove(*number);
-  sources.emit(engine.world(), engine.workers(), batch);
+  emit();
   EXPECT_THAT(rows(), IsEmpty());
 }
 
