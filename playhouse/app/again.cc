@@ -30,6 +30,7 @@ Result<std::unique_ptr<OpenedRecording>> open_recording(const std::string& file,
   opened->scene = std::move(*scene);
   controllers::describe_for(opened->scene);
   Running same = running;
+  same.engine = opened->recording.start.engine;
   same.seed = opened->recording.start.seed;
   Result<std::unique_ptr<world::Engine>> engine =
       make_engine(opened->scene, same, controllers::Libraries::Use::kLoad, &warn);

@@ -69,10 +69,10 @@ void print_result(const BenchOptions& options, std::string_view scenario, world:
   const double robot_ticks = static_cast<double>(std::max<std::size_t>(robots, 1)) *
                              static_cast<double>(std::max<std::uint64_t>(world.tick(), 1));
   fmt::print(
-      R"({{"scenario":"{}","robots":{},"workers":{},"instruction_set":"{}","ticks":{},"sim_time":{:.1f},"wall_time":{:.6f},"cpu_time":{:.6f},"ns_per_robot_tick":{:.1f},"real_time_factor":{:.2f},)"
+      R"({{"scenario":"{}","engine":"{}","robots":{},"workers":{},"instruction_set":"{}","ticks":{},"sim_time":{:.1f},"wall_time":{:.6f},"cpu_time":{:.6f},"ns_per_robot_tick":{:.1f},"real_time_factor":{:.2f},)"
       R"("rays":{},"rays_per_s":{:.0f},"memory_bytes":{},"world_bytes":{},"column_bytes":{},"hash":"{:016x}","sensed_hash":"{:016x}"}})"
       "\n",
-      scenario, robots, options.workers,
+      scenario, world.engine, robots, options.workers,
       stage::kInstructionSetNames[static_cast<std::size_t>(stage::instruction_set())], world.tick(),
       world.time(), took.wall_time, took.cpu_time, 1e9 * took.cpu_time / robot_ticks,
       world.time() / took.wall_time, engine.rays(), static_cast<double>(engine.rays()) / took.wall_time,
@@ -84,8 +84,9 @@ void print_result(const BenchOptions& options, std::string_view scenario, world:
 /// The scene runs for `duration` simulated seconds.
 int bench_scene(const BenchOptions& options, std::string_view scenario, const scene::SceneDesc& scene,
                 double duration, std::uint64_t memory_before) {
-  Result<std::unique_ptr<world::Engine>> engine = make_engine(
-      scene, {.seed = options.seed, .workers = options.workers}, controllers::Libraries::Use::kLoad, &warn);
+  Result<std::unique_ptr<world::Engine>> engine =
+      make_engine(scene, {.engine = options.engine, .seed = options.seed, .workers = options.workers},
+                  controllers::Libraries::Use::kLoad, &warn);
   if (!engine) return fail(engine.error());
   // The run itself is the one that `playhouse run --fast --headless` does.
   drivers::Simulation simulation(std::move(*engine), {.speed = 0, .duration = duration});

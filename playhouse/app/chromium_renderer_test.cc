@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "playhouse/app/world_opener.h"
+#include "playhouse/stage/engine.h"
 #include "playhouse/drivers/testing/still_engine.h"
 #include "playhouse/web_server/page_files.h"
 #include "playhouse/world/population.h"
@@ -40,7 +40,7 @@ class AChromium : public testing::Test {
 
 TEST_F(AChromium, draws_who_came_and_draws_no_more_who_has_gone) {
   const scene::SceneDesc scene = drivers::testing::scene_of(kWorld);
-  const Result<std::unique_ptr<world::Engine>> engine = make_stage(scene, 1, 1);
+  const Result<std::unique_ptr<world::Engine>> engine = stage::make_engine(scene, {});
   ASSERT_TRUE(engine);
   world::World& world = (*engine)->world();
   const SensorShapes nothing;

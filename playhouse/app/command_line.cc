@@ -30,6 +30,7 @@ constexpr const char* kExamples = R"(Examples:
   playhouse run my.world --port 7000 --web off       Player clients alone
   playhouse run my.world --fast --headless --duration 60 --json
                                                      a minute of simulated time, as fast as it goes
+  playhouse run my.world --engine arena              the same world with rigid bodies that push and fall
   playhouse run my.world --save-at 60 minute.run     the state after a minute, into a file
   playhouse run --from minute.run                    on from there
   playhouse run my.world --save-at 60 later.world    where everybody is after a minute, as a world file
@@ -55,6 +56,7 @@ constexpr const char* kRunExamples = R"(Examples:
   playhouse run worlds/cave.world
   playhouse run worlds/cave.world --port 7000 --web off
   playhouse run worlds/cave.world --fast --headless --duration 60 --json
+  playhouse run worlds/cave.world --engine arena
   playhouse run worlds/cave.world --headless --lock-step
   playhouse run worlds/cave.world --headless --lock-step left,right --lock-step-timeout 10)";
 constexpr const char* kReplayExamples = R"(Examples:
@@ -214,6 +216,20 @@ std::string check_renderer(const std::string& text) {
                      did_you_mean(text, kNames));
 }
 
+std::string check_engine(const std::string& text) {
+  if (std::ranges::find(kEngines, text) != std::end(kEngines)) return "";
+  return fmt::format("{} is wanted, not {}{}", fmt::join(kEngines, " or "), in_quotes(text),
+                     did_you_mean(text, kEngines));
+}
+
+void add_engine(CLI::App& app, std::string& engine) {
+  app.add_option("--engine", engine,
+                 "what moves the robots: stage, in the plane, or arena, bodies with mass (docs/arena.md)")
+      ->type_name("NAME")
+      ->check(check_engine)
+      ->capture_default_str();
+}
+
 void add_hosts(CLI::App& app, Serving& serving) {
   app.add_option("--bind", serving.bind, "address to listen on; 0.0.0.0: everybody's")
       ->check(check_bind)
@@ -292,6 +308,7 @@ void add_drawn_run(CLI::App& app, Options& options) {
          "(chromium, where there is one that draws)")
       ->type_name("NAME")
       ->check(check_renderer);
+  add_engine(app, options.running.engine);
   app.add_option("--seed", options.running.seed, "seed of all random numbers")
       ->check(check_count<std::uint64_t>)
       ->capture_default_str();
@@ -329,6 +346,7 @@ void add_recording(CLI::App& app, Running& running) {
 }
 
 void add_running(CLI::App& app, Raw& raw, Running& running) {
+  add_engine(app, running.engine);
   auto* fast = app.add_flag("--fast", raw.fast, "as fast as possible instead of real time");
   app.add_option("--speed", running.speed, "times real time; 0: as fast as possible (the file's speedup)")
       ->check(check_not_negative)
@@ -361,14 +379,15 @@ void add_commands(CLI::App& app, Raw& raw) {
                   "go on with a saved run instead; --duration counts from the start of its world")
       ->type_name("FILE")
       ->excludes(world)
+      ->excludes(run->get_option("--engine"))
       ->excludes(run->get_option("--seed"));
   auto* again =
       run->add_option("--again", raw.run.again,
                       "run a recording again, as fast as it goes, and compare: exit code 1 where it differs")
           ->type_name("FILE.mcap")
           ->excludes(world);
-  for (const char* const other :
-       {"--from", "--seed", "--duration", "--record", "--lock-step", "--paused", "--save-world", "--speed"})
+  for (const char* const other : {"--from", "--engine", "--seed", "--duration", "--record", "--lock-step",
+                                  "--paused", "--save-world", "--speed"})
     again->excludes(run->get_option(other));
   run->add_option(
          "--save-at", raw.saves,
@@ -419,6 +438,7 @@ void add_commands(CLI::App& app, Raw& raw) {
       ->required();
   gym->add_option("--web", raw.gym_web, "port of a web page; 0: any free one, printed (none)")
       ->check(check_web);
+  add_engine(*gym, raw.gym.running.engine);
   gym->add_option("--seed", raw.gym.running.seed, "seed until the first reset")
       ->check(check_count<std::uint64_t>)
       ->capture_default_str();
@@ -439,6 +459,7 @@ void add_commands(CLI::App& app, Raw& raw) {
       ->check(check_workers)
       ->delimiter(',')
       ->type_name("N,N,...");
+  add_engine(*verify, raw.verify.running.engine);
   verify->add_option("--seed", raw.verify.running.seed, "seed of all random numbers")
       ->check(check_count<std::uint64_t>)
       ->capture_default_str();
@@ -530,6 +551,7 @@ void add_commands(CLI::App& app, Raw& raw) {
       ->add_option("--duration", raw.bench.duration,
                    "simulated seconds (the scenario's own); not of load, server")
       ->check(check_positive);
+  add_engine(*bench, raw.bench.engine);
   bench->add_option("--seed", raw.bench.seed, "seed of all random numbers")
       ->check(check_count<std::uint64_t>)
       ->capture_default_str();
@@ -677,6 +699,9 @@ Result<CommandLine> parse_command_line(std::span<const char* const> words) {
     return Error{"", "bench world wants the name of a .world file"};
   if (raw.bench.scenario == "world" && raw.bench.robots > 0)
     return Error{"", "--robots: bench world has the robots of its file"};
+  if (raw.bench.engine != kStage && (raw.bench.scenario == "load" || raw.bench.scenario == "open" ||
+                                     raw.bench.scenario == "server" || raw.bench.scenario == "watched"))
+    return Error{"", fmt::format("--engine: bench {} measures with stage", raw.bench.scenario)};
   if (raw.bench.scenario != "world" && !raw.bench.world.empty())
     return Error{"", fmt::format("a file belongs to bench world, not to bench {}", raw.bench.scenario)};
   return chosen(app, raw);

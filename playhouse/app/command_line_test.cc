@@ -69,6 +69,15 @@ TEST(CommandLine, run_takes_every_option) {
   EXPECT_TRUE(run.running.json);
 }
 
+TEST(CommandLine, runs_name_their_engine_and_saved_runs_have_one) {
+  EXPECT_EQ(parsed<RunOptions>({"run", "w"}).running.engine, kStage);
+  EXPECT_EQ(parsed<RunOptions>({"run", "w", "--engine", "arena"}).running.engine, kArena);
+  EXPECT_EQ(parsed<BenchOptions>({"bench", "sonar", "--engine", "arena"}).engine, kArena);
+  EXPECT_THAT(fault({"run", "w", "--engine", "arnea"}), HasSubstr("did you mean \"arena\"?"));
+  EXPECT_THAT(fault({"run", "--from", "f", "--engine", "arena"}), HasSubstr("--from"));
+  EXPECT_THAT(fault({"bench", "server", "--engine", "arena"}), HasSubstr("measures with stage"));
+}
+
 TEST(CommandLine, lock_step_is_for_one_client_for_some_or_for_those_of_names) {
   EXPECT_FALSE(parsed<RunOptions>({"run", "w"}).running.lock_step);
   const auto one = parsed<RunOptions>({"run", "w", "--lock-step"}).running.lock_step;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace playhouse::app {
@@ -26,6 +27,10 @@ struct Serving {
   std::vector<std::string> web_hosts = {};  // names of the page besides the machine's
 };
 
+/// The engines: the one of robots in the plane, and the one of bodies with mass.
+inline constexpr const char *kStage = "stage", *kArena = "arena";
+inline constexpr std::string_view kEngines[] = {kStage, kArena};
+
 /// Whom the world waits for in every tick.
 struct LockStepping {
   std::size_t clients = 1;
@@ -34,6 +39,7 @@ struct LockStepping {
 
 /// How a world runs. What is not given comes from the world file.
 struct Running {
+  std::string engine = kStage;          // a name of kEngines
   std::optional<double> speed = {};     // times real time; 0: as fast as possible
   std::optional<double> duration = {};  // simulated seconds
   std::uint64_t seed = 1;
@@ -152,9 +158,10 @@ struct KindsOptions {
 
 struct BenchOptions {
   std::string scenario;
-  std::string world;         // a .world file, of scenario "world" alone
-  std::uint32_t robots = 0;  // 0: the scenario's own number
-  double duration = 0;       // simulated seconds; 0: the scenario's own
+  std::string engine = kStage;  // a name of kEngines
+  std::string world;            // a .world file, of scenario "world" alone
+  std::uint32_t robots = 0;     // 0: the scenario's own number
+  double duration = 0;          // simulated seconds; 0: the scenario's own
   std::uint64_t seed = 1;
   unsigned workers = 1;
 };

@@ -103,6 +103,7 @@ Result<void> Service::read_saved(const std::string& path) {
   if (!run) return Error{escaped(path), run.error().text};
   saved_ = std::move(*run);
   sources_ = saved_->sources;
+  running_.engine = saved_->engine;
   running_.seed = saved_->seed;
   scene::MemoryFiles files(sources_.files, sources_.search_path);
   Result<scene::SceneDesc> scene =
@@ -114,7 +115,7 @@ Result<void> Service::read_saved(const std::string& path) {
 }
 
 Result<void> Service::save(const world::World& world, const std::string& file) const {
-  world::SavedRun run{sources_, world.seed(), {}};
+  world::SavedRun run{sources_, world.engine, world.seed(), {}};
   if (const Result<void> saved = world::save_state(world, run.state); !saved) return saved;
   return write_file(file, world::encode(run));
 }

@@ -58,7 +58,7 @@ class Service final : private drivers::Surroundings {
 
   /// Where lines about odd things in the files go; by default, to the log. Before the first step.
   void on_warning(Warn warn) { warn_ = std::move(warn); }
-  /// The engine that runs the world; by default, Stage. Before the first step.
+  /// The engine that runs the world; by default, the one that the options name. Before the first step.
   void use_engine(EngineMaker make) { engine_maker_ = std::move(make); }
   /// Finds libraries of controllers without loading them: nothing can run then. Before the first step.
   void load_no_code() { libraries_ = controllers::Libraries::Use::kFind; }
@@ -135,7 +135,7 @@ class Service final : private drivers::Surroundings {
   Running running_;
   QuitTime quit_time_;
   Warn warn_;
-  EngineMaker engine_maker_ = make_stage;
+  EngineMaker engine_maker_;
   std::vector<Error> other_errors_;
   controllers::Libraries::Use libraries_ = controllers::Libraries::Use::kLoad;
 

@@ -7,6 +7,9 @@
 #include <vector>
 
 #include "playhouse/app/fail.h"
+#include "playhouse/arena/engine.h"
+#include "playhouse/base/in_quotes.h"
+#include "playhouse/base/nearest_word.h"
 #include "playhouse/libraries/custom_kinds.h"
 #include "playhouse/scene/world_loader.h"
 #include "playhouse/stage/engine.h"
@@ -29,15 +32,24 @@ Result<scene::SceneDesc> read_scene(const std::string& path, std::vector<Error>*
   return scene;
 }
 
-Result<std::unique_ptr<world::Engine>> make_stage(const scene::SceneDesc& scene, std::uint64_t seed,
-                                                  unsigned workers) {
-  return stage::make_engine(scene, {.seed = seed, .workers = workers});
+Result<EngineMaker> engine_named(std::string_view name) {
+  if (name == kStage)
+    return EngineMaker([](const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers) {
+      return stage::make_engine(scene, {.seed = seed, .workers = workers});
+    });
+  if (name == kArena)
+    return EngineMaker([](const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers) {
+      return arena::make_engine(scene, {.seed = seed, .workers = workers});
+    });
+  return Error{"", "there is no engine " + in_quotes(name) + did_you_mean(name, kEngines)};
 }
 
 Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene, const Running& running,
                                                    controllers::Libraries::Use use, const Warn& warn,
                                                    const EngineMaker& make) {
-  Result<std::unique_ptr<world::Engine>> engine = make(scene, running.seed, running.workers);
+  const Result<EngineMaker> maker = make ? make : engine_named(running.engine);
+  if (!maker) return maker.error();
+  Result<std::unique_ptr<world::Engine>> engine = (*maker)(scene, running.seed, running.workers);
   if (!engine) return engine;
   const libraries::Libraries allowed{
       .folders = libraries::library_folders(scene, program_folder()),

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "playhouse/app/options.h"
@@ -25,18 +26,18 @@ using Warn = std::function<void(const std::string&)>;
 using EngineMaker = std::function<Result<std::unique_ptr<world::Engine>>(
     const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers)>;
 
-/// stage::make_engine.
-Result<std::unique_ptr<world::Engine>> make_stage(const scene::SceneDesc& scene, std::uint64_t seed,
-                                                  unsigned workers);
+/// The engine of this name. Fails if there is none.
+Result<EngineMaker> engine_named(std::string_view name);
 
 /// A world file as a person names it, with what its controllers make during a run; its warnings are told.
 /// Fails as scene::load_world().
 Result<scene::SceneDesc> read_scene(const std::string& path, std::vector<Error>* others);
 
-/// An engine for the scene, with the controllers that its models name. The scene must outlive it.
+/// An engine for the scene, with the controllers that its models name: what `make` makes, or else the one
+/// that `running` names. The scene must outlive it.
 Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene, const Running& running,
                                                    controllers::Libraries::Use use, const Warn& warn,
-                                                   const EngineMaker& make = make_stage);
+                                                   const EngineMaker& make = {});
 
 /// Whether the world file's quit_time ends the run.
 enum class QuitTime : std::uint8_t { kHonoured, kIgnored };

@@ -29,11 +29,6 @@ Quaternion operator*(const Quaternion& p, const Quaternion& q) {
           p.w * q.y - p.x * q.z + p.y * q.w + p.z * q.x, p.w * q.z + p.x * q.y - p.y * q.x + p.z * q.w};
 }
 
-Vec3 operator*(const Quaternion& q, const Vec3& v) {
-  const Quaternion turned = q * Quaternion{0, v.x, v.y, v.z} * Quaternion{q.w, -q.x, -q.y, -q.z};
-  return {turned.x, turned.y, turned.z};
-}
-
 Quaternion orientation(double heading, Tilt tilt) {
   const Quaternion twist = about({0, 0, 1}, heading);
   const double angle = std::sqrt(tilt.x * tilt.x + tilt.y * tilt.y);

@@ -11,8 +11,18 @@ namespace playhouse::geom {
 
 struct Vec3 {
   double x = 0, y = 0, z = 0;  // m
+  friend constexpr Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+  friend constexpr Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+  friend constexpr Vec3 operator*(double s, const Vec3& a) { return {s * a.x, s * a.y, s * a.z}; }
   friend constexpr bool operator==(const Vec3&, const Vec3&) = default;
 };
+
+constexpr double dot(const Vec3& a, const Vec3& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+constexpr Vec3 cross(const Vec3& a, const Vec3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
 
 /// A rotation about a horizontal axis: the axis times the angle, which is at most pi. [rad]
 struct Tilt {
@@ -29,8 +39,11 @@ struct Quaternion {
 };
 
 Quaternion operator*(const Quaternion& q_AB, const Quaternion& q_BC);
-/// v_A from v_B.
-Vec3 operator*(const Quaternion& q_AB, const Vec3& v_B);
+/// v_A from v_B: v + w t + u x t with t = 2 u x v, of q = (w, u).
+constexpr Vec3 operator*(const Quaternion& q_AB, const Vec3& v_B) {
+  const Vec3 u{q_AB.x, q_AB.y, q_AB.z}, t = 2 * cross(u, v_B);
+  return v_B + q_AB.w * t + cross(u, t);
+}
 
 /// Where a body is and how it stands. X.a and tilt together are its orientation.
 struct SpatialPose {
@@ -42,6 +55,12 @@ struct SpatialPose {
 Quaternion orientation(double heading, Tilt tilt);
 /// The pose at p with this orientation; of upside down ones, which have many headings, some one.
 SpatialPose spatial_pose(const Vec3& p, const Quaternion& orientation);
+
+/// How a body moves: v is that of its origin, w that about it.
+struct SpatialVelocity {
+  Vec3 v, w;  // m/s, rad/s
+  friend constexpr bool operator==(const SpatialVelocity&, const SpatialVelocity&) = default;
+};
 
 SpatialPose compose(const SpatialPose& X_AB, const SpatialPose& X_BC);
 

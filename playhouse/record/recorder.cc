@@ -65,7 +65,7 @@ Result<void> Recorder::begin(const world::World& world, const scene::SourceFiles
   steps_ = world.tick();
   for (const std::string& name : selection_.unknown_names(world))
     log::warn("--record-only: no model is called {} yet", name);
-  world::SavedRun run{sources, world.seed(), {}};
+  world::SavedRun run{sources, world.engine, world.seed(), {}};
   if (const Result<void> saved = world::save_state(world, run.state); !saved) {
     give_up(saved.error());
     run.state.clear();

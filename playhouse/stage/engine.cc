@@ -1,150 +1,30 @@
 #include "playhouse/stage/engine.h"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
-#include "playhouse/base/log.h"
-#include "playhouse/scene/charge.h"
-#include "playhouse/scene/generated/read_kinds.h"
-#include "playhouse/stage/generated/senses.h"
+#include "playhouse/stage/check_scene.h"
 #include "playhouse/stage/stage_engine.h"
 
 namespace playhouse::stage {
-namespace {
-
-bool finite(const Pose& pose) {
-  return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.z) && std::isfinite(pose.a);
-}
-
-bool finite(std::span<const Vec2> points) {
-  for (const Vec2 p : points)
-    if (!std::isfinite(p.x) || !std::isfinite(p.y)) return false;
-  return true;
-}
-
-bool finite(const scene::ModelDesc& model) {
-  if (!finite(model.X_PM) || !finite(model.X_MB)) return false;
-  for (const scene::Block& block : model.blocks)
-    if (!finite(block.points)) return false;
-  for (const scene::Contours& bitmap : model.bitmaps)
-    for (const std::vector<Vec2>& loop : bitmap.loops)
-      if (!finite(loop)) return false;
-  return true;
-}
-
-bool is_sound(const scene::ActuatorDesc& actuator) {
-  constexpr double kFarthest = 1e9;  // m or rad, as of poses
-  for (const double value : {actuator.axis_x, actuator.axis_y, actuator.axis_z, actuator.max_speed})
-    if (!std::isfinite(value)) return false;
-  return actuator.max_speed >= 0 && -kFarthest <= actuator.min_position &&
-         actuator.min_position <= actuator.start_position &&
-         actuator.start_position <= actuator.max_position && actuator.max_position <= kFarthest;
-}
-
-Result<void> check_model(const scene::SceneDesc& scene, const scene::ModelDesc& model) {
-  const auto fault = [&](const std::string& text) {
-    return Error{scene.at(model.where), "model " + model.name + text};
-  };
-  if (!finite(model)) return fault(" has a pose or a point that is not a finite number");
-  for (const double value : {model.mass, model.watts, model.give_watts, model.take_watts})
-    if (!(value >= 0) || !std::isfinite(value)) return fault(" has a mass or a power that makes no sense");
-  const scene::Charge charge = scene::charge_of(model);
-  if (!std::isfinite(charge.stored) || !std::isfinite(charge.capacity) || charge.capacity < charge.stored)
-    return fault(" has a battery that makes no sense");
-  if (!scene::is_described(model.kind, model)) return fault(" lacks the description of its kind");
-  for (const scene::RangerSensorDesc& sensor : model.sensors) {
-    if (sensor.samples == 0) return fault(" has a sensor without samples");
-    if (!finite(sensor.X_BS) || !std::isfinite(sensor.range_max) || sensor.range_max < 0 ||
-        !(sensor.fov >= 0) || sensor.fov > 1e3)
-      return fault(" has a sensor whose pose, range or fov makes no sense");
-  }
-  if (model.actuator && !is_sound(*model.actuator))
-    return fault(" has an axis, ends or a start that make no sense");
-  if (!model.position) return {};
-  for (int axis = 0; axis < 4; ++axis)
-    if (!(model.position->velocity_bounds[axis].min <= model.position->velocity_bounds[axis].max) ||
-        !(model.position->acceleration_bounds[axis].min <= model.position->acceleration_bounds[axis].max))
-      return fault(" has bounds whose lower end is above the upper one");
-  return {};
-}
-
-/// Robots drive through floorplans that say obstacle_return 0, as the map.inc that comes with Stage does.
-void warn_of_ghost_walls(const scene::SceneDesc& scene) {
-  bool robots = false;
-  for (const scene::ModelDesc& model : scene.models) robots |= model.kind == scene::ModelKind::kPosition;
-  for (const scene::ModelDesc& model : scene.models) {
-    if (!robots || model.obstacle_return || model.bitmaps.empty()) continue;
-    log::warn("{}: model {} has obstacle_return 0: robots drive through it", scene.at(model.where),
-              model.name);
-    return;
-  }
-}
-
-/// Moving solids by the heights they begin with: what overlaps in height, as bodies of robots do, is one
-/// layer, what only stands on top is another.
-std::vector<std::uint8_t> layers_of(const Solids& solids) {
-  constexpr std::size_t kMost = 8;
-  std::vector<std::pair<double, double>> heights;
-  for (std::size_t row = solids.fixed; row < solids.size(); ++row)
-    heights.emplace_back(solids.z_free(row), solids.z_max[row]);
-  std::sort(heights.begin(), heights.end());
-  std::vector<double> begins;
-  double top = -1e300;
-  for (const auto& [z_min, z_max] : heights) {
-    if (z_min > top - kTouch) begins.push_back(z_min);
-    top = std::max({top, z_min, z_max});  // what is within others begins above its end
-  }
-  if (begins.size() > kMost) return {};
-  std::vector<std::uint8_t> layer;
-  for (std::size_t row = solids.fixed; row < solids.size(); ++row) {
-    const auto above = std::upper_bound(begins.begin(), begins.end(), solids.z_free(row));
-    layer.push_back(static_cast<std::uint8_t>(above - begins.begin() - 1));
-  }
-  return layer;
-}
-
-/// Mean radius of the largest solids of trees. [m]
-double robot_radius(const Trees& trees, const Solids& solids) {
-  double sum = 0;
-  for (std::size_t tree = 0; tree < trees.size(); ++tree) {
-    double largest = 0;
-    for (std::uint32_t row = trees.first_solid[tree]; row < trees.first_solid[tree + 1]; ++row)
-      largest = std::max(largest, solids.radius[row]);
-    sum += largest;
-  }
-  return sum / static_cast<double>(std::max<std::size_t>(trees.size(), 1));
-}
-
-}  // namespace
 
 StageEngine::StageEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers)
-    : PhasedEngine(scene, seed, workers), shapes_(scene), motion_(workers_.count()) {
-  add_senses(senses_, workers_.count());
+    : BodyEngine(scene, seed, workers), motion_(workers_.count()) {
   populate(true);
 }
 
-void StageEngine::populate(bool fixed) {
-  trees_ = make_trees(world_);
-  if (fixed) solids_ = make_fixed_solids(world_, shapes_);
-  replace_moving_solids(solids_, world_, shapes_, trees_);
-  if (fixed) walls_ = Walls(solids_);
+void StageEngine::populated(bool) {
   motion_.populate(trees_, solids_, world_.models);
-  index_.populate(solids_.moving(), robot_radius(trees_, solids_), layers_of(solids_));
-  index();
-  senses_.populate(world_, space());
+}
+
+void StageEngine::replaced(std::uint32_t tree) {
+  motion_.replaced(tree, solids_, world_.models);
+}
+
+void StageEngine::move() {
+  if (motion_.move(world_, solids_, index_, walls_, workers_)) index();
 }
 
 Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene,
                                                    const EngineOptions& options) {
-  if (!(scene.interval > 0) || !std::isfinite(scene.interval))
-    return Error{scene.path, "the interval of a tick must be above 0"};
-  for (const scene::ModelDesc& model : scene.models)
-    if (const Result<void> checked = check_model(scene, model); !checked) return checked.error();
-  for (const scene::TreeDesc& tree : scene.trees)
-    if (!finite(tree.X_WM))
-      return Error{scene.at(tree.where), "model " + tree.name + " has a pose that is not a finite number"};
-  warn_of_ghost_walls(scene);
+  if (const Result<void> checked = check_scene(scene); !checked) return checked.error();
   return std::unique_ptr<world::Engine>(std::make_unique<StageEngine>(scene, options.seed, options.workers));
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
 /// The 2D engine: robots that drive, collide and measure in a plane of extruded polygons. Geometry is exact:
-/// bodies are polygons and bitmap contours, never a raster. Its part of the tick is in step.cc. Where it
-/// differs from Stage 4.3 is in docs/stage-compatibility.md.
+/// bodies are polygons and bitmap contours, never a raster. Its part of the tick is in body_engine.cc and
+/// motion.cc. Where it differs from Stage 4.3 is in docs/stage-compatibility.md.
 
 #include <memory>
 

@@ -47,7 +47,7 @@ const std::string kCorpus = PLAYHOUSE_SOURCE_DIR "/tests/fuzz/stage_saved_run/";
 /// A run of `ticks`, in which a robot came half way and a message waits to be sent, as the fuzzer takes it:
 /// without the head.
 std::vector<std::byte> run_of(std::uint64_t ticks) {
-  world::SavedRun run{{"tiny.world", {{"tiny.world", kWorld}}, {}}, 1, {}};
+  world::SavedRun run{{"tiny.world", {{"tiny.world", kWorld}}, {}}, "stage", 1, {}};
   scene::MemoryFiles files(run.sources.files);
   const auto scene = scene::load_world_text(kWorld, run.sources.path, files);
   EXPECT_TRUE(scene) << scene.error().line();

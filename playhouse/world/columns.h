@@ -69,6 +69,8 @@ inline constexpr auto kColumns<Models> = std::tuple{
     Column{"models.X_WM", Role::kDerived, "m, rad", "W", "move, place", &Models::X_WM},
     Column{"models.tilt_PM", Role::kMotion, "rad", "P", "move, place", &Models::tilt_PM},
     Column{"models.tilt_WM", Role::kDerived, "rad", "W", "move, place", &Models::tilt_WM},
+    Column{"models.V_WM", Role::kMotion, "m/s, rad/s", "W", "move, place", &Models::V_WM},
+    Column{"models.still", Role::kMotion, "ticks", "", "move, place", &Models::still},
     Column{"models.root", Role::kDerived, "", "", "attach, detach", &Models::root},
     Column{"models.kind", Role::kDerived, "", "", "", &Models::kind},
     Column{"models.part", Role::kDerived, "", "", "", &Models::part},

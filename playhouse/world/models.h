@@ -29,6 +29,10 @@ struct Models {
   /// How it stands in the parent, and in the world: with X_PM and X_WM, six degrees of freedom. Zero where
   /// the engine keeps models upright.
   SharedColumn<geom::Tilt> tilt_PM{desc}, tilt_WM{desc};
+  /// How a top moves in the world, and for how many ticks it has been still. Of engines whose bodies have
+  /// mass; else zero.
+  SharedColumn<geom::SpatialVelocity> V_WM{desc};
+  SharedColumn<std::uint32_t> still{desc};
   std::vector<std::uint32_t> root;  // top of the tree; its own row for a top-level model
   std::vector<scene::ModelKind> kind;
   std::vector<std::uint32_t> part;            // row in the kind's own table, or Row::kNone

@@ -125,6 +125,8 @@ void Population::begin(std::span<const scene::TreeDesc> trees) {
   world_.models.say.set_prototypes(std::move(says));
   world_.models.tilt_PM.set_prototypes(std::vector<geom::Tilt>(descs.size()));
   world_.models.tilt_WM.set_prototypes(std::vector<geom::Tilt>(descs.size()));
+  world_.models.V_WM.set_prototypes(std::vector<geom::SpatialVelocity>(descs.size()));
+  world_.models.still.set_prototypes(std::vector<std::uint32_t>(descs.size()));
 
   std::vector<std::size_t> count(descs.size());  // of trees, by row of their top
   for (const scene::TreeDesc& tree : trees) ++count[tree.top];
@@ -467,6 +469,7 @@ Result<void> despawn(World& world, std::span<const ModelId> models) {
   for (const ModelId model : models) population.given().erase(model);
   const bool derived = population.derive();
   PLAYHOUSE_ASSERT(derived);
+  wake(world.models);
   return {};
 }
 
@@ -491,6 +494,8 @@ Result<void> attach(World& world, ModelId child, ModelId parent, const geom::Pos
   models.X_PM.own(child_row.index) = {X_PC.x, X_PC.y, X_PC.z, geom::normalize(X_PC.a)};
   models.tilt_PM.set(child_row.index, {});
   place_tree(world, child_row);
+  models.V_WM.set(child_row.index, {});
+  wake(models);
   world.changes.add({Change::Kind::kAttach, child, parent, 0, std::min(mobility, parents)});
   return {};
 }
@@ -506,6 +511,8 @@ Result<void> detach(World& world, ModelId child) {
   Population population(world);
   const bool derived = population.derive();
   PLAYHOUSE_ASSERT(derived);
+  world.models.V_WM.set(row.index, {});
+  wake(world.models);
   const Mobility parents = world.models.mobility[world.row(parent).index];
   world.changes.add(
       {Change::Kind::kDetach, child, parent, 0, std::min(world.models.mobility[row.index], parents)});

@@ -13,7 +13,7 @@ namespace playhouse::world {
 namespace {
 
 constexpr std::string_view kMagic = "playhouse saved run ";
-constexpr std::string_view kVersion = "2\n";
+constexpr std::string_view kVersion = "3\n";
 constexpr std::size_t kHeadBytes = kMagic.size() + kVersion.size() + 8;  // and the hash of what follows
 
 std::uint64_t hash_of(std::span<const std::byte> bytes) {
@@ -42,6 +42,7 @@ std::vector<std::byte> encode(const SavedRun& run) {
   std::vector<std::byte> body;
   Packer out(body);
   out.u64(run.seed);
+  out.text(run.engine);
   out.text(run.sources.path);
   out.varint(run.sources.search_path.size());
   for (const std::string& folder : run.sources.search_path) out.text(folder);
@@ -83,6 +84,7 @@ Result<SavedRun> decode_saved_run(std::span<const std::byte> bytes) {
   Unpacker in(body);
   SavedRun run;
   run.seed = in.u64();
+  run.engine = in.text();
   run.sources.path = in.text();
   for (std::uint64_t n = in.varint(); n > 0 && in.ok(); --n) run.sources.search_path.push_back(in.text());
   for (std::uint64_t n = in.varint(); n > 0 && in.ok(); --n) {

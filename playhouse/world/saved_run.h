@@ -1,11 +1,13 @@
 #pragma once
 
-/// A saved run: all that a run needs to go on, as one file: the files of its scene, its seed and its state.
+/// A saved run: all that a run needs to go on, as one file: the files of its scene, its engine, its
+/// seed and its state.
 /// docs/saved-runs.md draws the layout.
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "playhouse/base/result.h"
@@ -15,6 +17,7 @@ namespace playhouse::world {
 
 struct SavedRun {
   scene::SourceFiles sources;
+  std::string engine;  // World::engine
   std::uint64_t seed = 1;
   std::vector<std::byte> state;  // state.h
 };

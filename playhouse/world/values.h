@@ -43,9 +43,12 @@ void each_number(V& value, const Visit& visit) {
   } else if constexpr (std::is_same_v<T, geom::Tilt>) {
     auto& [x, y] = value;
     visit(x), visit(y);
-  } else if constexpr (std::is_same_v<T, geom::Size>) {
+  } else if constexpr (std::is_same_v<T, geom::Size> || std::is_same_v<T, geom::Vec3>) {
     auto& [x, y, z] = value;
     visit(x), visit(y), visit(z);
+  } else if constexpr (std::is_same_v<T, geom::SpatialVelocity>) {
+    auto& [v, w] = value;
+    each_number(v, visit), each_number(w, visit);
   } else if constexpr (std::is_same_v<T, scene::Color>) {
     auto& [r, g, b, a] = value;
     visit(r), visit(g), visit(b), visit(a);

@@ -382,6 +382,8 @@ bool set_spatial_pose(World& world, ModelRow model, const geom::SpatialPose& X_P
   of_kind(world.models.kind[model.index],
           [&]<typename Table>(Table Tables::*table) { moved_in_parent(world, world.*table, model); });
   place_tree(world, model);
+  world.models.V_WM.set(model.index, {});
+  wake(world.models);
   world.changes.add({Change::Kind::kPlace, world.id(model), {}, 0, world.models.mobility[model.index]});
   return true;
 }

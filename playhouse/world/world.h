@@ -78,7 +78,9 @@ class World : public Tables {
   std::vector<std::shared_ptr<const CustomCode>> custom_codes;
 
   ChangeList changes;
-  /// The engine keeps every model upright: there are no tilts. Written by the engine, as it is made.
+  /// The name of the engine, as of --engine, and whether it keeps every model upright: there are no tilts
+  /// then. Written by the engine, as it is made.
+  std::string engine = "stage";
   bool upright = true;
   std::uint64_t tick_ = 0;  // written by: freeze (the engine) alone
   std::uint64_t said_ = 0;  // written by: set_say, load_state
@@ -178,6 +180,11 @@ void place(Models& models, ModelRow model);
 /// Recomputes X_WM and tilt_WM of a model and everything attached to it from X_PM and tilt_PM; what robots
 /// with gps believe follows.
 void place_tree(World& world, ModelRow model);
+
+/// Bodies that were still may not stay so: something else was put elsewhere, or went.
+inline void wake(Models& models) {
+  models.still.clear();
+}
 
 /// False for poses of which sums and products may be no numbers any more: not finite, or beyond any scene.
 bool is_place(const geom::Pose& X);

@@ -58,16 +58,18 @@ class Arena:
         world: Union[str, "os.PathLike[str]"],
         *,
         program: Optional[str] = None,
+        engine: str = "stage",
         seed: int = 1,
         workers: int = 1,
         web: Optional[int] = None,
         record: Union[str, "os.PathLike[str]", None] = None,
         timeout: float = 120.0,
     ) -> None:
-        """`web`: the port of a page that shows the world. `record`: an MCAP file into which all steps are recorded; it
+        """`engine`: what moves the agents, "stage" or "arena". `web`: the port of a page that shows the world. `record`: an MCAP file into which all steps are recorded; it
         is whole after close(). `timeout` (s): a program that is silent for so long is given
         up."""
-        command = [program or find_program(), "gym", os.fspath(world), "--seed", str(seed), "--workers", str(workers)]
+        command = [program or find_program(), "gym", os.fspath(world), "--engine", engine, "--seed", str(seed),
+                   "--workers", str(workers)]
         command += [] if web is None else ["--web", str(web)]
         command += [] if record is None else ["--record", os.fspath(record)]
         ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)

@@ -82,6 +82,7 @@ class SpringEngine final : public PhasedEngine {
 
   SpringEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers)
       : PhasedEngine(scene, seed, workers) {
+    world_.engine = "spring";
     world_.upright = false;
     senses_.add(std::make_unique<DiscRanger>());
     populate();

@@ -1,0 +1,214 @@
+#include "playhouse/arena/arena_engine.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "playhouse/stage/generated/moves.h"
+
+namespace playhouse::arena {
+namespace {
+
+using geom::Pose;
+using world::ModelRow;
+
+constexpr double kLongestStep = 0.01;  // s, of Physics
+// What is slower than this for so long rests.
+constexpr double kSlow = 0.005;      // m/s
+constexpr double kSlowTurn = 0.02;   // rad/s
+constexpr double kRestAfter = 0.5;   // s
+constexpr double kLeastTilt = 1e-6;  // rad; less is none, so that what stands on the ground stands upright
+constexpr double kStalled = 0.2;     // of the motion that its wheels make; a robot that moves less stalls
+
+BodyState state_of(const world::Models& models, std::uint32_t row) {
+  const Pose& X = models.X_PM[row];
+  const geom::SpatialVelocity& V = models.V_WM[row];
+  return {{X.x, X.y, X.z}, geom::orientation(X.a, models.tilt_PM[row]), V.v, V.w};
+}
+
+double length(const Vec3& v) {
+  return std::sqrt(dot(v, v));
+}
+
+bool is_moving(const world::World& world, const stage::Mover& mover) {
+  return stage::with_move(mover.kind, [&](auto move) { return move.is_moving(world, mover.part); });
+}
+
+Pose moved_by(const world::World& world, const stage::Mover& mover) {
+  const double dt = world.scene().interval;
+  return stage::with_move(mover.kind, [&](auto move) {
+    return move.after(world, mover.part, world.models.X_PM[mover.model], dt);
+  });
+}
+
+}  // namespace
+
+ArenaEngine::ArenaEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers)
+    : BodyEngine(scene, seed, workers) {
+  world_.engine = "arena";
+  world_.upright = false;
+  populate(true);
+}
+
+void ArenaEngine::populated(bool fixed) {
+  if (fixed) physics_.set_fixed(fixed_solids(world_, solids_));
+  physics_.clear();
+  bodies_.clear();
+  for (std::uint32_t tree = 0; tree < trees_.size(); ++tree) bodies_.push_back(make_body(tree));
+}
+
+ArenaEngine::Body ArenaEngine::make_body(std::uint32_t tree) {
+  Body body;
+  body.part = part_of(world_, trees_, solids_, tree);
+  for (const stage::Mover& mover : movers_of(tree))
+    body.has_joints = body.has_joints || mover.model != trees_.root[tree];
+  std::vector<Hull> hulls = hulls_of(world_, trees_, solids_, tree, body.part);
+  if (hulls.empty()) return body;
+  for (const Hull& hull : hulls)
+    for (const Vec3& p : hull) body.radius = std::max(body.radius, std::sqrt(p.x * p.x + p.y * p.y));
+  body.number = physics_.add(plan_body(world_, trees_, tree, body.part, std::move(hulls)));
+  for (const stage::Mover& mover : movers_of(tree)) body.joints.push_back(world_.models.X_PM[mover.model]);
+  return body;
+}
+
+std::span<const stage::Mover> ArenaEngine::movers_of(std::uint32_t tree) const {
+  const std::uint32_t first = trees_.first_mover[tree];
+  return {trees_.movers.data() + first, trees_.first_mover[tree + 1] - first};
+}
+
+std::span<const stage::Mover> ArenaEngine::parts_of(std::uint32_t tree) const {
+  const std::span<const stage::Mover> movers = movers_of(tree);
+  return bodies_[tree].part == Part::kVehicle ? movers.subspan(1) : movers;
+}
+
+bool ArenaEngine::is_driven(std::uint32_t tree) const {
+  return bodies_[tree].part == Part::kVehicle && is_moving(world_, movers_of(tree)[0]);
+}
+
+void ArenaEngine::move() {
+  const double dt = world_.scene().interval;
+  const auto steps = static_cast<unsigned>(std::ceil(dt / kLongestStep - 1e-9));
+  const auto trees = static_cast<std::uint32_t>(trees_.size());
+  for (std::uint32_t tree = 0; tree < trees; ++tree) load(tree);
+  physics_.forget();
+  for (unsigned step = 0; step < steps; ++step) physics_.step(dt / steps, workers_);
+  for (std::uint32_t tree = 0; tree < trees; ++tree) store(tree);
+  index();
+}
+
+/// From columns to Physics, so that what is in columns alone decides.
+void ArenaEngine::load(std::uint32_t tree) {
+  Body& body = bodies_[tree];
+  if (body.number == Body::kNone) return;
+  if (body.has_joints) bend(tree);
+  if (body.part == Part::kGuided) return load_guided(tree);
+  const std::uint32_t top = trees_.root[tree];
+  const double still = world_.models.still[top] * world_.scene().interval;
+  physics_.put(body.number, state_of(world_.models, top), still >= kRestAfter && !is_driven(tree));
+  if (body.part == Part::kVehicle)
+    physics_.drive(body.number, world_.positions.velocity[world_.models.part[top]]);
+}
+
+/// What nothing pushes moves through the tick as fast as its top does.
+void ArenaEngine::load_guided(std::uint32_t tree) {
+  const std::uint32_t top = trees_.root[tree];
+  BodyState state = state_of(world_.models, top);
+  state.v = state.w = {};
+  bool moves = false;
+  for (const stage::Mover& mover : movers_of(tree)) {
+    moves = moves || is_moving(world_, mover);
+    if (mover.model != top) continue;
+    const Pose &now = world_.models.X_PM[top], then = moved_by(world_, mover);
+    const double per_second = 1 / world_.scene().interval;
+    state.v = per_second * (Vec3{then.x, then.y, then.z} - state.p);
+    state.w = {0, 0, per_second * geom::normalize(then.a - now.a)};
+  }
+  physics_.put(bodies_[tree].number, state, !moves);
+}
+
+/// The solids of parts to where their joints have them.
+void ArenaEngine::bend(std::uint32_t tree) {
+  Body& body = bodies_[tree];
+  const std::span<const stage::Mover> movers = movers_of(tree);
+  bool is_bent = false;
+  for (std::size_t i = 0; i < movers.size(); ++i) {
+    const Pose& X_PM = world_.models.X_PM[movers[i].model];
+    if (movers[i].model == trees_.root[tree] || X_PM == body.joints[i]) continue;
+    body.joints[i] = X_PM;
+    is_bent = true;
+  }
+  if (is_bent) physics_.set_hulls(body.number, hulls_of(world_, trees_, solids_, tree, body.part));
+}
+
+void ArenaEngine::store(std::uint32_t tree) {
+  const Body& body = bodies_[tree];
+  const std::uint32_t top = trees_.root[tree];
+  const Pose before = world_.models.X_PM[top];
+  bool moved = body.part != Part::kGuided && store_state(tree);
+  moved = store_parts(tree) || moved;
+  if (moved) {
+    world::place_tree(world_, {top});
+    stage::turn(solids_, world_.models, trees_.models_of(tree));
+    stage::place(solids_, world_.models, trees_.first_solid[tree], trees_.first_solid[tree + 1]);
+  }
+  if (body.part == Part::kVehicle) store_drive(tree, before);
+  for (const stage::Mover& mover : parts_of(tree))
+    stage::with_move(mover.kind, [&](auto move) {
+      move.stall(world_, mover.part, false);
+      if (move.is_moving(world_, mover.part)) move.arrive(world_, mover.part);
+    });
+}
+
+/// Where a body has come to. False if it rested, or has left every place: then it stays where it was.
+bool ArenaEngine::store_state(std::uint32_t tree) {
+  const Body& body = bodies_[tree];
+  if (physics_.rests(body.number)) return false;
+  world::Models& models = world_.models;
+  const std::uint32_t top = trees_.root[tree];
+  const BodyState state = physics_.state(body.number);
+  geom::SpatialPose X = geom::spatial_pose(state.p, state.q);
+  if (std::fabs(X.tilt.x) < kLeastTilt && std::fabs(X.tilt.y) < kLeastTilt) X.tilt = {};
+  if (!world::is_place(X.X) || !geom::is_tilt(X.tilt) || !std::isfinite(length(state.v) + length(state.w))) {
+    models.V_WM.set(top, {});
+    return false;
+  }
+  const bool is_slow = length(state.v) < kSlow && length(state.w) < kSlowTurn && !is_driven(tree);
+  const std::uint32_t still = is_slow ? models.still[top] + 1 : 0;
+  const bool rests = still * world_.scene().interval >= kRestAfter;
+  models.still.set(top, still);
+  models.X_PM.own(top) = X.X;
+  models.tilt_PM.set(top, X.tilt);
+  models.V_WM.set(top, rests ? geom::SpatialVelocity{} : geom::SpatialVelocity{state.v, state.w});
+  return true;
+}
+
+/// What a robot believes, and whether it stalls: it gets nowhere and is not about to.
+void ArenaEngine::store_drive(std::uint32_t tree, const Pose& before) {
+  const std::uint32_t top = trees_.root[tree], robot = world_.models.part[top];
+  const geom::Twist& driven = world_.positions.velocity[robot];
+  const double dt = world_.scene().interval, arm = bodies_[tree].radius;
+  const Pose way = geom::compose(geom::inverse(before), world_.models.X_PM[top]);
+  const geom::SpatialVelocity& V = world_.models.V_WM[top];
+  const geom::Vec2 v = geom::Rotation::of(world_.models.X_PM[top].a).inverse({V.v.x, V.v.y});
+  const double wanted = driven.x * driven.x + driven.y * driven.y + driven.a * driven.a * arm * arm;
+  // How much of what is wanted a motion is.
+  const auto share = [&](double x, double y, double a) {
+    return (x * driven.x + y * driven.y + a * driven.a * arm * arm) / wanted;
+  };
+  const bool stalls = wanted > 0 && share(way.x / dt, way.y / dt, geom::normalize(way.a) / dt) < kStalled &&
+                      share(v.x, v.y, V.w.z) < kStalled;
+  stage::PositionMove::stall(world_, robot, stalls);
+  if (wanted > 0 && !stalls) stage::PositionMove::arrive(world_, robot);
+}
+
+/// What moves by itself on a body, or as one that nothing pushes. True if anything did.
+bool ArenaEngine::store_parts(std::uint32_t tree) {
+  bool moved = false;
+  for (const stage::Mover& mover : parts_of(tree)) {
+    if (!is_moving(world_, mover)) continue;
+    world_.models.X_PM.own(mover.model) = moved_by(world_, mover);
+    moved = true;
+  }
+  return moved;
+}
+
+}  // namespace playhouse::arena

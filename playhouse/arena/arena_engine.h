@@ -1,0 +1,50 @@
+#pragma once
+
+/// ArenaEngine: bodies with mass, which fall, slide, push and are pushed, and robots on wheels. What models
+/// sense is what they sense in the stage engine: extruded outlines, at heights. Thread: the tick thread.
+
+#include <vector>
+
+#include "playhouse/arena/body_plan.h"
+#include "playhouse/arena/physics.h"
+#include "playhouse/stage/body_engine.h"
+
+namespace playhouse::arena {
+
+class ArenaEngine final : public stage::BodyEngine {
+ public:
+  ArenaEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers);
+
+ private:
+  /// A tree of models as a body.
+  struct Body {
+    static constexpr std::uint32_t kNone = world::ModelRow::kNone;
+    Part part = Part::kGuided;
+    std::uint32_t number = kNone;    // of Physics; none: it is no obstacle
+    double radius = 0;               // m, of what it is driven about
+    bool has_joints = false;         // parts of it move by themselves
+    std::vector<geom::Pose> joints;  // X_PM of those parts as Physics has them
+  };
+
+  void move() override;
+  void populated(bool fixed) override;
+  void replaced(std::uint32_t) override {}
+
+  Body make_body(std::uint32_t tree);
+  std::span<const stage::Mover> movers_of(std::uint32_t tree) const;
+  /// Parts of the tree that move by themselves; the top is one where nothing pushes it.
+  std::span<const stage::Mover> parts_of(std::uint32_t tree) const;
+  void load(std::uint32_t tree);
+  void load_guided(std::uint32_t tree);
+  void bend(std::uint32_t tree);
+  void store(std::uint32_t tree);
+  bool store_state(std::uint32_t tree);
+  void store_drive(std::uint32_t tree, const geom::Pose& before);
+  bool store_parts(std::uint32_t tree);
+  bool is_driven(std::uint32_t tree) const;
+
+  Physics physics_;
+  std::vector<Body> bodies_;  // (trees)
+};
+
+}  // namespace playhouse::arena

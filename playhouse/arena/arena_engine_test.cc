@@ -1,0 +1,208 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "playhouse/arena/engine.h"
+#include "playhouse/scene/world_loader.h"
+#include "playhouse/stage/engine.h"
+#include "playhouse/world/population.h"
+#include "playhouse/world/state.h"
+
+namespace playhouse::arena {
+namespace {
+
+constexpr const char* kWorld = R"(
+interval_sim 100
+define rover position( size [0.4 0.4 0.3] localization "odom" odom_error [0 0 0 0]
+  ranger( sensor( samples 9 fov 90 range [0 8] ) ) )
+rover( name "a" pose [0 0 0 0] )
+rover( name "b" pose [0 3 0 90] )
+model( name "box" pose [1 0 0 0] size [0.3 0.3 0.3] gripper_return 1 mass 2 )
+model( name "high" pose [0 -3 1 0] size [0.3 0.3 0.3] gripper_return 1 )
+model( name "wall" pose [3 0 0 0] size [0.1 4 1] )
+)";
+
+scene::SceneDesc scene_of(const char* text) {
+  scene::MemoryFiles files({{"w.world", text}});
+  Result<scene::SceneDesc> scene = scene::load_world_text(text, "w.world", files);
+  EXPECT_TRUE(scene) << scene.error().line();
+  return std::move(*scene);
+}
+
+class ArenaTest : public testing::Test {
+ protected:
+  void start(const char* text, unsigned workers = 1) {
+    scene_ = std::make_unique<scene::SceneDesc>(scene_of(text));
+    engine_ = engine(workers);
+  }
+  std::unique_ptr<world::Engine> engine(unsigned workers) {
+    auto made = make_engine(*scene_, {.seed = 1, .workers = workers});
+    EXPECT_TRUE(made);
+    return std::move(*made);
+  }
+  world::World& world() { return engine_->world(); }
+  geom::Pose pose(const char* name) { return world().models.X_WM[world().find(name).index]; }
+  void drive(const char* name, geom::Twist velocity) {
+    const world::ModelRow row = world().find(name);
+    world::subscribe(world(), row);
+    ASSERT_TRUE(world::command_velocity(world(), world().position(world().id(row)), velocity));
+  }
+  void run(double seconds) {
+    for (int i = 0; i < std::lround(seconds * 10); ++i) engine_->step();
+  }
+  std::unique_ptr<scene::SceneDesc> scene_;
+  std::unique_ptr<world::Engine> engine_;
+};
+
+TEST_F(ArenaTest, robots_push_boxes_until_a_wall_stops_them_both) {
+  start(kWorld);
+  drive("a", {0.5, 0, 0, 0});
+  run(3);
+  EXPECT_NEAR(pose("a").x, 1.5, 0.1) << "slower while it gets the box going";
+  EXPECT_NEAR(pose("box").x, pose("a").x + 0.35, 0.03);
+  EXPECT_EQ(world().positions.stall[0], 0);
+  run(4);
+  EXPECT_NEAR(pose("box").x, 2.8, 0.02);
+  EXPECT_NEAR(pose("a").x, 2.45, 0.02);
+  EXPECT_EQ(world().positions.stall[0], 1);
+  EXPECT_NEAR(world().positions.X_OM[0].x, pose("a").x, 0.1);
+}
+
+TEST_F(ArenaTest, what_is_in_the_air_falls_rests_and_is_woken_by_who_touches_it) {
+  start(kWorld);
+  run(2);
+  const world::ModelRow high = world().find("high");
+  EXPECT_NEAR(pose("high").z, 0, 2e-3);
+  EXPECT_GE(world().models.still[high.index], 5u);
+  EXPECT_EQ(world().models.V_WM[high.index], geom::SpatialVelocity{});
+  const geom::Pose rested = pose("high");
+  run(1);
+  EXPECT_EQ(pose("high"), rested) << "to the bit";
+  ASSERT_TRUE(world::set_pose(world(), world().find("a"), {-1, -3, 0, 0}));
+  drive("a", {0.5, 0, 0, 0});
+  run(3);
+  EXPECT_GT(pose("high").x, 0.2);
+}
+
+TEST_F(ArenaTest, a_stack_falls_when_its_base_is_taken_away) {
+  start(R"(
+model( name "base" pose [0 0 0 0] size [0.5 0.5 0.5] gripper_return 1 )
+model( name "top" pose [0 0 0.5 0] size [0.4 0.4 0.4] gripper_return 1 )
+)");
+  run(2);
+  EXPECT_NEAR(pose("top").z, 0.5, 5e-3);
+  ASSERT_TRUE(world::despawn(world(), world().id(world().find("base"))));
+  run(2);
+  EXPECT_NEAR(pose("top").z, 0, 5e-3);
+}
+
+TEST_F(ArenaTest, a_box_that_is_pushed_off_a_table_tumbles) {
+  start(R"(
+model( name "table" pose [0 0 0 0] size [1 1 0.7] )
+model( name "box" pose [0.45 0 0.7 0] size [0.3 0.2 0.3] gripper_return 1 )
+)");
+  run(0.5);
+  world::wake(world().models);
+  world().models.V_WM.set(world().find("box").index, {{1.2, 0, 0}, {}});
+  run(0.6);
+  EXPECT_LT(pose("box").z, 0.6);
+  EXPECT_GT(world().models.tilt_WM[world().find("box").index].y, 0.3);
+}
+
+// A door that a library or a client opens, on a wall that stands still.
+TEST_F(ArenaTest, actuators_move_whatever_is_in_the_way) {
+  start(R"(
+model( name "wall" pose [0 0 0 0] size [0.2 0.2 1]
+  actuator( name "door" type "linear" axis [1 0 0] min_position 0 max_position 1 max_speed 0.5
+            pose [0.3 0 -1 0] size [0.4 0.1 0.8] ) )
+model( name "box" pose [0.8 0 0 0] size [0.3 0.3 0.3] gripper_return 1 mass 1 )
+)");
+  const world::ModelRow door = world().find("wall.door");
+  world::subscribe(world(), door);
+  ASSERT_TRUE(world::command_joint_position(world(), {world().models.part[door.index]}, 1));
+  run(8);
+  EXPECT_NEAR(pose("wall.door").x, 1.3, 0.01);
+  EXPECT_NEAR(pose("box").x, 1.3 + 0.2 + 0.15, 0.05);
+}
+
+TEST_F(ArenaTest, every_drive_goes_where_it_is_told) {
+  start(R"(
+define base position( size [0.5 0.4 0.3] localization "gps" )
+base( name "diff" pose [0 0 0 0] drive "diff" )
+base( name "omni" pose [0 5 0 0] drive "omni" )
+base( name "car" pose [0 10 0 0] drive "car" wheelbase 0.4 )
+)");
+  drive("diff", {0.4, 0, 0, 0.2});
+  drive("omni", {0, 0.4, 0, 0});
+  drive("car", {0.4, 0, 0, 0.1});
+  run(5);
+  const std::vector<geom::Pose> here = world().models.X_WM;
+  auto made = stage::make_engine(*scene_, {});
+  engine_ = std::move(*made);
+  drive("diff", {0.4, 0, 0, 0.2});
+  drive("omni", {0, 0.4, 0, 0});
+  drive("car", {0.4, 0, 0, 0.1});
+  run(5);
+  for (std::size_t row = 0; row < here.size(); ++row) {
+    const geom::Pose& there = world().models.X_WM[row];
+    EXPECT_NEAR(here[row].x, there.x, 0.04) << row;
+    EXPECT_NEAR(here[row].y, there.y, 0.04) << row;
+    EXPECT_NEAR(here[row].a, there.a, 0.02) << row;
+  }
+}
+
+TEST_F(ArenaTest, is_the_same_run_for_any_number_of_workers_and_from_any_saved_tick) {
+  start(kWorld);
+  const auto command = [&](world::World& world, int tick) {
+    const auto position = [&](const char* name) { return world.position(world.id(world.find(name))); };
+    if (tick == 0) {
+      for (const char* name : {"a", "b"}) world::subscribe(world, world.find(name));
+      world::command_velocity(world, position("a"), {0.5, 0, 0, 0});
+      world::command_velocity(world, position("b"), {0.4, 0, 0, 0.3});
+    }
+    if (tick == 12) ASSERT_TRUE(world::spawn(world, 0, {0, -1, 0, 0}));
+    if (tick == 18)
+      ASSERT_TRUE(
+          world::attach(world, world.id(world.find("high")), world.id(world.find("b")), {0.3, 0, 0, 0}));
+    if (tick == 25) ASSERT_TRUE(world::detach(world, world.id(world.find("high"))));
+    if (tick == 30) ASSERT_TRUE(world::set_pose(world, world.find("box"), {0, 1, 0.5, 1}));
+  };
+  constexpr int kTicks = 45;
+  std::vector<std::uint64_t> hashes;
+  std::vector<std::vector<std::byte>> saved(kTicks);
+  for (const unsigned workers : {1u, 3u}) {
+    engine_ = engine(workers);
+    std::vector<std::uint64_t> now;
+    for (int tick = 0; tick < kTicks; ++tick) {
+      command(world(), tick);
+      saved[tick].clear();
+      ASSERT_TRUE(world::save_state(world(), saved[tick]));
+      engine_->step();
+      now.push_back(world().hash());
+    }
+    if (hashes.empty()) hashes = now;
+    EXPECT_EQ(now, hashes);
+  }
+  for (int from = 1; from < kTicks; from += 3) {
+    engine_ = engine(2);
+    ASSERT_TRUE(world::load_state(world(), saved[from]));
+    for (const char* name : {"a", "b"}) world::subscribe(world(), world().find(name));
+    for (int tick = from; tick < kTicks; ++tick) {
+      if (tick > from) command(world(), tick);
+      engine_->step();
+      ASSERT_EQ(world().hash(), hashes[tick]) << "from " << from << " at " << tick;
+    }
+  }
+}
+
+TEST_F(ArenaTest, runs_what_no_wheels_carry) {
+  start(R"(
+position( name "ghost" pose [0 0 0 0] size [0.4 0.4 0.3] obstacle_return 0 )
+)");
+  drive("ghost", {0.5, 0, 0, 0});
+  run(2);
+  EXPECT_NEAR(pose("ghost").x, 1, 1e-9);
+}
+
+}  // namespace
+}  // namespace playhouse::arena

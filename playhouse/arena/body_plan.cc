@@ -1,0 +1,218 @@
+#include "playhouse/arena/body_plan.h"
+
+#include <algorithm>
+#include <map>
+#include <span>
+#include <utility>
+
+#include "playhouse/arena/surface.h"
+#include "playhouse/geom/trapezoids.h"
+
+namespace playhouse::arena {
+namespace {
+
+using geom::Pose;
+using geom::Vec2;
+
+constexpr double kClearance = 0.03;       // m that a chassis is above the ground,
+constexpr double kClearanceShare = 0.25;  // of its height at most
+constexpr double kDensity = 200;          // kg/m^3, of what the scene gives no mass: a packed box
+constexpr double kLeastMass = 0.05;       // kg
+constexpr double kRobotMass = 10;         // kg, of a robot that the scene gives none
+constexpr double kTyre = 0.8;             // friction of wheels on concrete
+constexpr double kInset = 0.1;            // of the length or width, of wheels from the sides
+constexpr double kCenterHeight = 0.3;     // of the height, of the centre of mass above the clearance
+
+struct Extent {
+  Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+  void add(const Vec3& p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+};
+
+Extent extent_of(std::span<const Hull> hulls) {
+  Extent extent;
+  for (const Hull& hull : hulls)
+    for (const Vec3& p : hull) extent.add(p);
+  return extent;
+}
+
+void add_prism(std::vector<Hull>& hulls, std::span<const Vec2> outline, double z_low, double z_high) {
+  Hull hull;
+  for (const double z : {z_low, z_high})
+    for (const Vec2 p : outline) hull.push_back({p.x, p.y, z});
+  hulls.push_back(std::move(hull));
+}
+
+/// What is inside an odd number of outlines, cut into convex prisms.
+void add_prisms(std::vector<Hull>& hulls, std::span<const geom::Outline> outlines, double z_low,
+                double z_high) {
+  for (const geom::Trapezoid& t : geom::trapezoids(outlines)) {
+    std::vector<Vec2> corners{{t.left_low, t.y_low}, {t.right_low, t.y_low}};
+    for (const Vec2 p : {Vec2{t.right_high, t.y_high}, Vec2{t.left_high, t.y_high}})
+      if (std::ranges::find(corners, p) == corners.end()) corners.push_back(p);
+    add_prism(hulls, corners, z_low, z_high);
+  }
+}
+
+/// Rows [begin, end) of the solids, all of which are one body (see Solids::body), as convex prisms in F.
+void add_body(std::vector<Hull>& hulls, const stage::Solids& solids, std::size_t begin, std::size_t end,
+              const Pose& X_FM) {
+  const geom::Rotation turn = geom::Rotation::of(X_FM.a);
+  std::vector<std::vector<Vec2>> outlines;
+  for (std::size_t row = begin; row < end; ++row) {
+    std::vector<Vec2>& outline = outlines.emplace_back();
+    for (std::uint32_t v = solids.first_vertex[row]; v + 1 < solids.first_vertex[row + 1]; ++v)
+      outline.push_back(X_FM.xy() + turn * solids.p_M[v]);
+  }
+  const double z_low = X_FM.z + solids.z_min_M[begin], z_high = X_FM.z + solids.z_max_M[begin];
+  if (outlines.size() == 1 && solids.convex[begin]) return add_prism(hulls, outlines[0], z_low, z_high);
+  const std::vector<geom::Outline> all(outlines.begin(), outlines.end());
+  add_prisms(hulls, all, z_low, z_high);
+}
+
+/// Calls visit(begin, end) for the runs of rows in [first, last) that are one body each.
+template <typename Visit>
+void each_body(const stage::Solids& solids, std::size_t first, std::size_t last, const Visit& visit) {
+  for (std::size_t begin = first; begin < last;) {
+    std::size_t end = begin + 1;
+    while (end < last && solids.body[end] == solids.body[begin]) ++end;
+    if (solids.is_obstacle(begin)) visit(begin, end);
+    begin = end;
+  }
+}
+
+/// Poses of the models of a tree in its top, where joints have them.
+std::map<std::uint32_t, Pose> poses_in_top(const world::Models& models, const stage::Trees& trees,
+                                           std::uint32_t tree) {
+  std::map<std::uint32_t, Pose> X_BM;
+  for (const std::uint32_t row : trees.models_of(tree))
+    X_BM[row] =
+        row == trees.root[tree] ? Pose{} : geom::compose(X_BM.at(models.parent[row]), models.X_PM[row]);
+  return X_BM;
+}
+
+/// Cuts off what is below `z`.
+void lift(std::vector<Hull>& hulls, double z) {
+  std::erase_if(hulls, [z](const Hull& hull) {
+    return std::ranges::all_of(hull, [z](const Vec3& p) { return p.z <= z; });
+  });
+  for (Hull& hull : hulls)
+    for (Vec3& p : hull) p.z = std::max(p.z, z);
+}
+
+/// Of a body with the same density everywhere.
+struct Content {
+  double volume = 0;  // m^3
+  Vec3 center;        // m
+};
+
+/// Of upright prisms: the corners of their bottoms come first.
+Content content_of(std::span<const Hull> hulls) {
+  Content all;
+  for (const Hull& hull : hulls) {
+    const std::size_t n = hull.size() / 2;
+    const double height = hull[n].z - hull[0].z;
+    double area = 0;
+    Vec3 sum;
+    for (std::size_t i = 1; i + 1 < n; ++i) {
+      const Vec3 a = hull[i] - hull[0], b = hull[i + 1] - hull[0];
+      const double piece = 0.5 * (a.x * b.y - a.y * b.x);
+      area += piece;
+      sum = sum + (piece / 3) * (hull[0] + hull[i] + hull[i + 1]);
+    }
+    all.volume += area * height;
+    all.center = all.center + height * Vec3{sum.x, sum.y, area * (hull[0].z + 0.5 * height)};
+  }
+  if (all.volume > 0) all.center = (1 / all.volume) * all.center;
+  return all;
+}
+
+double mass_of(const world::World& world, const stage::Trees& trees, std::uint32_t tree) {
+  double mass = 0;
+  for (const std::uint32_t row : trees.models_of(tree)) mass += world.desc({row}).mass;
+  return mass;
+}
+
+/// Two wheels on the axle, which goes through B's origin, and a caster ahead and behind; four wheels where
+/// the base drives sideways or steers.
+std::vector<Wheel> wheels_of(scene::Drive drive, const Extent& extent) {
+  const double length = extent.high.x - extent.low.x, width = extent.high.y - extent.low.y;
+  const double back = extent.low.x + kInset * length, front = extent.high.x - kInset * length;
+  const double right = extent.low.y + kInset * width, left = extent.high.y - kInset * width;
+  std::vector<Wheel> wheels;
+  if (drive == scene::Drive::kDiff) {
+    const double axle = std::clamp(0.0, back, front), middle = 0.5 * (left + right);
+    for (const double y : {right, left}) wheels.push_back({{axle, y, 0}, kTyre, kTyre});
+    for (const double x : {back, front}) wheels.push_back({{x, middle, 0}, 0, 0});
+    return wheels;
+  }
+  for (const double x : {back, front})
+    for (const double y : {right, left}) wheels.push_back({{x, y, 0}, kTyre, kTyre});
+  return wheels;
+}
+
+}  // namespace
+
+Part part_of(const world::World& world, const stage::Trees& trees, const stage::Solids& solids,
+             std::uint32_t tree) {
+  const std::uint32_t top = trees.root[tree];
+  bool is_solid = false;
+  for (std::uint32_t row = trees.first_solid[tree]; row < trees.first_solid[tree + 1]; ++row)
+    is_solid = is_solid || solids.is_obstacle(row);
+  if (!is_solid) return Part::kGuided;
+  if (world.models.kind[top] == scene::ModelKind::kPosition) return Part::kVehicle;
+  return world.models.mobility[top] == world::Mobility::kLoose ? Part::kLoose : Part::kGuided;
+}
+
+std::vector<Hull> hulls_of(const world::World& world, const stage::Trees& trees, const stage::Solids& solids,
+                           std::uint32_t tree, Part part) {
+  const std::map<std::uint32_t, Pose> X_BM = poses_in_top(world.models, trees, tree);
+  std::vector<Hull> hulls;
+  each_body(solids, trees.first_solid[tree], trees.first_solid[tree + 1],
+            [&](std::size_t begin, std::size_t end) {
+              add_body(hulls, solids, begin, end, X_BM.at(solids.model[begin]));
+            });
+  if (part != Part::kVehicle) return hulls;
+  const Extent extent = extent_of(hulls);
+  lift(hulls, std::min(kClearance, extent.low.z + kClearanceShare * (extent.high.z - extent.low.z)));
+  return hulls;
+}
+
+BodyDesc plan_body(const world::World& world, const stage::Trees& trees, std::uint32_t tree, Part part,
+                   std::vector<Hull> hulls) {
+  const scene::ModelDesc& top = world.desc({trees.root[tree]});
+  BodyDesc desc;
+  desc.surface = surface_of(top);
+  const Content content = content_of(hulls);
+  const double mass = mass_of(world, trees, tree);
+  desc.center = content.center;
+  if (part == Part::kVehicle) {
+    const Extent extent = extent_of(hulls);
+    desc.mass = mass > 0 ? mass : kRobotMass;
+    desc.center.z = extent.low.z + kCenterHeight * (extent.high.z - extent.low.z);
+    desc.wheels = wheels_of(top.position->drive, extent);
+  } else if (part == Part::kLoose) {
+    desc.mass = mass > 0 ? mass : std::max(kDensity * content.volume, kLeastMass);
+  } else {
+    desc.mass = 0;
+    desc.center = {};
+  }
+  desc.hulls = std::move(hulls);
+  return desc;
+}
+
+std::vector<FixedSolid> fixed_solids(const world::World& world, const stage::Solids& solids) {
+  std::vector<FixedSolid> fixed;
+  std::vector<Hull> hulls;
+  each_body(solids, 0, solids.fixed, [&](std::size_t begin, std::size_t end) {
+    const std::uint32_t model = solids.model[begin];
+    hulls.clear();
+    add_body(hulls, solids, begin, end, world.models.X_WM[model]);
+    for (Hull& hull : hulls) fixed.push_back({std::move(hull), surface_of(world.desc({model}))});
+  });
+  return fixed;
+}
+
+}  // namespace playhouse::arena

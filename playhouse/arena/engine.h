@@ -1,0 +1,23 @@
+#pragma once
+
+/// The 3D engine: the scenes, devices and columns of the stage engine, moved by rigid-body physics. Where the
+/// two differ is in docs/arena.md.
+
+#include <memory>
+
+#include "playhouse/base/result.h"
+#include "playhouse/scene/scene_desc.h"
+#include "playhouse/world/engine.h"
+
+namespace playhouse::arena {
+
+struct EngineOptions {
+  std::uint64_t seed = 1;
+  unsigned workers = 1;  // threads; the result does not depend on it
+};
+
+/// An engine at tick 0. The scene must outlive it. Fails as stage::make_engine().
+Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene,
+                                                   const EngineOptions& options);
+
+}  // namespace playhouse::arena

@@ -1,0 +1,336 @@
+#include "playhouse/arena/physics.h"
+
+#include <btBulletDynamicsCommon.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "playhouse/arena/wheels.h"
+
+namespace playhouse::arena {
+namespace {
+
+constexpr double kGravity = 9.81;    // m/s^2
+constexpr double kMargin = 1e-3;     // m by which Bullet rounds convex solids
+constexpr double kWheelRise = 0.03;  // m above a wheel from where the ground below it is looked for
+constexpr double kWheelDrop = 0.1;   // m below it to where
+constexpr double kForesight = 0.1;   // s between two calls of forget(), about
+constexpr double kUpright = 0.3;     // cosine of the steepest slope that bears a wheel
+
+// What is forgotten (see forget()) leaves no contacts of earlier steps: each step finds all corners of a
+// face.
+constexpr int kPerturbations = 4;
+
+enum Group : int { kFixed = 1, kMoving = 2, kGround = 4 };
+
+btVector3 bullet(const Vec3& v) {
+  return {v.x, v.y, v.z};
+}
+Vec3 from(const btVector3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+btQuaternion bullet(const Quaternion& q) {
+  return {q.x, q.y, q.z, q.w};
+}
+
+double highest(const Hull& hull) {
+  return std::ranges::max(hull, {}, &Vec3::z).z;
+}
+
+/// Its corners are moved inwards by the margin where that leaves a solid, so that faces are where they were.
+std::unique_ptr<btConvexHullShape> make_hull(const Hull& hull, const Vec3& center) {
+  Vec3 low = hull.front(), high = hull.front();
+  for (const Vec3& p : hull) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  const Vec3 middle = 0.5 * (low + high);
+  const auto inwards = [](double p, double middle, double low, double high) {
+    const double half = 0.5 * (high - low);
+    return half > 2 * kMargin ? middle + (p - middle) * (half - kMargin) / half : p;
+  };
+  auto shape = std::make_unique<btConvexHullShape>();
+  for (const Vec3& p : hull)
+    shape->addPoint(bullet(Vec3{inwards(p.x, middle.x, low.x, high.x), inwards(p.y, middle.y, low.y, high.y),
+                                inwards(p.z, middle.z, low.z, high.z)} -
+                           center),
+                    false);
+  shape->setMargin(kMargin);
+  shape->recalcLocalAabb();
+  shape->initializePolyhedralFeatures();  // faces touch in all their corners at once
+  return shape;
+}
+
+/// Convex solids as one shape, about `center`.
+class Solids {
+ public:
+  Solids(std::span<const Hull> solids, const Vec3& center) {
+    for (const Hull& hull : solids) hulls_.push_back(make_hull(hull, center));
+    if (hulls_.size() == 1) return;
+    compound_ = std::make_unique<btCompoundShape>();
+    for (const auto& hull : hulls_) compound_->addChildShape(btTransform::getIdentity(), hull.get());
+    compound_->getDynamicAabbTree()->optimizeTopDown();
+  }
+  btCollisionShape& shape() const {
+    if (compound_) return *compound_;
+    return *hulls_.front();
+  }
+
+ private:
+  std::vector<std::unique_ptr<btConvexHullShape>> hulls_;
+  std::unique_ptr<btCompoundShape> compound_;  // of more than one
+};
+
+std::unique_ptr<btRigidBody> make_body(double mass, btCollisionShape& shape, const Surface& surface) {
+  btVector3 inertia(0, 0, 0);
+  if (mass > 0) shape.calculateLocalInertia(mass, inertia);
+  btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, &shape, inertia);
+  info.m_friction = surface.friction;
+  info.m_restitution = surface.restitution;
+  auto body = std::make_unique<btRigidBody>(info);
+  body->setActivationState(DISABLE_DEACTIVATION);
+  return body;
+}
+
+struct Moving {
+  BodyDesc desc;
+  std::unique_ptr<Solids> solids;
+  std::unique_ptr<btRigidBody> body;
+  Inertia inertia;
+  BodyState state;
+  double low = 1e300, reach = 0;  // m: its lowest corner, and how far the farthest is from its upright axis
+  bool rests = false;
+  geom::Twist velocity;  // driven at
+  std::vector<Footing> footings;
+  std::vector<WheelImpulse> impulses;
+
+  explicit Moving(const BodyDesc& of) : desc(of), solids(std::make_unique<Solids>(of.hulls, of.center)) {
+    body = make_body(desc.mass, solids->shape(), desc.surface);
+    if (is_guided())
+      body->setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);  // for static, it would never wake
+    inertia = {body->getInvMass(), from(body->getInvInertiaDiagLocal())};
+    for (const Hull& hull : desc.hulls)
+      for (const Vec3& p : hull) {
+        low = std::min(low, p.z);
+        reach = std::max(reach, std::sqrt(p.x * p.x + p.y * p.y));
+      }
+    footings.resize(desc.wheels.size());
+    impulses.resize(desc.wheels.size());
+    write();
+  }
+  bool is_guided() const { return desc.mass == 0; }
+  bool is_vehicle() const { return !desc.wheels.empty(); }
+
+  /// So that nothing but its wheels can come to the ground before this is asked again.
+  bool is_on_wheels() const {
+    if (!is_vehicle()) return false;
+    const Vec3 up = state.q * Vec3{0, 0, 1};
+    const double lean = std::sqrt(std::max(0.0, 1 - up.z * up.z));
+    const double leaning = std::sqrt(state.w.x * state.w.x + state.w.y * state.w.y) * kForesight;
+    return up.z > 0 && state.p.z + low * up.z - reach * (lean + leaning) > 0.5 * low;
+  }
+
+  /// To Bullet, which moves the centre of mass.
+  void write() {
+    const Vec3 arm = state.q * desc.center;
+    body->setWorldTransform(btTransform(bullet(state.q), bullet(state.p + arm)));
+    body->setInterpolationWorldTransform(body->getWorldTransform());
+    body->setDeactivationTime(0);
+    body->forceActivationState(rests ? ISLAND_SLEEPING : DISABLE_DEACTIVATION);
+    if (is_guided()) return;
+    body->setLinearVelocity(bullet(state.v + cross(state.w, arm)));
+    body->setAngularVelocity(bullet(state.w));
+    body->updateInertiaTensor();
+  }
+  void read() {
+    if (is_guided()) return;
+    rests = !body->isActive();
+    if (rests) return;
+    const btTransform& X = body->getWorldTransform();
+    const btQuaternion q = X.getRotation();
+    state.q = {q.w(), q.x(), q.y(), q.z()};
+    const Vec3 arm = state.q * desc.center;
+    state.p = from(X.getOrigin()) - arm;
+    state.w = from(body->getAngularVelocity());
+    state.v = from(body->getLinearVelocity()) - cross(state.w, arm);
+  }
+  /// Of what nothing pushes: on by a step.
+  void advance(double dt) {
+    state.p = state.p + dt * state.v;
+    const double angle = std::sqrt(dot(state.w, state.w)) * dt;
+    if (angle > 0) {
+      const btQuaternion turn(bullet(state.w).normalized(), angle);
+      state.q = Quaternion{turn.w(), turn.x(), turn.y(), turn.z()} * state.q;
+    }
+    body->setWorldTransform(btTransform(bullet(state.q), bullet(state.p + state.q * desc.center)));
+  }
+};
+
+}  // namespace
+
+struct Physics::Impl {
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher{&configuration};
+  btDbvtBroadphase broadphase;
+  btSequentialImpulseConstraintSolver solver;
+  btDiscreteDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
+  btStaticPlaneShape plane{btVector3(0, 0, 1), 0};
+  std::unique_ptr<btRigidBody> ground = make_body(0, plane, {});
+  struct Fixed {
+    std::unique_ptr<Solids> solids;
+    std::unique_ptr<btRigidBody> body;
+    double lowest_top = 0;  // m; a wheel further below stands on none of it
+  };
+  std::vector<Fixed> fixed;  // of each surface
+  std::vector<std::unique_ptr<Moving>> bodies;
+  bool is_in = false;
+
+  Impl() {
+    world.setGravity({0, 0, -kGravity});
+    world.getDispatchInfo().m_deterministicOverlappingPairs = true;
+    configuration.setPlaneConvexMultipointIterations(kPerturbations, kPerturbations);
+  }
+  ~Impl() { take_out(); }
+
+  /// From Bullet, which keeps what it knows of contacts until then.
+  void take_out() {
+    if (!is_in) return;
+    is_in = false;
+    for (const auto& moving : bodies) world.removeRigidBody(moving->body.get());
+    for (const Fixed& part : fixed) world.removeRigidBody(part.body.get());
+    world.removeRigidBody(ground.get());
+  }
+  /// To Bullet, in the order of their numbers, as if it had never known them.
+  void put_in() {
+    if (is_in) return;
+    is_in = true;
+    broadphase.resetPool(&dispatcher);
+    solver.reset();
+    world.addRigidBody(ground.get(), kGround, kMoving);
+    for (const Fixed& part : fixed) world.addRigidBody(part.body.get(), kFixed, kMoving);
+    for (const auto& moving : bodies) {
+      world.addRigidBody(moving->body.get(), kMoving,
+                         kFixed | kMoving | (moving->is_on_wheels() ? 0 : kGround));
+      if (moving->is_vehicle()) moving->body->setGravity({0, 0, 0});  // before its wheels
+    }
+  }
+  Footing footing(const Moving& moving, const Wheel& wheel) const;
+  void roll(Moving& moving, double dt) const;
+};
+
+/// The ground below a wheel: the plane, or what stands still and is higher.
+Footing Physics::Impl::footing(const Moving& moving, const Wheel& wheel) const {
+  const Vec3 up = moving.state.q * Vec3{0, 0, 1}, p = moving.state.p + moving.state.q * wheel.p_B;
+  Footing out;
+  out.is_near = up.z > kUpright && p.z < kWheelDrop;
+  out.gap = p.z;
+  out.friction = ground->getFriction();
+  const btVector3 top = bullet(p + kWheelRise * up), bottom = bullet(p - kWheelDrop * up);
+  const btTransform begin(btQuaternion::getIdentity(), top), end(btQuaternion::getIdentity(), bottom);
+  for (const Fixed& part : fixed) {
+    if (top.z() < part.lowest_top) continue;
+    btCollisionWorld::ClosestRayResultCallback hit(top, bottom);
+    btCollisionWorld::rayTestSingle(begin, end, part.body.get(), part.body->getCollisionShape(),
+                                    part.body->getWorldTransform(), hit);
+    if (!hit.hasHit() || hit.m_closestHitFraction <= 0 || hit.m_hitNormalWorld.z() < kUpright) continue;
+    const double gap = hit.m_closestHitFraction * (kWheelRise + kWheelDrop) - kWheelRise;
+    if (out.is_near && out.gap < gap) continue;
+    out = {true, gap, from(hit.m_hitNormalWorld), part.body->getFriction()};
+  }
+  return out;
+}
+
+/// What gravity and its wheels do to a vehicle.
+void Physics::Impl::roll(Moving& moving, double dt) const {
+  Motion motion{moving.state.q, from(moving.body->getLinearVelocity()),
+                from(moving.body->getAngularVelocity())};
+  motion.v.z -= kGravity * dt;
+  for (std::size_t i = 0; i < moving.footings.size(); ++i)
+    moving.footings[i] = footing(moving, moving.desc.wheels[i]);
+  solve_wheels(moving.desc, moving.inertia, moving.velocity, dt, moving.footings, moving.impulses, motion);
+  moving.body->setLinearVelocity(bullet(motion.v));
+  moving.body->setAngularVelocity(bullet(motion.w));
+}
+
+Physics::Physics() : impl_(std::make_unique<Impl>()) {}
+Physics::~Physics() = default;
+
+void Physics::set_fixed(std::span<const FixedSolid> solids) {
+  impl_->take_out();
+  impl_->fixed.clear();
+  std::vector<std::pair<Surface, std::vector<Hull>>> by_surface;
+  for (const FixedSolid& solid : solids) {
+    auto same = std::ranges::find(by_surface, solid.surface, [](const auto& entry) { return entry.first; });
+    if (same == by_surface.end()) same = by_surface.insert(same, {solid.surface, {}});
+    same->second.push_back(solid.hull);
+  }
+  for (const auto& [surface, hulls] : by_surface) {
+    Impl::Fixed part{std::make_unique<Solids>(hulls, Vec3{}), nullptr, 1e300};
+    part.body = make_body(0, part.solids->shape(), surface);
+    for (const Hull& hull : hulls) part.lowest_top = std::min(part.lowest_top, highest(hull));
+    impl_->fixed.push_back(std::move(part));
+  }
+}
+
+std::uint32_t Physics::add(const BodyDesc& desc) {
+  impl_->take_out();
+  impl_->bodies.push_back(std::make_unique<Moving>(desc));
+  return static_cast<std::uint32_t>(impl_->bodies.size() - 1);
+}
+
+void Physics::clear() {
+  impl_->take_out();
+  impl_->bodies.clear();
+}
+
+std::size_t Physics::size() const {
+  return impl_->bodies.size();
+}
+
+void Physics::set_hulls(std::uint32_t body, std::span<const Hull> hulls) {
+  impl_->take_out();
+  Moving& moving = *impl_->bodies[body];
+  auto solids = std::make_unique<Solids>(hulls, moving.desc.center);
+  moving.body->setCollisionShape(&solids->shape());
+  moving.solids = std::move(solids);
+}
+
+BodyState Physics::state(std::uint32_t body) const {
+  return impl_->bodies[body]->state;
+}
+
+void Physics::put(std::uint32_t body, const BodyState& state, bool rests) {
+  Moving& moving = *impl_->bodies[body];
+  moving.state = state;
+  moving.rests = rests;
+  moving.write();
+}
+
+bool Physics::rests(std::uint32_t body) const {
+  return impl_->bodies[body]->rests;
+}
+
+void Physics::drive(std::uint32_t body, const geom::Twist& velocity) {
+  impl_->bodies[body]->velocity = velocity;
+}
+
+void Physics::forget() {
+  impl_->take_out();
+  for (const auto& moving : impl_->bodies) std::ranges::fill(moving->impulses, WheelImpulse{});
+}
+
+void Physics::step(double dt, world::Workers& workers) {
+  constexpr std::size_t kGrain = 16;
+  impl_->put_in();
+  const auto& bodies = impl_->bodies;
+  workers.run(bodies.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (bodies[i]->is_guided()) bodies[i]->advance(dt);
+      if (bodies[i]->is_vehicle() && !bodies[i]->rests) impl_->roll(*bodies[i], dt);
+    }
+  });
+  impl_->world.stepSimulation(dt, 0);
+  for (const auto& moving : bodies) moving->read();
+}
+
+}  // namespace playhouse::arena

@@ -1,0 +1,58 @@
+#pragma once
+
+/// Physics: rigid bodies with contacts, by Bullet in double precision, and wheels, by a solver of our own
+/// (wheels.h). A step depends on nothing but the states of the bodies: what Bullet remembers of contacts is
+/// dropped by forget(), so that a run that goes on from saved states goes on to the bit. Frames: W world,
+/// B body. One thread at a time; step() has workers of its own.
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "playhouse/arena/rigid_body.h"
+#include "playhouse/world/workers.h"
+
+namespace playhouse::arena {
+
+/// What stands still: a convex solid.
+struct FixedSolid {
+  Hull hull;  // in W
+  Surface surface;
+};
+
+class Physics {
+ public:
+  Physics();
+  ~Physics();
+  Physics(const Physics&) = delete;
+  Physics& operator=(const Physics&) = delete;
+
+  /// Replaces what stands still by the ground, the plane z = 0, and these solids.
+  void set_fixed(std::span<const FixedSolid> solids);
+  /// A body that moves, at rest at the origin; bodies are numbered from 0.
+  std::uint32_t add(const BodyDesc& desc);
+  /// Removes all bodies that move.
+  void clear();
+  std::size_t size() const;
+
+  /// Its solids are elsewhere in B: it has joints.
+  void set_hulls(std::uint32_t body, std::span<const Hull> hulls);
+  BodyState state(std::uint32_t body) const;
+  /// A body that rests does not move until another one touches it.
+  void put(std::uint32_t body, const BodyState& state, bool rests);
+  bool rests(std::uint32_t body) const;
+  /// What the wheels of a vehicle are to do: velocity of B, in B.  [m/s, rad/s]
+  void drive(std::uint32_t body, const geom::Twist& velocity);
+
+  /// Drops what earlier steps left behind for the next: contacts with their impulses.
+  void forget();
+  /// `dt` seconds of motion. The result does not depend on the number of workers.
+  void step(double dt, world::Workers& workers);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace playhouse::arena

@@ -1,0 +1,141 @@
+#include "playhouse/arena/wheels.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace playhouse::arena {
+namespace {
+
+constexpr int kIterations = 20;      // at most,
+constexpr double kConverged = 1e-7;  // m/s by which an iteration still changes the motion
+constexpr double kPushOut = 0.2;     // of a wheel that is pressed in, a step
+constexpr double kSlop = 1e-4;       // m that it may be
+
+/// One direction in which an impulse at a wheel acts.
+struct Row {
+  Vec3 direction, arm;   // the arm is that of the direction about the centre of mass
+  Vec3 turned;           // per unit of impulse  [rad/s]
+  double target = 0;     // m/s
+  double effective = 0;  // kg
+};
+
+/// A wheel that touches the ground.
+struct Contact {
+  Row normal, along, across;
+  double grip_along = 0, grip_across = 0;
+  WheelImpulse* impulse = nullptr;
+};
+
+class Vehicle {
+ public:
+  Vehicle(const Inertia& inertia, Motion& motion)
+      : inertia_(inertia), motion_(motion), to_body_{motion.q.w, -motion.q.x, -motion.q.y, -motion.q.z} {}
+
+  Row row(const Vec3& direction, const Vec3& from_center, double target) const {
+    Row row;
+    row.direction = direction;
+    row.arm = cross(from_center, direction);
+    const Vec3 arm_B = to_body_ * row.arm;
+    row.turned = motion_.q * Vec3{arm_B.x * inertia_.per_moment.x, arm_B.y * inertia_.per_moment.y,
+                                  arm_B.z * inertia_.per_moment.z};
+    row.effective = 1 / (inertia_.per_mass + dot(row.arm, row.turned));
+    row.target = target;
+    return row;
+  }
+  void push(const Row& row, double impulse) {
+    motion_.v = motion_.v + (impulse * inertia_.per_mass) * row.direction;
+    motion_.w = motion_.w + impulse * row.turned;
+  }
+  /// The impulse that brings the row to its target.
+  double lack(const Row& row) const {
+    return (row.target - dot(row.direction, motion_.v) - dot(row.arm, motion_.w)) * row.effective;
+  }
+
+ private:
+  const Inertia& inertia_;
+  Motion& motion_;
+  Quaternion to_body_;
+};
+
+/// Without an end where the length is 0.
+Vec3 unit(const Vec3& v) {
+  const double length = std::sqrt(dot(v, v));
+  return length > 0 ? (1 / length) * v : Vec3{1, 0, 0};
+}
+
+/// The ground pushes, and does not pull. Returns the change of the impulse. [N s]
+double press(Contact& contact, Vehicle& vehicle) {
+  const double before = contact.impulse->normal;
+  contact.impulse->normal = std::max(0.0, before + vehicle.lack(contact.normal));
+  const double change = contact.impulse->normal - before;
+  vehicle.push(contact.normal, change);
+  return std::fabs(change);
+}
+
+/// Friction, no more than the load gives. Returns the change of the impulses. [N s]
+double grip(Contact& contact, Vehicle& vehicle) {
+  const double load = contact.impulse->normal, along = contact.impulse->along,
+               across = contact.impulse->across;
+  double next_along = along + vehicle.lack(contact.along),
+         next_across = across + vehicle.lack(contact.across);
+  const double most_along = contact.grip_along * load, most_across = contact.grip_across * load;
+  if (most_along <= 0 || most_across <= 0) {
+    next_along = std::clamp(next_along, -most_along, most_along);
+    next_across = std::clamp(next_across, -most_across, most_across);
+  } else {
+    const double share_along = next_along / most_along, share_across = next_across / most_across;
+    const double used = std::sqrt(share_along * share_along + share_across * share_across);
+    if (used > 1) {
+      next_along /= used;
+      next_across /= used;
+    }
+  }
+  contact.impulse->along = next_along;
+  contact.impulse->across = next_across;
+  vehicle.push(contact.along, next_along - along);
+  vehicle.push(contact.across, next_across - across);
+  return std::fabs(next_along - along) + std::fabs(next_across - across);
+}
+
+}  // namespace
+
+void solve_wheels(const BodyDesc& desc, const Inertia& inertia, const geom::Twist& velocity, double dt,
+                  std::span<const Footing> footings, std::span<WheelImpulse> impulses, Motion& motion) {
+  Vehicle vehicle(inertia, motion);
+  std::array<Contact, kMostWheels> contacts;
+  std::size_t count = 0;
+  const Vec3 ahead = motion.q * Vec3{1, 0, 0};
+  for (std::size_t i = 0; i < desc.wheels.size(); ++i) {
+    const Footing& footing = footings[i];
+    if (!footing.is_near) {
+      impulses[i] = {};
+      continue;
+    }
+    const Wheel& wheel = desc.wheels[i];
+    const Vec3 from_center = motion.q * (wheel.p_B - desc.center);
+    const Vec3 left = unit(cross(footing.normal, ahead)), along = cross(left, footing.normal);
+    const double in_or_out =
+        footing.gap > 0 ? -footing.gap / dt : kPushOut * std::max(0.0, -footing.gap - kSlop) / dt;
+    Contact& contact = contacts[count++];
+    contact.normal = vehicle.row(footing.normal, from_center, in_or_out);
+    contact.along = vehicle.row(along, from_center, velocity.x - velocity.a * wheel.p_B.y);
+    contact.across = vehicle.row(left, from_center, velocity.y + velocity.a * wheel.p_B.x);
+    contact.grip_along = wheel.along * footing.friction;
+    contact.grip_across = wheel.across * footing.friction;
+    contact.impulse = &impulses[i];
+    vehicle.push(contact.normal, contact.impulse->normal);
+    vehicle.push(contact.along, contact.impulse->along);
+    vehicle.push(contact.across, contact.impulse->across);
+  }
+  const double enough = kConverged / inertia.per_mass;
+  for (int iteration = 0; iteration < kIterations; ++iteration) {
+    double change = 0;
+    for (std::size_t i = 0; i < count; ++i) change += press(contacts[i], vehicle);
+    for (std::size_t i = 0; i < count; ++i)
+      if (contacts[i].grip_along > 0 || contacts[i].grip_across > 0) change += grip(contacts[i], vehicle);
+    if (change < enough) return;
+  }
+}
+
+}  // namespace playhouse::arena

@@ -1,0 +1,52 @@
+#pragma once
+
+/// Wheels: what the wheels of one vehicle do to it in one step. A wheel is a point that the ground bears,
+/// with friction towards the velocity that it is driven at; a caster has none. Rigid cylinders would scrub:
+/// they lose a tenth of a turn in place.
+///
+/// In: how the vehicle moves, gravity included; where each wheel is above the ground; the impulses of the
+/// last
+///   step, from which it starts.
+/// Out: how the vehicle moves then; the impulses.
+/// Cost: kIterations times the wheels times three rows of 12 multiplications.
+/// Source: sequential impulses with warm start (Catto, "Iterative dynamics with temporal coherence", GDC
+/// 2005),
+///   the cone of friction as an ellipse about the load of the wheel.
+
+#include <span>
+
+#include "playhouse/arena/rigid_body.h"
+
+namespace playhouse::arena {
+
+/// Wheels and casters that a vehicle can have.
+inline constexpr std::size_t kMostWheels = 8;
+
+/// The ground below a wheel.
+struct Footing {
+  bool is_near = false;  // else the wheel is in the air
+  double gap = 0;        // from the wheel to the ground; below 0 where it is pressed in  [m]
+  Vec3 normal{0, 0, 1};  // unit vector, in W
+  double friction = 1;   // of the ground, by which that of the wheel is multiplied
+};
+
+/// Impulses at a wheel.  [N s]
+struct WheelImpulse {
+  double normal = 0, along = 0, across = 0;
+};
+
+/// How heavy a vehicle is, and how its centre of mass moves. Frame: W, but for the moments.
+struct Inertia {
+  double per_mass = 0;  // 1/kg
+  Vec3 per_moment;      // about the centre of mass, along B's axes  [1/(kg m^2)]
+};
+struct Motion {
+  Quaternion q;  // B to W
+  Vec3 v, w;     // m/s, rad/s
+};
+
+/// `velocity` is what the vehicle is driven at, in B. Changes motion.v and motion.w.
+void solve_wheels(const BodyDesc& desc, const Inertia& inertia, const geom::Twist& velocity, double dt,
+                  std::span<const Footing> footings, std::span<WheelImpulse> impulses, Motion& motion);
+
+}  // namespace playhouse::arena

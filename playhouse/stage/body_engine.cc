@@ -1,0 +1,117 @@
+#include "playhouse/stage/body_engine.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "playhouse/stage/generated/senses.h"
+#include "playhouse/stage/overlap.h"
+#include "playhouse/stage/touch.h"
+
+namespace playhouse::stage {
+namespace {
+
+/// Moving solids by the heights they begin with: what overlaps in height, as bodies of robots do, is one
+/// layer, what only stands on top is another.
+std::vector<std::uint8_t> layers_of(const Solids& solids) {
+  constexpr std::size_t kMost = 8;
+  std::vector<std::pair<double, double>> heights;
+  for (std::size_t row = solids.fixed; row < solids.size(); ++row)
+    heights.emplace_back(solids.z_free(row), solids.z_max[row]);
+  std::sort(heights.begin(), heights.end());
+  std::vector<double> begins;
+  double top = -1e300;
+  for (const auto& [z_min, z_max] : heights) {
+    if (z_min > top - kTouch) begins.push_back(z_min);
+    top = std::max({top, z_min, z_max});  // what is within others begins above its end
+  }
+  if (begins.size() > kMost) return {};
+  std::vector<std::uint8_t> layer;
+  for (std::size_t row = solids.fixed; row < solids.size(); ++row) {
+    const auto above = std::upper_bound(begins.begin(), begins.end(), solids.z_free(row));
+    layer.push_back(static_cast<std::uint8_t>(above - begins.begin() - 1));
+  }
+  return layer;
+}
+
+/// Mean radius of the largest solids of trees. [m]
+double robot_radius(const Trees& trees, const Solids& solids) {
+  double sum = 0;
+  for (std::size_t tree = 0; tree < trees.size(); ++tree) {
+    double largest = 0;
+    for (std::uint32_t row = trees.first_solid[tree]; row < trees.first_solid[tree + 1]; ++row)
+      largest = std::max(largest, solids.radius[row]);
+    sum += largest;
+  }
+  return sum / static_cast<double>(std::max<std::size_t>(trees.size(), 1));
+}
+
+}  // namespace
+
+BodyEngine::BodyEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers)
+    : PhasedEngine(scene, seed, workers), shapes_(scene) {
+  add_senses(senses_, workers_.count());
+}
+
+void BodyEngine::populate(bool fixed) {
+  trees_ = make_trees(world_);
+  if (fixed) solids_ = make_fixed_solids(world_, shapes_);
+  replace_moving_solids(solids_, world_, shapes_, trees_);
+  if (fixed) walls_ = Walls(solids_);
+  index_.populate(solids_.moving(), robot_radius(trees_, solids_), layers_of(solids_));
+  index();
+  populated(fixed);
+  senses_.populate(world_, space());
+}
+
+void BodyEngine::ingest(std::span<const world::Change> changes) {
+  using Kind = world::Change::Kind;
+  bool population = false, fixed = false, moved = false;
+  for (const world::Change& change : changes) {
+    const bool is_fixed = change.kind == Kind::kReload || change.mobility == world::Mobility::kFixed;
+    const bool places = change.kind == Kind::kPlace;
+    if (change.kind == Kind::kSet) continue;
+    population |= !places || moves_within_body(change);
+    fixed |= is_fixed;
+    moved |= places;
+  }
+  if (population || fixed) {
+    populate(fixed);
+  } else if (moved) {
+    for (const world::Change& change : changes) replace(change);
+    index();
+  }
+}
+
+/// True if a part of a rigid body was put elsewhere on it: what encloses what may be different.
+bool BodyEngine::moves_within_body(const world::Change& change) const {
+  const world::ModelRow model = world_.row(change.model);
+  return change.kind == world::Change::Kind::kPlace && model &&
+         world_.models.parent[model.index] != world::ModelRow::kNone &&
+         !world::moves(world_.models.kind[model.index]);
+}
+
+/// Solids of a tree that was put elsewhere.
+void BodyEngine::replace(const world::Change& change) {
+  const world::ModelRow model = world_.row(change.model);
+  if (change.kind != world::Change::Kind::kPlace || !model) return;
+  const std::uint32_t tree = trees_.of_root(world_.models.root[model.index]);
+  turn(solids_, world_.models, trees_.models_of(tree));
+  place(solids_, world_.models, trees_.first_solid[tree], trees_.first_solid[tree + 1]);
+  replaced(tree);
+}
+
+void BodyEngine::index() {
+  index_.rebuild(
+      solids_.moving(), [&](std::size_t i) { return disc_of(solids_, solids_.fixed + i); }, workers_);
+}
+
+void BodyEngine::sense(std::uint64_t tick) {
+  rays_ += senses_.sense(world_, space(), tick, workers_);
+}
+
+void BodyEngine::touching(world::ModelRow model, std::span<const std::uint8_t> wanted,
+                          std::vector<std::uint32_t>& out) const {
+  stage::touching(space(), trees_, world_.models, model, wanted, out);
+}
+
+}  // namespace playhouse::stage

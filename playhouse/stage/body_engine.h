@@ -1,0 +1,49 @@
+#pragma once
+
+/// BodyEngine: what engines share whose models are the extruded solids of bodies.h: their tables, kept up to
+/// date with who comes and goes, and the senses that measure among them. An engine adds how trees of models
+/// move. Thread: the tick thread.
+
+#include "playhouse/behaviour/phased_engine.h"
+#include "playhouse/stage/sense_phase.h"
+
+namespace playhouse::stage {
+
+class BodyEngine : public behaviour::PhasedEngine {
+ public:
+  std::uint64_t rays() const override { return rays_; }
+
+ protected:
+  /// Derived engines call populate(true) when they are made.
+  BodyEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers);
+
+  /// The tables are new: trees_, solids_ and index_, and what stands still only if `fixed`.
+  virtual void populated(bool fixed) = 0;
+  /// A tree's solids were put elsewhere by others.
+  virtual void replaced(std::uint32_t tree) = 0;
+
+  /// Makes every table anew that follows from who there is; those of what stands still only if `fixed`.
+  void populate(bool fixed);
+  /// To be called after solids have moved.
+  void index();
+
+  Shapes shapes_;
+  Trees trees_;
+  Solids solids_;
+  DiscIndex index_;  // solids that can move
+  Walls walls_;
+
+ private:
+  void ingest(std::span<const world::Change> changes) override;
+  void sense(std::uint64_t tick) override;
+  void touching(world::ModelRow model, std::span<const std::uint8_t> wanted,
+                std::vector<std::uint32_t>& out) const override;
+  bool moves_within_body(const world::Change& change) const;
+  void replace(const world::Change& change);
+  Space space() const { return {solids_, index_, walls_}; }
+
+  Senses senses_;
+  std::uint64_t rays_ = 0;
+};
+
+}  // namespace playhouse::stage

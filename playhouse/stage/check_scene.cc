@@ -1,0 +1,96 @@
+#include "playhouse/stage/check_scene.h"
+
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "playhouse/base/log.h"
+#include "playhouse/scene/charge.h"
+#include "playhouse/scene/generated/read_kinds.h"
+
+namespace playhouse::stage {
+namespace {
+
+bool finite(const geom::Pose& pose) {
+  return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.z) && std::isfinite(pose.a);
+}
+
+bool finite(std::span<const geom::Vec2> points) {
+  for (const geom::Vec2 p : points)
+    if (!std::isfinite(p.x) || !std::isfinite(p.y)) return false;
+  return true;
+}
+
+bool finite(const scene::ModelDesc& model) {
+  if (!finite(model.X_PM) || !finite(model.X_MB)) return false;
+  for (const scene::Block& block : model.blocks)
+    if (!finite(block.points)) return false;
+  for (const scene::Contours& bitmap : model.bitmaps)
+    for (const std::vector<geom::Vec2>& loop : bitmap.loops)
+      if (!finite(loop)) return false;
+  return true;
+}
+
+bool is_sound(const scene::ActuatorDesc& actuator) {
+  constexpr double kFarthest = 1e9;  // m or rad, as of poses
+  for (const double value : {actuator.axis_x, actuator.axis_y, actuator.axis_z, actuator.max_speed})
+    if (!std::isfinite(value)) return false;
+  return actuator.max_speed >= 0 && -kFarthest <= actuator.min_position &&
+         actuator.min_position <= actuator.start_position &&
+         actuator.start_position <= actuator.max_position && actuator.max_position <= kFarthest;
+}
+
+Result<void> check_model(const scene::SceneDesc& scene, const scene::ModelDesc& model) {
+  const auto fault = [&](const std::string& text) {
+    return Error{scene.at(model.where), "model " + model.name + text};
+  };
+  if (!finite(model)) return fault(" has a pose or a point that is not a finite number");
+  for (const double value : {model.mass, model.watts, model.give_watts, model.take_watts})
+    if (!(value >= 0) || !std::isfinite(value)) return fault(" has a mass or a power that makes no sense");
+  const scene::Charge charge = scene::charge_of(model);
+  if (!std::isfinite(charge.stored) || !std::isfinite(charge.capacity) || charge.capacity < charge.stored)
+    return fault(" has a battery that makes no sense");
+  if (!scene::is_described(model.kind, model)) return fault(" lacks the description of its kind");
+  for (const scene::RangerSensorDesc& sensor : model.sensors) {
+    if (sensor.samples == 0) return fault(" has a sensor without samples");
+    if (!finite(sensor.X_BS) || !std::isfinite(sensor.range_max) || sensor.range_max < 0 ||
+        !(sensor.fov >= 0) || sensor.fov > 1e3)
+      return fault(" has a sensor whose pose, range or fov makes no sense");
+  }
+  if (model.actuator && !is_sound(*model.actuator))
+    return fault(" has an axis, ends or a start that make no sense");
+  if (!model.position) return {};
+  for (int axis = 0; axis < 4; ++axis)
+    if (!(model.position->velocity_bounds[axis].min <= model.position->velocity_bounds[axis].max) ||
+        !(model.position->acceleration_bounds[axis].min <= model.position->acceleration_bounds[axis].max))
+      return fault(" has bounds whose lower end is above the upper one");
+  return {};
+}
+
+/// Robots drive through floorplans that say obstacle_return 0, as the map.inc that comes with Stage does.
+void warn_of_ghost_walls(const scene::SceneDesc& scene) {
+  bool robots = false;
+  for (const scene::ModelDesc& model : scene.models) robots |= model.kind == scene::ModelKind::kPosition;
+  for (const scene::ModelDesc& model : scene.models) {
+    if (!robots || model.obstacle_return || model.bitmaps.empty()) continue;
+    log::warn("{}: model {} has obstacle_return 0: robots drive through it", scene.at(model.where),
+              model.name);
+    return;
+  }
+}
+
+}  // namespace
+
+Result<void> check_scene(const scene::SceneDesc& scene) {
+  if (!(scene.interval > 0) || !std::isfinite(scene.interval))
+    return Error{scene.path, "the interval of a tick must be above 0"};
+  for (const scene::ModelDesc& model : scene.models)
+    if (const Result<void> checked = check_model(scene, model); !checked) return checked;
+  for (const scene::TreeDesc& tree : scene.trees)
+    if (!finite(tree.X_WM))
+      return Error{scene.at(tree.where), "model " + tree.name + " has a pose that is not a finite number"};
+  warn_of_ghost_walls(scene);
+  return {};
+}
+
+}  // namespace playhouse::stage
