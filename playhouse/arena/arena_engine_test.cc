@@ -151,6 +151,31 @@ base( name "car" pose [0 10 0 0] drive "car" wheelbase 0.4 )
   }
 }
 
+TEST_F(ArenaTest, who_walks_climbs_steps_stays_upright_and_pushes) {
+  start(R"(
+define person position( drive "walk" size [0.3 0.5 1.75] mass 75 )
+person( name "climber" pose [0 0 0 0] )
+person( name "pusher" pose [0 5 0 90] )
+person( name "blocked" pose [0 -5 0 0] )
+model( name "step" pose [1.5 0 0 0] size [1 2 0.2] )
+model( name "table" pose [2 0 0 0] size [1 2 0.4] )
+model( name "box" pose [0 6 0 0] size [0.5 0.5 0.5] gripper_return 1 mass 20 )
+model( name "wall" pose [1 -5 0 0] size [0.2 2 1] )
+)");
+  for (const char* name : {"climber", "pusher", "blocked"}) drive(name, {0.8, 0, 0, 0});
+  run(1.5);
+  EXPECT_NEAR(pose("climber").z, 0.2, 0.01);
+  run(1);
+  EXPECT_NEAR(pose("climber").z, 0.4, 0.01);
+  run(2.5);
+  EXPECT_NEAR(pose("climber").z, 0, 0.01) << "and down again";
+  EXPECT_GT(pose("climber").x, 3);
+  EXPECT_GT(pose("box").y, 8);
+  EXPECT_NEAR(pose("blocked").x, 0.75, 0.01);
+  EXPECT_EQ(world().positions.stall[2], 1);
+  for (std::uint32_t row = 0; row < 3; ++row) EXPECT_EQ(world().models.tilt_WM[row], geom::Tilt{});
+}
+
 TEST_F(ArenaTest, is_the_same_run_for_any_number_of_workers_and_from_any_saved_tick) {
   start(kWorld);
   const auto command = [&](world::World& world, int tick) {

@@ -16,6 +16,8 @@ using geom::Vec2;
 
 constexpr double kClearance = 0.03;       // m that a chassis is above the ground,
 constexpr double kClearanceShare = 0.25;  // of its height at most
+constexpr double kStep = 0.3;             // m that who walks climbs: the body begins there
+constexpr double kShoe = 1;               // friction of feet on concrete
 constexpr double kDensity = 200;          // kg/m^3, of what the scene gives no mass: a packed box
 constexpr double kLeastMass = 0.05;       // kg
 constexpr double kRobotMass = 10;         // kg, of a robot that the scene gives none
@@ -136,12 +138,18 @@ double mass_of(const world::World& world, const stage::Trees& trees, std::uint32
 }
 
 /// Two wheels on the axle, which goes through B's origin, and a caster ahead and behind; four wheels where
-/// the base drives sideways or steers.
+/// the base drives sideways or steers; feet under the middle and the corners of who walks.
 std::vector<Wheel> wheels_of(scene::Drive drive, const Extent& extent) {
   const double length = extent.high.x - extent.low.x, width = extent.high.y - extent.low.y;
   const double back = extent.low.x + kInset * length, front = extent.high.x - kInset * length;
   const double right = extent.low.y + kInset * width, left = extent.high.y - kInset * width;
   std::vector<Wheel> wheels;
+  if (drive == scene::Drive::kWalk) {
+    const Vec3 &low = extent.low, &high = extent.high, middle = 0.5 * (low + high);
+    for (const Vec3& p : {middle, low, high, Vec3{low.x, high.y, 0}, Vec3{high.x, low.y, 0}})
+      wheels.push_back({{p.x, p.y, 0}, kShoe, kShoe, kStep});
+    return wheels;
+  }
   if (drive == scene::Drive::kDiff) {
     const double axle = std::clamp(0.0, back, front), middle = 0.5 * (left + right);
     for (const double y : {right, left}) wheels.push_back({{axle, y, 0}, kTyre, kTyre});
@@ -176,7 +184,9 @@ std::vector<Hull> hulls_of(const world::World& world, const stage::Trees& trees,
             });
   if (part != Part::kVehicle) return hulls;
   const Extent extent = extent_of(hulls);
-  lift(hulls, std::min(kClearance, extent.low.z + kClearanceShare * (extent.high.z - extent.low.z)));
+  const bool walks = world.desc({trees.root[tree]}).position->drive == scene::Drive::kWalk;
+  lift(hulls,
+       std::min(walks ? kStep : kClearance, extent.low.z + kClearanceShare * (extent.high.z - extent.low.z)));
   return hulls;
 }
 
@@ -193,6 +203,7 @@ BodyDesc plan_body(const world::World& world, const stage::Trees& trees, std::ui
     desc.mass = mass > 0 ? mass : kRobotMass;
     desc.center.z = extent.low.z + kCenterHeight * (extent.high.z - extent.low.z);
     desc.wheels = wheels_of(top.position->drive, extent);
+    desc.is_upright = top.position->drive == scene::Drive::kWalk;
   } else if (part == Part::kLoose) {
     desc.mass = mass > 0 ? mass : std::max(kDensity * content.volume, kLeastMass);
   } else {

@@ -10,12 +10,11 @@
 namespace playhouse::arena {
 namespace {
 
-constexpr double kGravity = 9.81;    // m/s^2
-constexpr double kMargin = 1e-3;     // m by which Bullet rounds convex solids
-constexpr double kWheelRise = 0.03;  // m above a wheel from where the ground below it is looked for
-constexpr double kWheelDrop = 0.1;   // m below it to where
-constexpr double kForesight = 0.1;   // s between two calls of forget(), about
-constexpr double kUpright = 0.3;     // cosine of the steepest slope that bears a wheel
+constexpr double kGravity = 9.81;   // m/s^2
+constexpr double kMargin = 1e-3;    // m by which Bullet rounds convex solids
+constexpr double kWheelDrop = 0.1;  // m below a wheel to where the ground is looked for
+constexpr double kForesight = 0.1;  // s between two calls of forget(), about
+constexpr double kUpright = 0.3;    // cosine of the steepest slope that bears a wheel
 
 // What is forgotten (see forget()) leaves no contacts of earlier steps: each step finds all corners of a
 // face.
@@ -108,6 +107,7 @@ struct Moving {
     body = make_body(desc.mass, solids->shape(), desc.surface);
     if (is_guided())
       body->setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);  // for static, it would never wake
+    if (desc.is_upright) body->setMassProps(desc.mass, {0, 0, 0});      // for Bullet: cannot be turned
     inertia = {body->getInvMass(), from(body->getInvInertiaDiagLocal())};
     for (const Hull& hull : desc.hulls)
       for (const Vec3& p : hull) {
@@ -225,7 +225,7 @@ Footing Physics::Impl::footing(const Moving& moving, const Wheel& wheel) const {
   out.is_near = up.z > kUpright && p.z < kWheelDrop;
   out.gap = p.z;
   out.friction = ground->getFriction();
-  const btVector3 top = bullet(p + kWheelRise * up), bottom = bullet(p - kWheelDrop * up);
+  const btVector3 top = bullet(p + wheel.rise * up), bottom = bullet(p - kWheelDrop * up);
   const btTransform begin(btQuaternion::getIdentity(), top), end(btQuaternion::getIdentity(), bottom);
   for (const Fixed& part : fixed) {
     if (top.z() < part.lowest_top) continue;
@@ -233,7 +233,7 @@ Footing Physics::Impl::footing(const Moving& moving, const Wheel& wheel) const {
     btCollisionWorld::rayTestSingle(begin, end, part.body.get(), part.body->getCollisionShape(),
                                     part.body->getWorldTransform(), hit);
     if (!hit.hasHit() || hit.m_closestHitFraction <= 0 || hit.m_hitNormalWorld.z() < kUpright) continue;
-    const double gap = hit.m_closestHitFraction * (kWheelRise + kWheelDrop) - kWheelRise;
+    const double gap = hit.m_closestHitFraction * (wheel.rise + kWheelDrop) - wheel.rise;
     if (out.is_near && out.gap < gap) continue;
     out = {true, gap, from(hit.m_hitNormalWorld), part.body->getFriction()};
   }
@@ -248,6 +248,7 @@ void Physics::Impl::roll(Moving& moving, double dt) const {
   for (std::size_t i = 0; i < moving.footings.size(); ++i)
     moving.footings[i] = footing(moving, moving.desc.wheels[i]);
   solve_wheels(moving.desc, moving.inertia, moving.velocity, dt, moving.footings, moving.impulses, motion);
+  if (moving.desc.is_upright) motion.w = {0, 0, moving.velocity.a};
   moving.body->setLinearVelocity(bullet(motion.v));
   moving.body->setAngularVelocity(bullet(motion.w));
 }

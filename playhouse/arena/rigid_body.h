@@ -25,6 +25,7 @@ struct Surface {
 struct Wheel {
   Vec3 p_B;                      // m
   double along = 0, across = 0;  // coefficients of friction in its direction, which is that of x, and across
+  double rise = 0.03;            // m above it that the ground may be: what it climbs
 };
 
 struct BodyDesc {
@@ -33,6 +34,7 @@ struct BodyDesc {
   Vec3 center;              // of mass  [m, in B]
   Surface surface;
   std::vector<Wheel> wheels;  // none: no vehicle
+  bool is_upright = false;    // a vehicle that no contact tilts or turns: it heads where it is driven
 };
 
 struct BodyState {

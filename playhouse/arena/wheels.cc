@@ -10,6 +10,7 @@ namespace {
 constexpr int kIterations = 20;      // at most,
 constexpr double kConverged = 1e-7;  // m/s by which an iteration still changes the motion
 constexpr double kPushOut = 0.2;     // of a wheel that is pressed in, a step
+constexpr double kClimb = 1;         // m/s at most
 constexpr double kSlop = 1e-4;       // m that it may be
 
 /// One direction in which an impulse at a wheel acts.
@@ -115,8 +116,9 @@ void solve_wheels(const BodyDesc& desc, const Inertia& inertia, const geom::Twis
     const Wheel& wheel = desc.wheels[i];
     const Vec3 from_center = motion.q * (wheel.p_B - desc.center);
     const Vec3 left = unit(cross(footing.normal, ahead)), along = cross(left, footing.normal);
-    const double in_or_out =
-        footing.gap > 0 ? -footing.gap / dt : kPushOut * std::max(0.0, -footing.gap - kSlop) / dt;
+    const double in_or_out = footing.gap > 0
+                                 ? -footing.gap / dt
+                                 : std::min(kPushOut * std::max(0.0, -footing.gap - kSlop) / dt, kClimb);
     Contact& contact = contacts[count++];
     contact.normal = vehicle.row(footing.normal, from_center, in_or_out);
     contact.along = vehicle.row(along, from_center, velocity.x - velocity.a * wheel.p_B.y);

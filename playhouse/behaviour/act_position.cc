@@ -22,6 +22,11 @@ constexpr double kFacing = geom::kPi / 16;   // rad; a diff robot drives once it
 constexpr double kCarArrived = 0.05;         // m
 constexpr double kSteering = geom::kPi / 4;  // rad; a car on its way to a goal steers no harder
 
+/// It goes in any direction.
+bool is_free(const scene::PositionDesc& desc) {
+  return desc.drive == Drive::kOmni || desc.drive == Drive::kWalk;
+}
+
 Twist car(double speed, double steering, double wheelbase) {
   const geom::SinCos sc = geom::sincos(steering);
   return {speed * sc.cos, 0, 0, wheelbase > 0 ? speed * sc.sin / wheelbase : 0};
@@ -32,6 +37,7 @@ Twist follow_velocity(const scene::PositionDesc& desc, const Twist& command) {
     case Drive::kDiff:
       return {command.x, 0, 0, command.a};
     case Drive::kOmni:
+    case Drive::kWalk:
       return {command.x, command.y, 0, command.a};
     case Drive::kCar:
       return car(command.x, geom::normalize(command.a), desc.wheelbase);
@@ -67,13 +73,13 @@ Twist follow_goal(const scene::PositionDesc& desc, const Pose& X_OM, const Pose&
   const double distance = std::sqrt(geom::dot(error_O, error_O));
   if (desc.drive == Drive::kDiff) return diff_to_goal(error_O, distance, X_OM, goal, dt);
   const Vec2 error_M = geom::Rotation::of(X_OM.a).inverse(error_O);
-  if (desc.drive == Drive::kOmni) return omni_to_goal(error_M, X_OM, goal, dt);
+  if (is_free(desc)) return omni_to_goal(error_M, X_OM, goal, dt);
   return car_to_goal(error_M, distance, desc.wheelbase, dt);
 }
 
 Twist accelerate(const scene::PositionDesc& desc, const Twist& velocity, const Twist& command, double dt) {
   const scene::Bounds* bounds = desc.acceleration_bounds;
-  const bool omni = desc.drive == Drive::kOmni;
+  const bool omni = is_free(desc);
   return {velocity.x + dt * std::clamp(command.x, bounds[0].min, bounds[0].max),
           omni ? velocity.y + dt * std::clamp(command.y, bounds[1].min, bounds[1].max) : 0, 0,
           velocity.a + dt * std::clamp(command.a, bounds[3].min, bounds[3].max)};

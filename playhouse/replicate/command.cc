@@ -1,6 +1,7 @@
 #include "playhouse/replicate/command.h"
 #include "playhouse/base/in_quotes.h"
 
+#include <algorithm>
 #include <array>
 #include <boost/json.hpp>
 #include <cmath>
@@ -14,8 +15,9 @@ namespace {
 
 namespace json = boost::json;
 
-constexpr std::array<std::string_view, 14> kWords = {"pause", "resume", "step",   "speed", "rewind", "drag", "drive",
-                                                     "copy",  "add",    "remove", "save",  "select", "look", "ack"};
+constexpr std::array<std::string_view, 16> kWords = {"pause", "resume", "step", "speed", "rewind", "drag",
+                                                     "drive", "copy",   "add",  "join",  "say",    "remove",
+                                                     "save",  "select", "look", "ack"};
 
 /// Reads the members of one object; the first fault sticks. Done with nothing left over.
 class Members {
@@ -85,7 +87,17 @@ class Members {
   std::string fault_;
 };
 
-/// The place of a Drag, Copy or Add.
+/// What a person may be called: a word that names of models and clients can have.
+bool is_name(std::string_view name) {
+  const auto is_letter = [](unsigned char c) { return (c | 0x20) >= 'a' && (c | 0x20) <= 'z'; };
+  const auto fits = [&](unsigned char c) {
+    return is_letter(c) || (c >= '0' && c <= '9') || c == '-' || c == '_';
+  };
+  return !name.empty() && name.size() <= kNameMost && is_letter(static_cast<unsigned char>(name[0])) &&
+         std::ranges::all_of(name, fits);
+}
+
+/// The place of a Drag, Copy, Add or Join.
 template <typename Placed>
 void place(Members& in, Placed& placed) {
   placed.x = in.number("x", -kPlaceMost, kPlaceMost);
@@ -112,6 +124,15 @@ Add add(Members& in) {
   add.robot = in.count("robot");
   place(in, add);
   return add;
+}
+
+Join join(Members& in) {
+  Join join;
+  join.name = in.word("name");
+  if (!is_name(join.name))
+    in.fault("\"name\" must be 1 to 24 letters, digits, - and _, the first one a letter");
+  place(in, join);
+  return join;
 }
 
 Drive drive(Members& in) {
@@ -145,6 +166,8 @@ Result<Command> read(const json::object& object) {
   if (what == "drive") return in.finish(drive(in));
   if (what == "copy") return in.finish(copy(in));
   if (what == "add") return in.finish(add(in));
+  if (what == "join") return in.finish(join(in));
+  if (what == "say") return in.finish(Say{std::string(in.word("text"))});
   if (what == "remove") return in.finish(Remove{in.model("model")});
   if (what == "save") return in.finish(Save{});
   if (what == "select") return in.finish(Select{in.model_or_null("model")});

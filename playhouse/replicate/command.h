@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <variant>
 
@@ -46,6 +47,16 @@ struct Add {
   double x = 0, y = 0;      // m, W
   double a = 0;             // rad
 };
+/// A body of the viewer's own: a person of the scene's, who goes when the viewer does.
+struct Join {
+  std::string name;
+  double x = 0, y = 0;  // m, W
+  double a = 0;         // rad
+};
+/// What the viewer's body says from now on; empty: nothing.
+struct Say {
+  std::string text;
+};
 /// Takes the tree that this model is in out of the world.
 struct Remove {
   world::ModelId model;
@@ -63,12 +74,13 @@ struct Acknowledge {
   std::uint32_t frame = 0;
 };
 
-using Command = std::variant<Pause, Resume, Step, SetSpeed, Rewind, Drag, Drive, Copy, Add, Remove, Save,
-                             Select, Look, Acknowledge>;
+using Command = std::variant<Pause, Resume, Step, SetSpeed, Rewind, Drag, Drive, Copy, Add, Join, Say, Remove,
+                             Save, Select, Look, Acknowledge>;
 
 inline constexpr double kSpeedMost = 1000;               // times real time
 inline constexpr double kTickMost = 9007199254740992.0;  // whole numbers are exact up to here
 inline constexpr double kPlaceMost = 1e6;                // m, of a coordinate from a viewer
+inline constexpr std::size_t kNameMost = 24;             // letters of a person's name
 inline constexpr double kDriveMost = 100;                // m/s or rad/s, of a velocity from a viewer
 
 Result<Command> parse_command(std::string_view text);

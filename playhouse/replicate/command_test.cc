@@ -26,6 +26,10 @@ TEST(Command, every_command_is_read) {
   const auto copy = std::get<Copy>(*parse_command(R"({"do":"copy","model":3,"x":1,"y":-2.5,"a":0.5})"));
   EXPECT_EQ(copy.model.value, 3u);
   EXPECT_EQ(copy.a, 0.5);
+  const auto join = std::get<Join>(*parse_command(R"({"do":"join","name":"Ada-7","x":1,"y":2,"a":3})"));
+  EXPECT_EQ(join.name, "Ada-7");
+  EXPECT_EQ(join.y, 2);
+  EXPECT_EQ(std::get<Say>(*parse_command(R"({"do":"say","text":"hello"})")).text, "hello");
   const auto add = std::get<Add>(*parse_command(R"({"do":"add","robot":2,"x":1,"y":-2.5,"a":0.5})"));
   EXPECT_EQ(add.robot, 2u);
   EXPECT_EQ(add.x, 1);
@@ -67,6 +71,10 @@ TEST(Command, what_cannot_be_is_refused_with_a_reason) {
       {R"({"do":"drive","model":1,"forward":0,"sideways":null,"turn":0})", "\"sideways\" must be a number"},
       {R"({"do":"drive","model":1,"forward":0,"turn":0})", "\"sideways\" must be a number"},
       {R"({"do":"copy","model":1})", "\"x\" must be a number"},
+      {R"({"do":"join","name":"","x":0,"y":0,"a":0})", "\"name\" must be"},
+      {R"({"do":"join","name":"a.b","x":0,"y":0,"a":0})", "\"name\" must be"},
+      {R"({"do":"join","name":"abcdefghijklmnopqrstuvwxyz","x":0,"y":0,"a":0})", "\"name\" must be"},
+      {R"({"do":"say"})", "\"text\" must be a string"},
       {R"({"do":"add","robot":-1,"x":0,"y":0,"a":0})", "within its range"},
       {R"({"do":"remove"})", "\"model\" must be a number"},
       {R"({"do":"select"})", "\"model\" must be a number"},

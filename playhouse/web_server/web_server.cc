@@ -255,6 +255,8 @@ class WebServer::Impl final : public net::HttpService,
     if (const auto* drive = std::get_if<replicate::Drive>(&command)) return this->drive(*drive, from);
     if (const auto* copy = std::get_if<replicate::Copy>(&command)) return this->copy(*copy, from);
     if (const auto* add = std::get_if<replicate::Add>(&command)) return this->add(*add, from);
+    if (const auto* join = std::get_if<replicate::Join>(&command)) return this->join(*join, from);
+    if (const auto* say = std::get_if<replicate::Say>(&command)) return this->say(*say, from);
     if (const auto* remove = std::get_if<replicate::Remove>(&command)) return this->remove(*remove);
     if (std::holds_alternative<replicate::Save>(command)) return save(from);
     if (std::holds_alternative<replicate::Select>(command) ||
@@ -387,6 +389,73 @@ class WebServer::Impl final : public net::HttpService,
     });
   }
 
+  /// A person comes for the viewer; the model that the viewer had before goes.
+  Result<void> join(const replicate::Join& join, WebViewer& from) {
+    const auto person = std::ranges::find_if(
+        prototypes_.addable(), [this](const auto& each) { return walks(scene_.models[each.desc]); });
+    if (person == prototypes_.addable().end())
+      return Error{"",
+                   "nobody can join this world: it has no position with drive \"walk\" (worlds/person.inc)"};
+    leave_body(from);
+    const auto body = bodies_[&from] = std::make_shared<Body>();
+    return post_change([join, body, desc = person->desc, tell = teller(from), weak = weak_from_this(),
+                        &loop = loop_](world::World& world) {
+      const geom::Pose X_WM{join.x, join.y, world.scene().models[desc].X_PM.z, join.a};
+      const std::string name = world.find(join.name) ? world::fresh_name(world, join.name) : join.name;
+      const auto came = world::spawn(world, desc, X_WM, name);
+      if (!came) return tell(came.error().text);
+      loop.post([weak, body, model = *came] {
+        if (const auto self = weak.lock()) self->embody(*body, model);
+      });
+    });
+  }
+
+  /// The model that a viewer has joined the world as.
+  struct Body {
+    std::optional<world::ModelId> model;  // none: it has not come yet
+    bool is_left = false;                 // the viewer has gone, or has another one
+  };
+
+  static bool walks(const scene::ModelDesc& model) {
+    return model.position && model.position->drive == scene::Drive::kWalk;
+  }
+
+  void embody(Body& body, world::ModelId model) {
+    body.model = model;
+    if (body.is_left) return remove_body(body);
+    for (const auto& viewer : viewers_) {
+      const auto own = bodies_.find(viewer.get());
+      if (own != bodies_.end() && own->second.get() == &body) viewer->joined(model);
+    }
+  }
+
+  void leave_body(const WebViewer& viewer) {
+    const auto own = bodies_.find(&viewer);
+    if (own == bodies_.end()) return;
+    own->second->is_left = true;
+    remove_body(*own->second);
+    bodies_.erase(own);
+  }
+
+  void remove_body(const Body& body) {
+    if (!body.model) return;
+    const Result<void> posted = post_change([model = *body.model](world::World& world) {
+      if (!world.row(model)) return;
+      const Result<void> gone = world::despawn(world, model);
+      PLAYHOUSE_ASSERT(gone.ok());
+    });
+    if (!posted) log::warn("web: the body of somebody who left stays: {}", posted.error().text);
+  }
+
+  Result<void> say(const replicate::Say& say, const WebViewer& from) {
+    const auto own = bodies_.find(&from);
+    if (own == bodies_.end() || !own->second->model)
+      return Error{"", "only who has joined can say something"};
+    return post_change([say, model = *own->second->model](world::World& world) {
+      if (const world::ModelRow row = world.row(model)) world::set_say(world, row, say.text);
+    });
+  }
+
   Result<void> remove(const replicate::Remove& remove) {
     return with_row(remove.model, [&](std::uint32_t row) -> Result<void> {
       if (!may_be_moved(newest_->root[row])) return Error{"", "this model may not be removed"};
@@ -466,6 +535,7 @@ class WebServer::Impl final : public net::HttpService,
   void left(WebViewer& viewer, const std::string& why) override {
     log::info("web: {} left: {}", viewer.peer(), why);
     driven_.left(&viewer);
+    leave_body(viewer);
     std::erase_if(viewers_, [&](const auto& other) { return other.get() == &viewer; });
     watched_ = viewers_.size();
     if (watched_ == 0) control_.record(false);
@@ -547,6 +617,7 @@ class WebServer::Impl final : public net::HttpService,
   std::set<world::ModelId> selected_;                                // robots
   std::map<world::ModelId, std::shared_ptr<Measuring>> subscribed_;  // robots that the world was asked for
   std::unique_ptr<net::Timer> offer_timer_, subscription_timer_;
+  std::map<const WebViewer*, std::shared_ptr<Body>> bodies_;  // of those who join
   DrivenRobots driven_;
   replicate::Snapshot front_;
   std::shared_ptr<const replicate::Layout> scene_layout_;  // of scene_text_

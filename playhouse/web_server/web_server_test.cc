@@ -383,6 +383,16 @@ TEST_F(WebServerTest, robots_are_added_copied_and_removed_and_viewers_follow) {
   EXPECT_THAT(next_text(viewer, turning()), HasSubstr("no such robot to add"));
 }
 
+TEST_F(WebServerTest, nobody_joins_a_world_without_people_or_speaks_without_a_body) {
+  WebClient viewer(port_);
+  ASSERT_TRUE(viewer.upgrade());
+  viewer.message();
+  viewer.send_text(R"({"do":"join","name":"Ada","x":0,"y":0,"a":0})");
+  EXPECT_THAT(next_text(viewer, turning()), HasSubstr("nobody can join this world"));
+  viewer.send_text(R"({"do":"say","text":"hello"})");
+  EXPECT_THAT(next_text(viewer, turning()), HasSubstr("only who has joined"));
+}
+
 TEST_F(WebServerTest, a_copy_has_the_color_that_the_original_has_now) {
   constexpr scene::Color kGreen{0, 1, 0, 1};
   const world::ModelRow puck = small_.world.find("puck");  // ticks of this world paint robots

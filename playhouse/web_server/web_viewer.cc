@@ -36,6 +36,10 @@ void WebViewer::notice(std::string_view text) {
   socket_->send_text(std::make_shared<const std::string>(fmt::format("{{\"notice\":{}}}", quoted)));
 }
 
+void WebViewer::joined(world::ModelId body) {
+  socket_->send_text(std::make_shared<const std::string>(fmt::format("{{\"joined\":{}}}", body.value)));
+}
+
 void WebViewer::send_text(std::shared_ptr<const std::string> text) {
   text_is_under_way_ = true;
   socket_->send_text(std::move(text));

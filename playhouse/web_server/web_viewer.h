@@ -63,6 +63,9 @@ class WebViewer final : public net::WebSocketEvents {
   /// A line for the person at the page; dropped when many wait already.
   void notice(std::string_view text);
 
+  /// This model is the viewer's own now.
+  void joined(world::ModelId body);
+
   /// A large text is to come for this viewer. False: one is on its way already.
   bool await_text() { return !std::exchange(awaits_text_, true); }
   void send_text(std::shared_ptr<const std::string> text);

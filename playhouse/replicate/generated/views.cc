@@ -251,6 +251,8 @@ namespace {
 
 void tell_position(const scene::ModelDesc& model, std::string& text) {
   if (!model.position) return;
+  static constexpr std::string_view kWordsOfDrive[] = {"diff", "omni", "walk", "car"};
+  text += ",\"drive\":" + quoted(kWordsOfDrive[static_cast<std::size_t>(model.position->drive)]);
   fmt::format_to(std::back_inserter(text), ",\"trail\":{}", number(model.trail_length));
 }
 

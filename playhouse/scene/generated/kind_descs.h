@@ -100,7 +100,7 @@ struct PlainDesc {
 };
 
 /// How it can move.
-enum class Drive : std::uint8_t { kDiff, kOmni, kCar };
+enum class Drive : std::uint8_t { kDiff, kOmni, kWalk, kCar };
 
 /// What it believes about its pose.
 enum class Localization : std::uint8_t { kGps, kOdometry };

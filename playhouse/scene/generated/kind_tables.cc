@@ -92,7 +92,7 @@ constexpr KindInterface kInterfacesOfModel[1] = {
 };
 
 constexpr Word kWordsOfPosition[12] = {
-    {.name = "drive", .use = Use::kRead, .type = "choice", .form = "\"diff\" | \"omni\" | \"car\"", .otherwise = "\"diff\"", .doc = "How it can move. \"diff\": ahead and turning, as two wheels do; \"omni\": in any direction and turning; \"car\": ahead, and turning by the angle of a steered axle."},
+    {.name = "drive", .use = Use::kRead, .type = "choice", .form = "\"diff\" | \"omni\" | \"walk\" | \"car\"", .otherwise = "\"diff\"", .doc = "How it can move. \"diff\": ahead and turning, as two wheels do; \"omni\": in any direction and turning; \"walk\": on legs: in any direction and turning; with the arena engine it climbs steps of up to 0.3 m; \"car\": ahead, and turning by the angle of a steered axle."},
     {.name = "localization", .use = Use::kRead, .type = "choice", .form = "\"gps\" | \"odom\"", .otherwise = "\"gps\"", .doc = "What it believes about its pose. \"gps\": the truth; \"odom\": what its wheels counted, with an error."},
     {.name = "localization_origin", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .told = "odom: the start pose, gps: 0 0 0 0", .doc = "Where in the world its coordinates begin."},
     {.name = "velocity", .use = Use::kRead, .type = "twist", .form = "[x y z heading]", .unit = "m/s, m/s, m/s, deg/s", .otherwise = "[0 0 0 0]", .doc = "Its first command."},

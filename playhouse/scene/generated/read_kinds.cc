@@ -8,7 +8,7 @@ namespace playhouse::scene {
 namespace {
 
 void read(const Properties& properties, PositionDesc& to) {
-  static constexpr std::string_view kWordsOfDrive[] = {"diff", "omni", "car"};
+  static constexpr std::string_view kWordsOfDrive[] = {"diff", "omni", "walk", "car"};
   to.drive = static_cast<Drive>(read_choice(properties, "drive", kWordsOfDrive, static_cast<std::size_t>(to.drive)));
   static constexpr std::string_view kWordsOfLocalization[] = {"gps", "odom"};
   to.localization = static_cast<Localization>(read_choice(properties, "localization", kWordsOfLocalization, static_cast<std::size_t>(to.localization)));

@@ -9,7 +9,7 @@ namespace playhouse::scene {
 namespace {
 
 void write(const PositionDesc& from, const PositionDesc& unsaid, Words& to) {
-  static constexpr std::string_view kWordsOfDrive[] = {"diff", "omni", "car"};
+  static constexpr std::string_view kWordsOfDrive[] = {"diff", "omni", "walk", "car"};
   if (from.drive != unsaid.drive) to.text("drive", kWordsOfDrive[static_cast<std::size_t>(from.drive)]);
   static constexpr std::string_view kWordsOfLocalization[] = {"gps", "odom"};
   if (from.localization != unsaid.localization) to.text("localization", kWordsOfLocalization[static_cast<std::size_t>(from.localization)]);

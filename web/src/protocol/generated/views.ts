@@ -157,6 +157,7 @@ export interface Sensor {
 
 /** What the prototype of a model of its kind says: the fields of other kinds are not there. */
 export interface KindStart {
+  drive?: 'diff' | 'omni' | 'walk' | 'car';
   trail?: number;
   sensors?: Sensor[]; // ranger
   range?: number; // m
