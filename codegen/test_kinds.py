@@ -394,7 +394,7 @@ class Generated(unittest.TestCase):
 
     def test_a_bar_in_a_table_of_a_page_is_escaped(self):
         page = emit_kinds_docs.emit(load_kinds(ROOT / "kinds", SCHEMA))["docs/kinds/position.md"]
-        self.assertIn('| `"diff" \\| "omni" \\| "car"` |', page)
+        self.assertIn('| `"diff" \\| "omni" \\| "walk" \\| "car"` |', page)
 
 
 if __name__ == "__main__":

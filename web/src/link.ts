@@ -11,6 +11,8 @@ export interface LinkEvents {
   packet(): void;
   history(history: History): void;
   file(world: WorldFile): void;
+  /** This model, by its id, is the viewer's own now. */
+  joined(model: number): void;
   notice(text: string): void;
   state(state: LinkState): void;
 }
@@ -74,6 +76,7 @@ export class Link {
     if ('notice' in message) return this.events.notice(message.notice);
     if ('history' in message) return this.events.history(message.history);
     if ('world' in message) return this.events.file(message.world);
+    if ('joined' in message) return this.events.joined(message.joined);
     if ('changes' in message) return this.follow(message.changes);
     this.tries = 0;
     this.unacknowledged = 0;

@@ -1,9 +1,11 @@
 import { Driver } from './drive/driver';
-import { HeldKeys, handsOfAxes, sum, velocityOf } from './drive/hands';
+import { Eyes } from './drive/eyes';
+import { HeldKeys, handsOfAxes, sum, velocityOf, type Hands, type Velocity } from './drive/hands';
 import { Link, type LinkState } from './link';
 import { PicturePage } from './picture_page';
 import type { Replica } from './protocol/replica';
 import { wheelsOf, type Scene } from './protocol/scene';
+import { Ask } from './ui/ask';
 import { Clock } from './ui/clock';
 import { DevicePanel } from './ui/device_panel';
 import { byId, download } from './ui/dom';
@@ -16,6 +18,7 @@ import { Stick } from './ui/stick';
 import { Toolbar, worldTitle } from './ui/toolbar';
 import { Pointer } from './view/pointer';
 import type { Margins } from './view/camera_rig';
+import { isPerson } from './view/people';
 import { StageView } from './view/stage_view';
 import { kDarkPage } from './view/theme';
 
@@ -23,6 +26,7 @@ const kLookPeriodMs = 150;
 const kDrivePeriodMs = 50;
 const kNearScale = 60; // pixels per metre: near enough to see a robot's sensors
 const kSensorScale = 8; // pixels per metre: seen from farther away, fans are a fog
+const kNameKey = 'playhouse.name';
 const kNoticeMs = 4000;
 const kLinkTexts: Record<LinkState, string> = {
   connecting: 'connecting',
@@ -44,6 +48,8 @@ class Page {
   private hurry = false;
   private wheels: number | null = null; // of the selected robot
   private live = false;
+  private own: number | null = null; // id of the viewer's body
+  private enters = false; // it is not known in the scene yet
   private awaited = 0; // models that were asked for and have not come yet
   private readonly pointer: Pointer;
 
@@ -54,6 +60,7 @@ class Page {
     packet: () => this.showPacket(),
     history: (history) => this.clock.follow(history),
     file: (world) => download(world.file, new Blob([world.text], { type: 'text/plain' })),
+    joined: (model) => this.joined(model),
     notice: (text) => {
       this.awaited = 0; // it may tell why nobody comes
       this.showNotice(text);
@@ -69,6 +76,7 @@ class Page {
     fit: () => this.fit(),
     toggleList: () => byId('robots').classList.toggle('desk'),
     add: (robot) => this.add(robot),
+    join: () => this.join(),
     save: () => this.link.send({ do: 'save' }),
     picture: () => void this.savePicture(),
     help: () => this.help.showModal(),
@@ -89,6 +97,7 @@ class Page {
     remove: () => this.remove(),
   });
   private readonly help = byId<HTMLDialogElement>('help');
+  private readonly ask = new Ask(byId<HTMLDialogElement>('ask'));
   private readonly driveBar = new DriveBar(byId('drive'));
   private readonly stick = new Stick(byId('stick'), () => this.drive());
 
@@ -107,6 +116,7 @@ class Page {
       this.hurry = fast;
       this.drive();
     });
+    this.listenForLooks(byId('picture'));
     window.setInterval(() => this.drive(), kDrivePeriodMs);
     kDarkPage.addEventListener('change', () => this.view.setTheme());
     this.showLink('connecting');
@@ -123,6 +133,7 @@ class Page {
       speed: replica?.speed ?? 1,
       gliding: view.rig.gliding,
       scans: replica?.scans.size ?? 0,
+      eye: view.rig.eye,
       driven: this.driver.driven,
       hovered: view.hovered === null ? null : (scene?.models[view.hovered].name ?? null),
       labels: [...view.labelled].map((row) => scene?.models[row].name),
@@ -164,11 +175,15 @@ class Page {
     this.replica = replica;
     this.looked = '';
     this.awaited = 0;
+    this.leaveEyes();
     this.clock.follow({ ticks: [] });
     this.view.show(scene, replica);
     this.toolbar.showWorld(scene.name);
     this.toolbar.showTilted(this.view.rig.pitch > 0.02);
     this.toolbar.showAddable(scene.addable);
+    this.own = null;
+    this.enters = false;
+    this.showJoin();
     this.robots.show(scene, replica);
     this.select((selected === undefined ? undefined : replica.rows.get(selected)) ?? null);
   }
@@ -185,6 +200,9 @@ class Page {
     this.pointer.follow(now);
     this.robots.show(scene, replica);
     this.wheels = wheels === null ? null : now(wheels);
+    if (this.enters) this.embody();
+    else if (this.own !== null && !replica.rows.has(this.own)) this.own = null;
+    this.showJoin();
     const came = replica.rows.get(scene.models.filter(({ id, parent }) => parent < 0 && !before.rows.has(id)).at(-1)?.id ?? -1);
     if (this.awaited > 0 && came !== undefined) {
       --this.awaited;
@@ -251,10 +269,92 @@ class Page {
   /** What keys, gamepad and stick want, told to the program. */
   private drive(): void {
     const pads = document.hasFocus() ? navigator.getGamepads().filter((pad) => pad?.connected) : [];
-    const velocity = velocityOf(sum([this.heldKeys.hands(this.hurry), this.stick.hands(), ...pads.map((pad) => handsOfAxes(pad!.axes))]));
+    const hands = sum([this.heldKeys.hands(this.hurry), this.stick.hands(), ...pads.map((pad) => handsOfAxes(pad!.axes))]);
+    const velocity = this.walking(hands) ?? velocityOf(hands);
     const wheels = this.live && this.wheels !== null ? this.idOf(this.wheels) : null;
     for (const order of this.driver.next(wheels, velocity, performance.now())) this.link.send({ do: 'drive', ...order });
     this.driveBar.showVelocity(velocity);
+  }
+
+  /** What a person through whose eyes one looks is to do; null: none does. */
+  private walking(hands: Hands): Velocity | null {
+    const { seenBy, motion } = this.view;
+    if (!seenBy || !motion || !this.scene) return null;
+    const { row, eyes } = seenBy;
+    const walks = isPerson(this.scene, row);
+    if (!walks || hands.sideways !== 0) eyes.follow(motion.a[row]);
+    this.view.redraw();
+    return walks ? eyes.walk(hands, motion.a[row]) : null;
+  }
+
+  /** The mouse looks around once the picture has been clicked, until Esc. */
+  private listenForLooks(picture: HTMLElement): void {
+    picture.addEventListener('click', () => {
+      if (this.view.seenBy) void picture.requestPointerLock();
+    });
+    document.addEventListener('pointermove', (event) => {
+      if (document.pointerLockElement !== picture || !this.view.seenBy) return;
+      this.view.seenBy.eyes.look(event.movementX, event.movementY);
+      this.view.redraw();
+    });
+    document.addEventListener('pointerlockchange', () => {
+      if (document.pointerLockElement === null) this.drive();
+    });
+  }
+
+  /** Through the eyes of the selected robot or person, or from above again. */
+  private toggleEyes(): void {
+    const { selected: row, motion } = this.view;
+    if (this.view.seenBy || row === null || !motion) return this.leaveEyes();
+    this.view.seeThrough({ row, eyes: new Eyes(motion.a[row]) });
+  }
+
+  private leaveEyes(): void {
+    if (document.pointerLockElement) document.exitPointerLock();
+    this.view.seeThrough(null);
+  }
+
+  private showJoin(): void {
+    const { scene, own } = this;
+    this.toolbar.showJoin(own !== null || (scene?.models.some((_, row) => isPerson(scene, row)) ?? false), own !== null);
+  }
+
+  /** Into the world as a person, in the middle of the picture; or out of it. */
+  private join(): void {
+    if (this.own !== null) {
+      this.link.send({ do: 'remove', model: this.own });
+      return this.leaveEyes();
+    }
+    const at = this.middle();
+    if (!at) return;
+    const known = localStorage.getItem(kNameKey) ?? 'visitor';
+    this.ask.open('Your name in this world', { value: known, pattern: '[A-Za-z][A-Za-z0-9_\\-]*', most: 24 }, (name) => {
+      localStorage.setItem(kNameKey, name);
+      this.link.send({ do: 'join', name, x: at.x, y: at.y, a: 0 });
+    });
+  }
+
+  /** The viewer's body is there. */
+  private joined(model: number): void {
+    this.own = model;
+    this.enters = true;
+    this.showJoin();
+    this.embody();
+  }
+
+  /** Once both are known, the body and its row, in whichever order they come. */
+  private embody(): void {
+    const row = this.own === null ? undefined : this.replica?.rows.get(this.own);
+    if (row === undefined || !this.enters) return;
+    this.enters = false;
+    this.leaveEyes();
+    this.select(row);
+    this.toggleEyes();
+  }
+
+  private say(): void {
+    if (this.own === null) return;
+    this.ask.open('Say', {}, (text) => this.link.send({ do: 'say', text }));
   }
 
   private letGo(): void {
@@ -262,11 +362,16 @@ class Page {
     this.stick.release();
   }
 
-  /** Another one of the scene's robots, in the middle of the picture. */
-  private add(robot: number): void {
+  /** The floor in the middle of the picture. */
+  private middle(): { x: number; y: number } | null {
     const { left, right, top, bottom } = margins();
     const { rig } = this.view;
-    const at = rig.floorAt((left + rig.width - right) / 2, (top + rig.height - bottom) / 2);
+    return rig.floorAt((left + rig.width - right) / 2, (top + rig.height - bottom) / 2);
+  }
+
+  /** Another one of the scene's robots, in the middle of the picture. */
+  private add(robot: number): void {
+    const at = this.middle();
     if (!this.live || !at) return;
     ++this.awaited;
     this.link.send({ do: 'add', robot, x: at.x, y: at.y, a: 0 });
@@ -334,12 +439,14 @@ class Page {
       n: () => this.toolbar.toggle('names'),
       b: () => this.toolbar.toggle('speech'),
       g: () => this.toolbar.toggle('grid'),
+      i: () => this.toggleEyes(),
+      Enter: () => this.say(),
       p: () => void this.savePicture(),
       '/': () => this.robots.focus(),
       '?': () => this.help.showModal(),
       c: () => this.copy(),
       Delete: () => this.remove(),
-      Escape: () => this.select(null),
+      Escape: () => (this.view.seenBy ? this.leaveEyes() : this.select(null)),
     };
   }
 

@@ -9,6 +9,8 @@ export type Command =
   | { do: 'drive'; model: number; forward: number; sideways: number; turn: number }
   | { do: 'copy'; model: number; x: number; y: number; a: number }
   | { do: 'add'; robot: number; x: number; y: number; a: number } // place in scene.addable
+  | { do: 'join'; name: string; x: number; y: number; a: number }
+  | { do: 'say'; text: string }
   | { do: 'remove'; model: number }
   | { do: 'save' }
   | { do: 'select'; model: number | null }

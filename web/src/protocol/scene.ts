@@ -85,7 +85,7 @@ export interface WorldFile {
   text: string;
 }
 
-type Message = { scene: Scene } | { changes: Changes } | { history: History } | { world: WorldFile } | { notice: string };
+type Message = { scene: Scene } | { changes: Changes } | { history: History } | { world: WorldFile } | { joined: number } | { notice: string };
 
 /** A text message: the scene, changes of its population, instants to go back to, a file, or a line for the person who watches. */
 export function parseText(text: string): Message {
@@ -94,6 +94,7 @@ export function parseText(text: string): Message {
   if ('notice' in message && typeof message.notice === 'string') return { notice: message.notice };
   if ('history' in message) return { history: historyOf(message.history as HistoryText) };
   if ('world' in message) return { world: message.world as WorldFile };
+  if ('joined' in message) return { joined: message.joined as number };
   if ('gone' in message) return { changes: message as Changes };
   if ('protocol' in message && message.protocol === 3) return { scene: sceneOf(message as SceneText) };
   throw new Error('this page is older or newer than the program: reload it');

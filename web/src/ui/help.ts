@@ -11,6 +11,8 @@ const kKeys: [string[], string][] = [
   [['F'], 'everything on the screen'],
   [['L'], 'follow the selected robot'],
   [['V', 'M', 'R', 'N', 'B', 'G'], 'sensors, markers, trails, names, speech and flags, grid'],
+  [['I'], 'through the eyes of the selected robot or person; a click lets the mouse look around, Esc ends it'],
+  [['Enter'], 'say something, where you have joined'],
   [['P'], 'what is on the screen, as a picture'],
   [['/'], 'find a robot'],
   [['C'], 'another robot like the selected one, beside it'],

@@ -12,6 +12,8 @@ export interface ToolbarEvents {
   toggleList(): void;
   /** Another one of the scene's robots, by its place in the list. */
   add(robot: number): void;
+  /** Comes into the world as a person, or leaves it. */
+  join(): void;
   /** The world as it stands, as a file. */
   save(): void;
   /** What is on the screen, as a file. */
@@ -56,6 +58,7 @@ export class Toolbar {
   private readonly addSheet = el('div', { class: 'sheet', hidden: true });
   private readonly addButton = el('button', { 'aria-haspopup': 'true', 'aria-expanded': 'false', 'data-testid': 'add', title: 'Another robot, in the middle of the picture' }, 'Add');
   private readonly saveButton = el('button', { class: 'desk', 'data-testid': 'save', title: 'The world as it stands now, as a world file' }, 'Save world');
+  private readonly joinButton = el('button', { 'data-testid': 'join', hidden: true, title: 'Come into the world as a person' }, 'Join');
   private readonly boxes = new Map<keyof Layers, HTMLInputElement>();
   private readonly stepButton = el('button', { 'data-testid': 'step', title: 'One tick (.)', 'aria-label': 'Step' }, icon('step'), el('span', { class: 'desk' }, ' Step'));
   private readonly tiltButton = el('button', { 'data-testid': 'tilt', title: 'From above or tilted (T)' });
@@ -75,6 +78,7 @@ export class Toolbar {
     list.onclick = events.toggleList;
     fit.onclick = events.fit;
     help.onclick = events.help;
+    this.joinButton.onclick = events.join;
     this.saveButton.onclick = events.save;
     picture.onclick = events.picture;
     this.tiltButton.onclick = events.tilt;
@@ -85,7 +89,7 @@ export class Toolbar {
     bar.append(
       el('span', { class: 'brand' }, this.dot, el('span', { class: 'desk' }, 'Playhouse'), this.world),
       list, el('span', { class: 'rule' }), this.pause, this.stepButton, this.speeds, el('span', { class: 'gap' }),
-      this.menu(this.addButton, this.addSheet), this.saveButton, picture, this.tiltButton, fit, this.layerMenu(), help,
+      this.joinButton, this.menu(this.addButton, this.addSheet), this.saveButton, picture, this.tiltButton, fit, this.layerMenu(), help,
     );
     this.showPaused(false);
     this.showTilted(false);
@@ -94,7 +98,7 @@ export class Toolbar {
   showLink(state: LinkState, text: string): void {
     this.dot.dataset.state = state;
     this.dot.title = text;
-    for (const control of [this.pause, this.stepButton, this.speeds, this.addButton, this.saveButton]) control.disabled = state !== 'live';
+    for (const control of [this.pause, this.stepButton, this.speeds, this.joinButton, this.addButton, this.saveButton]) control.disabled = state !== 'live';
   }
 
   showWorld(name: string): void {
@@ -114,6 +118,12 @@ export class Toolbar {
       };
       return choice;
     }));
+  }
+
+  /** Whether somebody can join, and whether the viewer has. */
+  showJoin(possible: boolean, joined: boolean): void {
+    this.joinButton.hidden = !possible;
+    setText(this.joinButton, joined ? 'Leave' : 'Join');
   }
 
   showPaused(paused: boolean): void {

@@ -7,6 +7,7 @@ import type { Motion } from '../motion';
 import { orientationOf } from '../orientation';
 import type { Replica } from '../protocol/replica';
 import type { Model, Pose, Scene, Solid } from '../protocol/scene';
+import { isPerson } from './people';
 import { edgesOf, geometryOf, heightOf } from './shapes';
 import type { Theme } from './theme';
 
@@ -21,7 +22,7 @@ interface Batch {
 
 const kOutlineScale = 10; // pixels per metre
 
-/** The bodies of all models, without what their kinds draw, extruded, in their colours; and a point ahead of each that drives or wants one. */
+/** The bodies of all models but people, without what their kinds draw, extruded, in their colours; and a point ahead of each that drives or wants one. */
 export class Bodies {
   readonly group = new Group();
   private readonly batches: Batch[] = [];
@@ -39,7 +40,7 @@ export class Bodies {
     this.shown = new Uint32Array(scene.models.length);
     const alike = new Map<string, number[]>();
     scene.models.forEach((model, row) => {
-      if (model.shape === undefined) return;
+      if (model.shape === undefined || isPerson(scene, row)) return;
       const shaded = shadeOf(model) ? model.kind : '';
       const key = `${model.shape}/${model.moving ?? 0}/${replica.color[row] & 0xff}/${shaded}`;
       const rows = alike.get(key);
@@ -124,7 +125,7 @@ export class Bodies {
   private makeNoses(): Batch | null {
     const rows: number[] = [];
     this.scene.models.forEach((model, row) => {
-      if ((model.kind === 'position' || model.nose) && model.shape !== undefined) rows.push(row);
+      if ((model.kind === 'position' || model.nose) && model.shape !== undefined && !isPerson(this.scene, row)) rows.push(row);
     });
     if (rows.length === 0) return null;
     const geometry = new BufferGeometry();

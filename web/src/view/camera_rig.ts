@@ -2,6 +2,8 @@ import { OrthographicCamera, PerspectiveCamera, Vector3, type Camera } from 'thr
 
 const kFov = (35 * Math.PI) / 180;
 const kScale = { least: 0.5, most: 2000 }; // pixels per metre
+const kEyeFov = 70; // degrees, up and down
+const kEyeReach = 20; // m: what is sent of the world to who stands in it
 const kFitSteps = 8;
 const kHighest = 1000; // m: what is drawn from above, however near one looks
 const kPitchMost = (78 * Math.PI) / 180;
@@ -12,6 +14,15 @@ export interface Box {
   y_min: number;
   x_max: number;
   y_max: number;
+}
+
+/** Where an eye is and looks: metres and radians, the pitch up. */
+export interface Eye {
+  x: number;
+  y: number;
+  z: number;
+  yaw: number;
+  pitch: number;
 }
 
 /** Pixels at each side of the screen. */
@@ -34,12 +45,16 @@ export class CameraRig {
   pitch = 0; // 0: from above
   width = 1;
   height = 1;
+  /** Through whose eye the world is seen, in place of all this; none: from above. */
+  eye: Eye | null = null;
 
+  private readonly eyes = new PerspectiveCamera(kEyeFov);
   private readonly flat = new OrthographicCamera();
   private readonly deep = new PerspectiveCamera();
   private glide: { pitch: number; x: number; y: number; scale: number } | null = null;
 
   get camera(): Camera {
+    if (this.eye) return this.eyes;
     return this.pitch < 1e-3 ? this.flat : this.deep;
   }
 
@@ -172,6 +187,10 @@ export class CameraRig {
 
   /** The part of the floor that is on the screen; clipped where the view reaches the horizon. */
   view(): Box {
+    if (this.eye) {
+      const { x, y } = this.eye;
+      return { x_min: x - kEyeReach, y_min: y - kEyeReach, x_max: x + kEyeReach, y_max: y + kEyeReach };
+    }
     const reach = (4 * Math.max(this.width, this.height)) / this.scale;
     const box = { x_min: Infinity, y_min: Infinity, x_max: -Infinity, y_max: -Infinity };
     for (const [px, py] of [[0, 0], [this.width, 0], [0, this.height], [this.width, this.height]]) {
@@ -186,7 +205,20 @@ export class CameraRig {
     return box;
   }
 
+  private placeEye({ x, y, z, yaw, pitch }: Eye): void {
+    const { eyes } = this;
+    eyes.position.set(x, y, z);
+    eyes.up.set(0, 0, 1);
+    eyes.lookAt(x + Math.cos(yaw) * Math.cos(pitch), y + Math.sin(yaw) * Math.cos(pitch), z + Math.sin(pitch));
+    eyes.aspect = this.width / this.height;
+    eyes.near = 0.05;
+    eyes.far = 500;
+    eyes.updateProjectionMatrix();
+    eyes.updateMatrixWorld();
+  }
+
   private place(): void {
+    if (this.eye) this.placeEye(this.eye);
     const distance = this.height / 2 / this.scale / Math.tan(kFov / 2);
     const back = Math.sin(this.pitch) * distance;
     const up = Math.cos(this.pitch) * distance;

@@ -1,9 +1,11 @@
 import {
-  AmbientLight, Color, DirectionalLight, Group, HemisphereLight, LineBasicMaterial, LineLoop, BufferGeometry, Scene as Picture,
+  AmbientLight, Color, DirectionalLight, Group, HemisphereLight, LineBasicMaterial, LineLoop, BufferGeometry, Mesh,
+  MeshBasicMaterial, PlaneGeometry, Scene as Picture,
   Vector3, WebGLRenderer,
 } from 'three';
 import { Motion } from '../motion';
 import { kKindPages, type Drawing } from '../kinds/kind_page';
+import type { Eyes } from '../drive/eyes';
 import type { Replica } from '../protocol/replica';
 import { rootsOf, type Scene } from '../protocol/scene';
 import { Areas, type Area } from './areas';
@@ -13,11 +15,15 @@ import { CameraRig, kTilted, type Box, type Margins } from './camera_rig';
 import { FloorMarks } from './floor_marks';
 import { Ground } from './ground';
 import { Labels } from './labels';
+import { isPerson, People } from './people';
 import { heightOf } from './shapes';
 import { thingAt } from './things';
 import { themeNow, type Theme } from './theme';
 import { Trails } from './trails';
 
+const kEyeHeight = 0.93; // of a person
+const kAbove = 0.05; // m above a robot
+const kFloor = 2000; // m
 const kTooLarge = 'the picture is too large for this browser';
 
 export interface Layers {
@@ -38,6 +44,7 @@ class Drawn {
   readonly labels: Labels;
   readonly bubbles: Bubbles;
   readonly ground: Ground;
+  readonly people: People;
 
   constructor(
     readonly scene: Scene,
@@ -49,17 +56,18 @@ class Drawn {
     before: Drawn | null = null,
   ) {
     this.bodies = new Bodies(scene, replica, motion, theme);
+    this.people = new People(scene, replica, motion, before?.people);
     const stage = { scene, replica, motion, theme };
     this.drawings = [new FloorMarks(stage), ...kKindPages.flatMap(({ drawings }) => drawings?.(stage) ?? [])];
     this.trails = new Trails(scene, replica, before?.trails);
     this.labels = new Labels(scene, motion, rig, canvas, theme, before?.labels);
     this.bubbles = new Bubbles(scene, replica, motion, rig, canvas, theme);
     this.ground = new Ground(extentOf(scene, motion), theme);
-    this.group.add(this.ground.group, this.trails.object, this.bodies.group, ...this.drawings.map(({ object }) => object));
+    this.group.add(this.ground.group, this.trails.object, this.bodies.group, this.people.group, ...this.drawings.map(({ object }) => object));
   }
 
   dispose(): void {
-    for (const part of [this.bodies, ...this.drawings, this.trails, this.ground]) part.dispose();
+    for (const part of [this.bodies, this.people, ...this.drawings, this.trails, this.ground]) part.dispose();
   }
 }
 
@@ -70,6 +78,8 @@ export class StageView {
   selected: number | null = null;
   hovered: number | null = null;
   followed: number | null = null;
+  /** Through whose eyes the world is seen, and where they look. */
+  seenBy: { row: number; eyes: Eyes } | null = null;
   motion: Motion | null = null;
   roots: Int32Array = new Int32Array();
 
@@ -78,6 +88,7 @@ export class StageView {
   private readonly ring: LineLoop;
   private readonly sun = new DirectionalLight(0xffffff, 1.6);
   private readonly areas = new Areas();
+  private readonly floor = new Mesh(new PlaneGeometry(kFloor, kFloor), new MeshBasicMaterial()); // of who stands on it
   private drawn: Drawn | null = null;
   private theme: Theme = themeNow();
   private dirty = true;
@@ -96,13 +107,16 @@ export class StageView {
     this.ring = new LineLoop(new BufferGeometry().setFromPoints(circle), new LineBasicMaterial({ depthTest: false, transparent: true }));
     this.ring.renderOrder = 10;
     this.ring.visible = false;
-    this.picture.add(this.ring, this.areas.object);
+    this.floor.position.z = -0.01;
+    this.picture.add(this.ring, this.areas.object, this.floor);
+    this.floor.visible = false;
     this.applyTheme();
   }
 
   /** Shows another scene; the camera stays when it is the same world again. */
   show(scene: Scene, replica: Replica): void {
     const again = this.drawn?.scene.name === scene.name;
+    this.seeThrough(null);
     this.drop();
     this.draws(scene, replica, new Motion(scene, replica), null);
     if (!again) this.frameAsTheFileWants();
@@ -113,6 +127,9 @@ export class StageView {
     const { drawn, motion } = this;
     const now = (row: number | null) => (row === null || !drawn ? null : (replica.rows.get(drawn.scene.models[row].id) ?? null));
     [this.selected, this.hovered, this.followed] = [now(this.selected), now(this.hovered), now(this.followed)];
+    const seer = now(this.seenBy?.row ?? null);
+    if (this.seenBy && seer === null) this.seeThrough(null);
+    else if (this.seenBy) this.seenBy.row = seer!;
     this.drop();
     this.draws(scene, replica, new Motion(scene, replica, motion), drawn);
   }
@@ -129,6 +146,7 @@ export class StageView {
   changed(now: number): void {
     this.motion?.aim(now);
     this.drawn?.bodies.paint();
+    this.drawn?.people.paint();
     this.drawn?.trails.record();
     this.dirty = true;
   }
@@ -186,6 +204,26 @@ export class StageView {
     this.dirty = true;
   }
 
+  /** The world as a model of this row sees it, who looks there; null: from above. */
+  seeThrough(seenBy: { row: number; eyes: Eyes } | null): void {
+    this.seenBy = seenBy;
+    this.rig.eye = null;
+    this.floor.visible = seenBy !== null;
+    this.applyTheme();
+    this.dirty = true;
+  }
+
+  /** At the eyes of a person, on top of a robot. */
+  private placeEye(): void {
+    const { seenBy, motion, drawn } = this;
+    if (drawn) drawn.people.hidden = seenBy?.row ?? null;
+    if (!seenBy || !motion || !drawn) return;
+    const { row, eyes } = seenBy;
+    const { size } = drawn.scene.models[row];
+    const height = isPerson(drawn.scene, row) ? kEyeHeight * size[2] : size[2] + kAbove;
+    this.rig.eye = { x: motion.x[row], y: motion.y[row], z: motion.z[row] + height, yaw: eyes.yaw, pitch: eyes.pitch };
+  }
+
   /** Lays these over the floor and what is as high as they are, in place of those before. */
   showAreas(areas: Area[]): void {
     this.areas.lay(areas);
@@ -207,9 +245,11 @@ export class StageView {
       const centre = this.rig.centreFor(this.motion.x[this.followed], this.motion.y[this.followed], this.rig.scale, this.margins());
       this.rig.lookAt(centre.x, centre.y);
     }
+    this.placeEye();
     const glides = this.rig.update(seconds);
     if (moved) this.drawn?.bodies.move();
-    const changed = moved || glides || resized || this.dirty;
+    const walks = this.drawn?.people.move(seconds) ?? false;
+    const changed = moved || walks || glides || resized || this.dirty;
     this.dirty = false;
     return changed;
   }
@@ -326,7 +366,8 @@ export class StageView {
   }
 
   private applyTheme(): void {
-    this.picture.background = new Color(this.theme.floor);
+    this.picture.background = new Color(this.seenBy ? this.theme.sky : this.theme.floor);
+    (this.floor.material as MeshBasicMaterial).color.setHex(this.theme.floor);
     (this.ring.material as LineBasicMaterial).color.setHex(this.theme.select);
     this.dirty = true;
   }

@@ -1,6 +1,7 @@
 /** Colours of the drawn world, for a light and for a dark page. */
 export interface Theme {
   floor: number;
+  sky: number;
   grid: number;
   axis: number;
   edge: number;
@@ -15,6 +16,7 @@ export interface Theme {
 
 const kLight: Theme = {
   floor: 0xf4f5f7,
+  sky: 0xbcd6ee,
   grid: 0xdfe3e8,
   axis: 0xc2c9d2,
   edge: 0x23282f,
@@ -29,6 +31,7 @@ const kLight: Theme = {
 
 const kDark: Theme = {
   floor: 0x171b21,
+  sky: 0x0f1a2b,
   grid: 0x242a33,
   axis: 0x3a434f,
   edge: 0x0a0c0f,

@@ -1,0 +1,79 @@
+// People in a world: one joins through a page and walks, another page only watches, robots wander about them.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { join } from 'node:path';
+import { results, startBrowser, startProgram, watch } from './program.mjs';
+
+let program;
+let browser;
+let human;
+let observer;
+
+const poseOf = (page, name) => page.evaluate((who) => window.playhouse.pose(who), name);
+const has = (page, name) => page.waitForFunction((who) => window.playhouse.robots.includes(who), name);
+
+before(async () => {
+  program = await startProgram('worlds/room.world', ['--engine', 'arena']);
+  browser = await startBrowser();
+  human = await watch(browser, program.page);
+  observer = await watch(browser, program.page);
+});
+
+after(async () => {
+  await browser?.close();
+  await program?.stop();
+});
+
+test('somebody joins by name, sees through their own eyes and is seen by others', async () => {
+  const { page } = human;
+  await page.getByTestId('join').click();
+  await page.getByTestId('answer').fill('Ada');
+  await page.keyboard.press('Enter');
+  await has(page, 'Ada');
+  await has(observer.page, 'Ada');
+  await page.waitForFunction(() => window.playhouse.eye !== null);
+  const { z } = await page.evaluate(() => window.playhouse.eye);
+  assert.ok(Math.abs(z - 0.93 * 1.75) < 0.02, `eyes at ${z} m`);
+  assert.equal(await page.getByTestId('join').textContent(), 'Leave');
+});
+
+test('they walk ahead and aside by keys, which the observer sees', async () => {
+  const { page } = human;
+  const before = await poseOf(observer.page, 'Ada');
+  await page.keyboard.down('s');
+  await observer.page.waitForFunction((x) => window.playhouse.pose('Ada').x < x - 0.6, before.x);
+  await page.keyboard.up('s');
+  await page.screenshot({ path: join(results, 'people-human.png') });
+  await page.keyboard.down('d');
+  await observer.page.waitForFunction((y) => window.playhouse.pose('Ada').y < y - 0.4, before.y);
+  await observer.page.getByTestId('tilt').click();
+  await observer.page.waitForFunction(() => !window.playhouse.gliding);
+  await observer.page.screenshot({ path: join(results, 'people-observer.png') });
+  await page.keyboard.up('d');
+});
+
+test('what they say stands above them', async () => {
+  const { page } = human;
+  await page.keyboard.press('Enter');
+  await page.getByTestId('answer').fill('hello robots');
+  await page.keyboard.press('Enter');
+  await observer.page.waitForFunction(() => window.playhouse.bubbles.some(([who, text]) => who === 'Ada' && text === 'hello robots'));
+});
+
+test('who only watches has no body and cannot speak', async () => {
+  const before = await observer.page.evaluate(() => window.playhouse.robots.length);
+  await observer.page.keyboard.press('Enter');
+  assert.equal(await observer.page.locator('#ask').isVisible(), false);
+  assert.equal(await observer.page.evaluate(() => window.playhouse.robots.length), before);
+});
+
+test('Esc looks from above again, and who closes the page is gone', async () => {
+  const { page } = human;
+  await page.keyboard.press('Escape');
+  await page.waitForFunction(() => window.playhouse.eye === null);
+  assert.deepEqual(human.errors, []);
+  await page.close();
+  await observer.page.waitForFunction(() => !window.playhouse.robots.includes('Ada'));
+  assert.deepEqual(observer.errors, []);
+});
