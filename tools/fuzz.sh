@@ -17,10 +17,10 @@ for target in $targets; do
   found=build/fuzz/found/$name
   mkdir -p "$found"
   words=$corpus.dict
-  [ "$name" = stage_engine ] && words=tests/fuzz/scene_world.dict  # its inputs are worlds, too
+  case "$name" in *_engine) words=tests/fuzz/scene_world.dict ;; esac  # their inputs are worlds, too
   dictionary=
   [ -f "$words" ] && dictionary="-dict=$words"
-  echo "== $target: $seconds s from $(find "$corpus" -type f | wc -l) inputs"
+  echo "== $target: $seconds s from $(find "$corpus/" -type f | wc -l) inputs"
   # shellcheck disable=SC2086
   "$program" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -max_len=65536 -print_final_stats=1 \
     $dictionary -artifact_prefix="$found/crash-" "$found" "$corpus" > "$found.log" 2>&1 \
