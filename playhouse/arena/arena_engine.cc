@@ -62,7 +62,10 @@ ArenaEngine::Body ArenaEngine::make_body(std::uint32_t tree) {
   for (const stage::Mover& mover : movers_of(tree))
     body.has_joints = body.has_joints || mover.model != trees_.root[tree];
   std::vector<Hull> hulls = hulls_of(world_, trees_, solids_, tree, body.part);
-  if (hulls.empty()) return body;
+  if (hulls.empty()) {
+    body.part = Part::kGuided;  // an outline that encloses nothing
+    return body;
+  }
   for (const Hull& hull : hulls)
     for (const Vec3& p : hull) body.radius = std::max(body.radius, std::sqrt(p.x * p.x + p.y * p.y));
   body.number = physics_.add(plan_body(world_, trees_, tree, body.part, std::move(hulls)));
@@ -136,7 +139,9 @@ void ArenaEngine::bend(std::uint32_t tree) {
     body.joints[i] = X_PM;
     is_bent = true;
   }
-  if (is_bent) physics_.set_hulls(body.number, hulls_of(world_, trees_, solids_, tree, body.part));
+  if (!is_bent) return;
+  const std::vector<Hull> hulls = hulls_of(world_, trees_, solids_, tree, body.part);
+  if (!hulls.empty()) physics_.set_hulls(body.number, hulls);
 }
 
 void ArenaEngine::store(std::uint32_t tree) {

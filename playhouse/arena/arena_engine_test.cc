@@ -220,6 +220,17 @@ TEST_F(ArenaTest, is_the_same_run_for_any_number_of_workers_and_from_any_saved_t
   }
 }
 
+TEST_F(ArenaTest, runs_bodies_that_enclose_nothing) {
+  start(R"(
+position( name "thin" pose [0 0 0 0] size [0.4 0.4 0.3]
+  block( points 4 point[0] [0 0] point[1] [1 1] point[2] [0 0] point[3] [1 1] z [0 1] ) )
+model( name "flat" pose [2 0 0 0] size [0.4 0.4 0] gripper_return 1 )
+)");
+  drive("thin", {0.5, 0, 0, 0});
+  run(2);
+  EXPECT_NEAR(pose("thin").x, 1, 0.1);
+}
+
 TEST_F(ArenaTest, runs_what_no_wheels_carry) {
   start(R"(
 position( name "ghost" pose [0 0 0 0] size [0.4 0.4 0.3] obstacle_return 0 )
