@@ -689,9 +689,9 @@ TEST(WorldModels, a_position_has_its_drive_and_bounds) {
   EXPECT_EQ(car.localization, Localization::kOdometry);
   EXPECT_EQ(*car.localization_origin, (geom::Pose{1, 2, 0, geom::kPi}));
   EXPECT_EQ(car.velocity, (geom::Twist{1, 0, 0, geom::kPi / 2}));
-  EXPECT_EQ(
-      error_of("position( drive \"dif\" )"),
-      "w/t.world:1: \"drive\" is one of \"diff\", \"omni\", \"car\", found \"dif\" (did you mean \"diff\"?)");
+  EXPECT_EQ(error_of("position( drive \"dif\" )"),
+            "w/t.world:1: \"drive\" is one of \"diff\", \"omni\", \"walk\", \"car\", found \"dif\" (did you "
+            "mean \"diff\"?)");
   EXPECT_THAT(error_of("position( velocity_bounds [1 0 0 0 0 0 0 0] )"),
               HasSubstr("minimum above its maximum"));
   EXPECT_THAT(error_of("position( wheelbase 0 )"), HasSubstr("above 0"));
