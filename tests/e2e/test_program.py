@@ -686,7 +686,7 @@ class Kinds(HouseTest):
         self.assertIn("playhouse kinds model\n", done.stdout)
         drive = json.loads(finish("kinds", "position", "--json").stdout)["words"][0]
         self.assertEqual((drive["name"], drive["form"], drive["default"], drive["unit"]),
-                         ("drive", '"diff" | "omni" | "car"', '"diff"', None))
+                         ("drive", '"diff" | "omni" | "walk" | "car"', '"diff"', None))
 
     def test_an_unknown_name_is_one_line_with_what_to_write(self):
         for name, expected in (("positoin", '"positoin" is no kind (did you mean "position"?); playhouse kinds lists all'),
