@@ -61,8 +61,11 @@ def _senses(kinds: Kinds) -> str:
              "#include <memory>", "", '#include "playhouse/stage/sense_phase.h"', "", "namespace playhouse::stage {", "",
              "/// `workers` is how many threads may measure at once."]
     lines += [f"std::unique_ptr<SensePhase> make_{k.name}_sense(unsigned workers);" for k in found]
-    lines += ["", "inline void add_senses(Senses& senses, unsigned workers) {"]
-    lines += [f"  senses.add(make_{k.name}_sense(workers));" for k in found]
+    lines += ["", "/// Who makes the phase of each kind; an engine that measures otherwise has makers of its own.", "struct SenseMakers {",
+              "  using Make = std::unique_ptr<SensePhase> (*)(unsigned workers);"]
+    lines += [f"  Make {k.name} = make_{k.name}_sense;" for k in found]
+    lines += ["};", "", "inline void add_senses(Senses& senses, unsigned workers, const SenseMakers& makers = {}) {"]
+    lines += [f"  senses.add(makers.{k.name}(workers));" for k in found]
     return "\n".join([*lines, "}", "", "}  // namespace playhouse::stage", ""])
 
 

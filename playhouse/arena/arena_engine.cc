@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "playhouse/arena/lidar_sense.h"
 #include "playhouse/stage/generated/moves.h"
 
 namespace playhouse::arena {
@@ -43,7 +44,7 @@ Pose moved_by(const world::World& world, const stage::Mover& mover) {
 }  // namespace
 
 ArenaEngine::ArenaEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers)
-    : BodyEngine(scene, seed, workers) {
+    : BodyEngine(scene, seed, workers, {.ranger = make_lidar_sense}) {
   world_.engine = "arena";
   world_.upright = false;
   populate(true);

@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "playhouse/arena/solid_bodies.h"
 #include "playhouse/arena/surface.h"
 #include "playhouse/geom/trapezoids.h"
 
@@ -61,28 +62,11 @@ void add_prisms(std::vector<Hull>& hulls, std::span<const geom::Outline> outline
 /// Rows [begin, end) of the solids, all of which are one body (see Solids::body), as convex prisms in F.
 void add_body(std::vector<Hull>& hulls, const stage::Solids& solids, std::size_t begin, std::size_t end,
               const Pose& X_FM) {
-  const geom::Rotation turn = geom::Rotation::of(X_FM.a);
-  std::vector<std::vector<Vec2>> outlines;
-  for (std::size_t row = begin; row < end; ++row) {
-    std::vector<Vec2>& outline = outlines.emplace_back();
-    for (std::uint32_t v = solids.first_vertex[row]; v + 1 < solids.first_vertex[row + 1]; ++v)
-      outline.push_back(X_FM.xy() + turn * solids.p_M[v]);
-  }
+  const std::vector<std::vector<Vec2>> outlines = outlines_of(solids, begin, end, X_FM);
   const double z_low = X_FM.z + solids.z_min_M[begin], z_high = X_FM.z + solids.z_max_M[begin];
   if (outlines.size() == 1 && solids.convex[begin]) return add_prism(hulls, outlines[0], z_low, z_high);
   const std::vector<geom::Outline> all(outlines.begin(), outlines.end());
   add_prisms(hulls, all, z_low, z_high);
-}
-
-/// Calls visit(begin, end) for the runs of rows in [first, last) that are one body each.
-template <typename Visit>
-void each_body(const stage::Solids& solids, std::size_t first, std::size_t last, const Visit& visit) {
-  for (std::size_t begin = first; begin < last;) {
-    std::size_t end = begin + 1;
-    while (end < last && solids.body[end] == solids.body[begin]) ++end;
-    if (solids.is_obstacle(begin)) visit(begin, end);
-    begin = end;
-  }
 }
 
 /// Poses of the models of a tree in its top, where joints have them.
@@ -178,7 +162,7 @@ std::vector<Hull> hulls_of(const world::World& world, const stage::Trees& trees,
                            std::uint32_t tree, Part part) {
   const std::map<std::uint32_t, Pose> X_BM = poses_in_top(world.models, trees, tree);
   std::vector<Hull> hulls;
-  each_body(solids, trees.first_solid[tree], trees.first_solid[tree + 1],
+  each_body(solids, trees.first_solid[tree], trees.first_solid[tree + 1], stage::Observer::kMotion,
             [&](std::size_t begin, std::size_t end) {
               add_body(hulls, solids, begin, end, X_BM.at(solids.model[begin]));
             });
@@ -217,7 +201,7 @@ BodyDesc plan_body(const world::World& world, const stage::Trees& trees, std::ui
 std::vector<FixedSolid> fixed_solids(const world::World& world, const stage::Solids& solids) {
   std::vector<FixedSolid> fixed;
   std::vector<Hull> hulls;
-  each_body(solids, 0, solids.fixed, [&](std::size_t begin, std::size_t end) {
+  each_body(solids, 0, solids.fixed, stage::Observer::kMotion, [&](std::size_t begin, std::size_t end) {
     const std::uint32_t model = solids.model[begin];
     hulls.clear();
     add_body(hulls, solids, begin, end, world.models.X_WM[model]);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "playhouse/stage/generated/senses.h"
 #include "playhouse/stage/overlap.h"
 #include "playhouse/stage/touch.h"
 
@@ -47,9 +46,10 @@ double robot_radius(const Trees& trees, const Solids& solids) {
 
 }  // namespace
 
-BodyEngine::BodyEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers)
+BodyEngine::BodyEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers,
+                       const SenseMakers& makers)
     : PhasedEngine(scene, seed, workers), shapes_(scene) {
-  add_senses(senses_, workers_.count());
+  add_senses(senses_, workers_.count(), makers);
 }
 
 void BodyEngine::populate(bool fixed) {

@@ -5,7 +5,7 @@
 /// move. Thread: the tick thread.
 
 #include "playhouse/behaviour/phased_engine.h"
-#include "playhouse/stage/sense_phase.h"
+#include "playhouse/stage/generated/senses.h"
 
 namespace playhouse::stage {
 
@@ -15,7 +15,8 @@ class BodyEngine : public behaviour::PhasedEngine {
 
  protected:
   /// Derived engines call populate(true) when they are made.
-  BodyEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers);
+  BodyEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers,
+             const SenseMakers& makers = {});
 
   /// The tables are new: trees_, solids_ and index_, and what stands still only if `fixed`.
   virtual void populated(bool fixed) = 0;

@@ -4,17 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "playhouse/stage/ranger_noise.h"
 #include "playhouse/stage/space.h"
 
 namespace playhouse::stage {
 namespace {
 
 constexpr std::uint32_t kScanBeams = 8;  // a sensor of fewer beams is a bundle of rays
-
-double bearing_of(const scene::RangerSensorDesc& sensor, std::uint32_t beam) {
-  if (sensor.samples <= 1) return 0;
-  return -0.5 * sensor.fov + sensor.fov * beam / (sensor.samples - 1);
-}
 
 Vec2 unit(double angle) {
   const geom::SinCos sc = geom::sincos(angle);
@@ -87,8 +83,8 @@ void add_sensor(RangerKind& kind, const scene::RangerSensorDesc& sensor, const P
   const double z = X_MS.z + 0.5 * sensor.size.z;
   if (sensor.noise_angular > 0) {
     for (std::uint32_t sample = 0; sample < sensor.samples; ++sample)
-      kind.jitters.push_back({X_MS, z, sensor.range_max, bearing_of(sensor, sample), sensor.noise_angular,
-                              kind.beams + sample, number, sample});
+      kind.jitters.push_back(
+          {X_MS, z, sensor.range_max, bearing_of(sensor, sample), kind.beams + sample, number, sample});
   } else if (sensor.samples >= kScanBeams && sensor.fov > 0) {
     kind.scans.push_back(make_scan(sensor, X_MS, z, kind.beams));
   } else {

@@ -56,7 +56,7 @@ struct Bundle {
 struct Jitter {
   Pose X_MS;
   double z = 0, range_max = 0;
-  double bearing = 0, spread = 0;        // rad: turned by up to +-spread
+  double bearing = 0;                    // rad, before it is turned
   std::uint32_t beam = 0;                // of the ranger
   std::uint32_t sensor = 0, sample = 0;  // which sensor of the ranger, and which of its beams
 };

@@ -3,17 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "playhouse/base/rng.h"
+#include "playhouse/stage/ranger_noise.h"
 #include "playhouse/stage/ray_edge.h"
 
 namespace playhouse::stage {
 namespace {
-
-double noisy(double range, const scene::RangerSensorDesc& sensor, Rng& rng) {
-  if (sensor.noise_proportional > 0) range += range * sensor.noise_proportional * rng.uniform(-1, 1);
-  if (sensor.noise_constant > 0) range += sensor.noise_constant * rng.gaussian();
-  return range;
-}
 
 /// What beams report that met these solids.
 PLAYHOUSE_INLINE void report(const float* returns, const double* solid, std::size_t beams,
@@ -111,9 +105,8 @@ void RangerSense::measure(world::World& world, const Space& space, std::uint32_t
   for (const Scan& scan : kind.scans) run_scan(space, view, scan, scratch);
   for (const Bundle& bundle : kind.bundles) run_bundle(space, view, bundle, scratch);
   for (const Jitter& jitter : kind.jitters) {
-    const std::uint32_t id = world.models.id[model].value;
-    Rng rng(world.seed(), tick, {Purpose::kBeamBearing, id, jitter.sensor, jitter.sample});
-    run_jitter(space, view, jitter, jitter.bearing + rng.uniform(-jitter.spread, jitter.spread), scratch);
+    const double turn = turn_of(world, {model}, tick, jitter.sensor, jitter.sample);
+    run_jitter(space, view, jitter, jitter.bearing + turn, scratch);
   }
 }
 
@@ -122,17 +115,8 @@ void RangerSense::finish(world::World& world, std::uint32_t ranger, std::uint64_
                          Scratch& scratch) const {
   const RangerKind& kind = kinds_.kinds[kinds_.of_ranger[ranger]];
   const std::uint32_t first_sensor = world.rangers.first_sensor[ranger];
-  const world::ModelRow model = world.rangers.model[ranger];
   if (kind.beams == 0) return;
-  if (kind.noisy) {
-    double* range = scratch.range.data() + scratch.first_beam;
-    for (std::uint32_t i = 0; i < world.rangers.sensor_count[ranger]; ++i) {
-      const scene::RangerSensorDesc& sensor = world.desc(model).sensors[i];
-      Rng rng(world.seed(), tick, {Purpose::kRangeNoise, world.id(model).value, i});
-      for (std::uint32_t k = 0; k < sensor.samples; ++k, ++range)
-        if (*range < sensor.range_max) *range = noisy(*range, sensor, rng);
-    }
-  }
+  if (kind.noisy) add_range_noise(world, ranger, tick, scratch.range.data() + scratch.first_beam);
   // The beams of a ranger's sensors are consecutive.
   float* const ranges = world.sensors.ranges.data() + world.sensors.first_beam[first_sensor];
   float* const intensities = world.sensors.intensities.data() + world.sensors.first_beam[first_sensor];

@@ -20,16 +20,30 @@ std::unique_ptr<SensePhase> make_camera_sense(unsigned workers);
 std::unique_ptr<SensePhase> make_detector_sense(unsigned workers);
 std::unique_ptr<SensePhase> make_custom_sense(unsigned workers);
 
-inline void add_senses(Senses& senses, unsigned workers) {
-  senses.add(make_ranger_sense(workers));
-  senses.add(make_fiducial_sense(workers));
-  senses.add(make_blobfinder_sense(workers));
-  senses.add(make_bumper_sense(workers));
-  senses.add(make_gripper_sense(workers));
-  senses.add(make_wifi_sense(workers));
-  senses.add(make_camera_sense(workers));
-  senses.add(make_detector_sense(workers));
-  senses.add(make_custom_sense(workers));
+/// Who makes the phase of each kind; an engine that measures otherwise has makers of its own.
+struct SenseMakers {
+  using Make = std::unique_ptr<SensePhase> (*)(unsigned workers);
+  Make ranger = make_ranger_sense;
+  Make fiducial = make_fiducial_sense;
+  Make blobfinder = make_blobfinder_sense;
+  Make bumper = make_bumper_sense;
+  Make gripper = make_gripper_sense;
+  Make wifi = make_wifi_sense;
+  Make camera = make_camera_sense;
+  Make detector = make_detector_sense;
+  Make custom = make_custom_sense;
+};
+
+inline void add_senses(Senses& senses, unsigned workers, const SenseMakers& makers = {}) {
+  senses.add(makers.ranger(workers));
+  senses.add(makers.fiducial(workers));
+  senses.add(makers.blobfinder(workers));
+  senses.add(makers.bumper(workers));
+  senses.add(makers.gripper(workers));
+  senses.add(makers.wifi(workers));
+  senses.add(makers.camera(workers));
+  senses.add(makers.detector(workers));
+  senses.add(makers.custom(workers));
 }
 
 }  // namespace playhouse::stage

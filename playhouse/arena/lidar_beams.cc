@@ -1,0 +1,60 @@
+#include "playhouse/arena/lidar_beams.h"
+
+#include <algorithm>
+
+#include "playhouse/stage/ranger_noise.h"
+
+namespace playhouse::arena {
+namespace {
+
+using geom::Vec3;
+
+constexpr std::uint32_t kConeRays = 4;  // about the axis of a cone: above, left, below, right
+constexpr double kNarrow = 0.005;       // rad between neighbouring beams of a scanner
+
+/// A unit vector at a bearing and `off` from there, towards `around` about it: 0 is up.  [rad]
+Vec3 direction(double bearing, double off, double around) {
+  const geom::SinCos b = geom::sincos(bearing), o = geom::sincos(off), r = geom::sincos(around);
+  const Vec3 ahead{b.cos, b.sin, 0}, left{-b.sin, b.cos, 0}, up{0, 0, 1};
+  return o.cos * ahead + o.sin * (r.cos * up + r.sin * left);
+}
+
+void add_sensor(LidarBeams& all, const scene::RangerSensorDesc& sensor, const geom::Pose& X_MB,
+                std::uint32_t number) {
+  const geom::Pose X_MS = geom::compose(X_MB, sensor.X_BS);
+  const auto first = static_cast<std::uint32_t>(all.beams());
+  LidarBeams::Ray ray{.p = {X_MS.x, X_MS.y, X_MS.z + 0.5 * sensor.size.z},
+                      .d = {},
+                      .range_max = static_cast<float>(sensor.range_max),
+                      .is_turned = sensor.noise_angular > 0,
+                      .sensor = number};
+  for (std::uint32_t sample = 0; sample < sensor.samples; ++sample) {
+    ray.beam = first + sample;
+    ray.sample = sample;
+    ray.d = direction(X_MS.a + stage::bearing_of(sensor, sample), 0, 0);
+    all.rays.push_back(ray);
+  }
+  if (sensor.samples == 1 && sensor.fov > 0) {
+    ray.is_off_axis = true;
+    for (std::uint32_t i = 0; i < kConeRays; ++i) {
+      ray.d = direction(X_MS.a, std::min(0.5 * sensor.fov, 0.5 * geom::kPi), i * 2 * geom::kPi / kConeRays);
+      all.rays.push_back(ray);
+    }
+  }
+  all.range_min.insert(all.range_min.end(), sensor.samples, std::min(sensor.range_min, sensor.range_max));
+  all.range_max.insert(all.range_max.end(), sensor.samples, sensor.range_max);
+  if (sensor.samples == 1 || sensor.fov / (sensor.samples - 1) > kNarrow) all.is_narrow = false;
+  all.is_noisy = all.is_noisy || sensor.noise_constant > 0 || sensor.noise_proportional > 0;
+}
+
+}  // namespace
+
+LidarBeams beams_of(const scene::ModelDesc& ranger) {
+  LidarBeams all;
+  all.is_narrow = true;
+  for (std::uint32_t i = 0; i < ranger.sensors.size(); ++i)
+    add_sensor(all, ranger.sensors[i], ranger.X_MB, i);
+  return all;
+}
+
+}  // namespace playhouse::arena

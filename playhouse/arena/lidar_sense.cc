@@ -1,0 +1,219 @@
+#include "playhouse/arena/lidar_sense.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "playhouse/arena/solid_bodies.h"
+#include "playhouse/stage/ranger_noise.h"
+
+namespace playhouse::arena {
+namespace {
+
+using geom::Vec3;
+
+constexpr float kGroundReturn = 1;  // what beams report that met the ground
+// Cosine of the angle from which on a surface beside the axis of a cone returns no echo: smooth ones mirror
+// sound away (Kuc, Siegel, "Physically based simulation model for acoustic sensor robot navigation", 1987).
+constexpr float kEcho = 0.5f;
+
+/// Adds the bodies of a model that rangers see, rows [begin, end), in F.
+void add_bodies(Triangles& triangles, const stage::Solids& solids, std::size_t begin, std::size_t end,
+                const geom::Pose& X_FM) {
+  each_body(solids, begin, end, stage::Observer::kRanger, [&](std::size_t first, std::size_t last) {
+    const std::vector<std::vector<geom::Vec2>> outlines = outlines_of(solids, first, last, X_FM);
+    const std::vector<geom::Outline> all(outlines.begin(), outlines.end());
+    add_extrusion(triangles, all, X_FM.z + solids.z_min_M[first], X_FM.z + solids.z_max_M[first]);
+  });
+}
+
+/// Calls visit(model, begin, end) for the rows in [first, last) of each model that rangers see.
+template <typename Visit>
+void each_model(const stage::Solids& solids, std::size_t first, std::size_t last, const Visit& visit) {
+  for (std::size_t begin = first; begin < last;) {
+    std::size_t end = begin;
+    bool is_seen = false;
+    for (; end < last && solids.model[end] == solids.model[begin]; ++end)
+      is_seen = is_seen || (solids.seen_by[end] & stage::bit(stage::Observer::kRanger)) != 0;
+    if (is_seen) visit(solids.model[begin], begin, end);
+    begin = end;
+  }
+}
+
+}  // namespace
+
+stage::SensorTable LidarSense::table(world::World& world) const {
+  return {world.rangers.model, world.rangers.measured_tick};
+}
+
+void LidarSense::populate(const world::World& world, const stage::Space& space) {
+  populate_fixed(world, space.solids);
+  populate_moving(world, space.solids);
+  returns_.clear();
+  for (std::uint32_t row = 0; row < world.models.size(); ++row)
+    returns_.push_back(static_cast<float>(world.desc({row}).ranger_return));
+  populate_rangers(world, space.solids);
+}
+
+void LidarSense::populate_rangers(const world::World& world, const stage::Solids& solids) {
+  const std::uint32_t kNone = world::ModelRow::kNone;
+  std::vector<std::uint32_t> first(world.models.size(), kNone), last(world.models.size());  // solids by root
+  for (auto row = static_cast<std::uint32_t>(solids.fixed); row < solids.size(); ++row) {
+    const std::uint32_t root = solids.root[row];
+    first[root] = std::min(first[root], row);
+    last[root] = row + 1;
+  }
+  std::size_t most = 0;
+  inside_.clear();
+  for (const world::ModelRow model : world.rangers.model) {
+    const auto [entry, is_new] = beams_.try_emplace(world.models.desc[model.index]);
+    LidarBeams& beams = entry->second;
+    if (is_new) beams = beams_of(world.desc(model));
+    const std::uint32_t root = world.models.root[model.index];
+    inside_.push_back(first[root] == kNone
+                          ? std::span<const float>()
+                          : own_solids_.inside(world, solids, model.index, beams, first[root], last[root]));
+    most = std::max(most, beams.beams());
+  }
+  for (Scratch& scratch : scratch_) {
+    scratch.range.resize(most);
+    scratch.intensity.resize(most);
+  }
+}
+
+void LidarSense::populate_fixed(const world::World& world, const stage::Solids& solids) {
+  const world::Models& models = world.models;
+  std::vector<Fixed> fixed;
+  each_model(solids, 0, solids.fixed, [&](std::uint32_t model, std::size_t, std::size_t) {
+    fixed.push_back({model, models.root[model], models.desc[model], models.X_WM[model]});
+  });
+  if (fixed == fixed_) return;
+  fixed_ = std::move(fixed);
+  std::vector<Triangles> triangles;
+  std::vector<Owner> owners;
+  each_model(solids, 0, solids.fixed, [&](std::uint32_t model, std::size_t begin, std::size_t end) {
+    add_bodies(triangles.emplace_back(), solids, begin, end, models.X_WM[model]);
+    owners.push_back({model, models.root[model]});
+  });
+  scene_.set_fixed(triangles, owners);
+}
+
+void LidarSense::populate_moving(const world::World& world, const stage::Solids& solids) {
+  std::vector<RayScene::Instance> instances;
+  instances_.clear();
+  each_model(solids, solids.fixed, solids.size(),
+             [&](std::uint32_t model, std::size_t begin, std::size_t end) {
+               const auto [entry, is_new] = shape_of_.try_emplace(world.models.desc[model]);
+               if (is_new) {
+                 Triangles triangles;
+                 add_bodies(triangles, solids, begin, end, {});
+                 entry->second = scene_.add_shape(triangles);
+               }
+               instances.push_back({entry->second, {model, world.models.root[model]}});
+               instances_.push_back(model);
+             });
+  scene_.set_instances(instances);
+}
+
+void LidarSense::place(const world::Models& models) {
+  for (std::uint32_t i = 0; i < instances_.size(); ++i) {
+    const geom::Pose& X_WM = models.X_WM[instances_[i]];
+    scene_.place(i, {X_WM.x, X_WM.y, X_WM.z}, geom::orientation(X_WM.a, models.tilt_WM[instances_[i]]));
+  }
+  scene_.commit();
+}
+
+const LidarBeams& LidarSense::beams(const world::World& world, std::uint32_t ranger) const {
+  return beams_.at(world.models.desc[world.rangers.model[ranger].index]);
+}
+
+std::uint64_t LidarSense::sense(world::World& world, const stage::Space&, std::span<const std::uint32_t> due,
+                                std::uint64_t tick, world::Workers& workers) {
+  place(world.models);
+  workers.run(due.size(), 8, [&](std::size_t begin, std::size_t end) {
+    Scratch& scratch = scratch_[workers.current()];
+    for (std::size_t i = begin; i < end; ++i) measure(world, due[i], tick, scratch);
+  });
+  std::uint64_t rays = 0;
+  for (const std::uint32_t ranger : due) rays += beams(world, ranger).rays.size();
+  return rays;
+}
+
+void LidarSense::measure(world::World& world, std::uint32_t ranger, std::uint64_t tick,
+                         Scratch& scratch) const {
+  const LidarBeams& beams = this->beams(world, ranger);
+  const world::ModelRow model = world.rangers.model[ranger];
+  const geom::Pose& X_WM = world.models.X_WM[model.index];
+  const geom::Quaternion q = geom::orientation(X_WM.a, world.models.tilt_WM[model.index]);
+  std::ranges::copy(beams.range_max, scratch.range.begin());
+  std::fill_n(scratch.intensity.begin(), beams.beams(), 0.0f);
+  const std::span<const float> inside = inside_[ranger];
+  RayBatch& batch = scratch.rays;
+  batch.group = world.models.root[model.index];
+  batch.count = 0;
+  for (std::size_t i = 0; i < beams.rays.size(); ++i) {
+    const LidarBeams::Ray& ray = beams.rays[i];
+    Vec3 d_M = ray.d;
+    if (ray.is_turned) {
+      const geom::SinCos turn = geom::sincos(stage::turn_of(world, model, tick, ray.sensor, ray.sample));
+      d_M = {turn.cos * d_M.x - turn.sin * d_M.y, turn.sin * d_M.x + turn.cos * d_M.y, d_M.z};
+    }
+    const Vec3 p = Vec3{X_WM.x, X_WM.y, X_WM.z} + q * ray.p, d = q * d_M;
+    const std::size_t k = batch.count++;
+    batch.px[k] = static_cast<float>(p.x);
+    batch.py[k] = static_cast<float>(p.y);
+    batch.pz[k] = static_cast<float>(p.z);
+    batch.dx[k] = static_cast<float>(d.x);
+    batch.dy[k] = static_cast<float>(d.y);
+    batch.dz[k] = static_cast<float>(d.z);
+    batch.inside[k] = inside.empty() ? 0 : inside[i];
+    batch.range[k] = ray.range_max;
+    scratch.ray[k] = i;
+    if (batch.count == RayBatch::kMost) cast(beams, scratch);
+  }
+  cast(beams, scratch);
+  if (beams.is_noisy) stage::add_range_noise(world, ranger, tick, scratch.range.data());
+  store(world, beams, ranger, scratch);
+}
+
+/// Casts the rays of the batch, and keeps for each beam the nearest that they met.
+void LidarSense::cast(const LidarBeams& beams, Scratch& scratch) const {
+  RayBatch& batch = scratch.rays;
+  if (batch.count == 0) return;
+  batch.is_narrow = beams.is_narrow;
+  scene_.cast(batch);
+  for (std::size_t k = 0; k < batch.count; ++k) {
+    const LidarBeams::Ray& ray = beams.rays[scratch.ray[k]];
+    float range = batch.range[k], facing = batch.facing[k];
+    float intensity = batch.met[k] == RayBatch::kNobody ? 0 : returns_[batch.met[k]];
+    bool met = batch.met[k] != RayBatch::kNobody;
+    const float down = -batch.dz[k];
+    if (down > 0 && batch.pz[k] >= 0 && batch.pz[k] < range * down) {
+      range = batch.pz[k] / down;
+      facing = down;
+      intensity = kGroundReturn;
+      met = true;
+    }
+    if (!met || (ray.is_off_axis && facing < kEcho) || range >= scratch.range[ray.beam]) continue;
+    scratch.range[ray.beam] = range;
+    scratch.intensity[ray.beam] = intensity;
+  }
+  batch.count = 0;
+}
+
+void LidarSense::store(world::World& world, const LidarBeams& beams, std::uint32_t ranger, Scratch& scratch) {
+  if (beams.beams() == 0) return;
+  // The beams of a ranger's sensors are consecutive.
+  const std::uint32_t first = world.sensors.first_beam[world.rangers.first_sensor[ranger]];
+  for (std::size_t k = 0; k < beams.beams(); ++k) {
+    const double range = std::max(scratch.range[k], beams.range_min[k]);
+    world.sensors.ranges[first + k] = static_cast<float>(std::min(range, beams.range_max[k]));
+    world.sensors.intensities[first + k] = scratch.intensity[k];
+  }
+}
+
+std::unique_ptr<stage::SensePhase> make_lidar_sense(unsigned workers) {
+  return std::make_unique<LidarSense>(workers);
+}
+
+}  // namespace playhouse::arena

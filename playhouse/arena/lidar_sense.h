@@ -1,0 +1,62 @@
+#pragma once
+
+/// LidarSense: rangers among bodies in space. Their rays go where the ranger is tilted to, and meet bodies as
+/// they lie and the ground. A transducer of a single beam sees a cone: the nearest of what its axis meets and
+/// what faces it of that beside the axis. Errors are those of the stage engine.
+
+#include <map>
+#include <vector>
+
+#include "playhouse/arena/lidar_beams.h"
+#include "playhouse/arena/own_solids.h"
+#include "playhouse/arena/ray_scene.h"
+#include "playhouse/stage/sense_phase.h"
+
+namespace playhouse::arena {
+
+class LidarSense final : public stage::SensePhase {
+ public:
+  explicit LidarSense(unsigned workers) : scratch_(workers) {}
+
+  stage::SensorTable table(world::World& world) const override;
+  void populate(const world::World& world, const stage::Space& space) override;
+  std::uint64_t sense(world::World& world, const stage::Space& space, std::span<const std::uint32_t> due,
+                      std::uint64_t tick, world::Workers& workers) override;
+
+ private:
+  /// What stands still, as the index has it.
+  struct Fixed {
+    std::uint32_t model = 0, root = 0, desc = 0;  // rows
+    geom::Pose X_WM;
+    friend bool operator==(const Fixed&, const Fixed&) = default;
+  };
+  struct Scratch {
+    RayBatch rays;
+    std::size_t ray[RayBatch::kMost] = {};  // rows of LidarBeams::rays
+    std::vector<double> range;              // m (beams)
+    std::vector<float> intensity;           // (beams)
+  };
+
+  void populate_fixed(const world::World& world, const stage::Solids& solids);
+  void populate_moving(const world::World& world, const stage::Solids& solids);
+  void populate_rangers(const world::World& world, const stage::Solids& solids);
+  void place(const world::Models& models);
+  const LidarBeams& beams(const world::World& world, std::uint32_t ranger) const;
+  void measure(world::World& world, std::uint32_t ranger, std::uint64_t tick, Scratch& scratch) const;
+  void cast(const LidarBeams& beams, Scratch& scratch) const;
+  static void store(world::World& world, const LidarBeams& beams, std::uint32_t ranger, Scratch& scratch);
+
+  RayScene scene_;
+  std::vector<Fixed> fixed_;
+  std::map<std::uint32_t, std::uint32_t> shape_of_;  // by row of SceneDesc::models, of what moves
+  std::vector<std::uint32_t> instances_;             // rows of world::Models
+  std::map<std::uint32_t, LidarBeams> beams_;        // by row of SceneDesc::models
+  OwnSolids own_solids_;
+  std::vector<std::span<const float>> inside_;  // of the rays of each, as own_solids_ says (rangers)
+  std::vector<float> returns_;                  // what beams report that met a model (models)
+  std::vector<Scratch> scratch_;                // one per worker
+};
+
+std::unique_ptr<stage::SensePhase> make_lidar_sense(unsigned workers);
+
+}  // namespace playhouse::arena

@@ -1,0 +1,147 @@
+// What rangers measure in the arena: as in the stage engine where the world is flat, and in space.
+
+#include "playhouse/arena/lidar_sense.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "playhouse/arena/engine.h"
+#include "playhouse/scene/world_loader.h"
+#include "playhouse/stage/engine.h"
+#include "playhouse/world/population.h"
+
+namespace playhouse::arena {
+namespace {
+
+struct Session {
+  std::unique_ptr<scene::SceneDesc> scene;
+  std::unique_ptr<world::Engine> engine;
+
+  Session(const char* text, bool arena, unsigned workers = 1) {
+    scene::MemoryFiles files({{"w.world", text}});
+    Result<scene::SceneDesc> loaded = scene::load_world_text(text, "w.world", files);
+    EXPECT_TRUE(loaded) << loaded.error().line();
+    scene = std::make_unique<scene::SceneDesc>(std::move(*loaded));
+    engine = arena ? std::move(*make_engine(*scene, {.seed = 1, .workers = workers}))
+                   : std::move(*stage::make_engine(*scene, {.seed = 1, .workers = workers}));
+    for (const world::ModelRow ranger : world().rangers.model) world::subscribe(world(), ranger);
+  }
+  world::World& world() { return engine->world(); }
+  Session& step(int ticks = 1) {
+    for (int i = 0; i < ticks; ++i) engine->step();
+    return *this;
+  }
+  float range(std::size_t beam) { return world().sensors.ranges[beam]; }
+  float intensity(std::size_t beam) { return world().sensors.intensities[beam]; }
+};
+
+constexpr const char* kFlat = R"(
+interval_sim 100
+define rover position( size [0.4 0.4 0.3] drive "omni"
+  ranger( pose [0.1 0 -0.1 0] size [0.1 0.1 0.1]
+    sensor( samples 181 fov 270 range [0.1 8] )
+    sensor( pose [0 0 0 30] samples 4 fov 40 range [0 5] noise [0.01 0.02 5] ) ) )
+rover( name "a" pose [0 0 0 20] )
+rover( name "b" pose [1 1.3 0 90] color "green" )
+model( name "glass" pose [2 0 0 10] size [0.3 0.9 0.5] ranger_return -1 )
+model( name "bright" pose [-2 0.5 0 10] size [0.3 0.9 0.5] ranger_return 7.5 )
+model( name "low" pose [1.2 -0.5 0 30] size [0.3 0.3 0.1] )
+model( name "box" pose [0.5 -1.5 0 30] size [0.3 0.3 0.3] gripper_return 1 )
+model( name "ring" pose [0 0 0 0] size [7 7 1] boundary 1 noblocks 1 )
+)";
+
+TEST(LidarSense, measures_what_the_stage_engine_does_where_the_world_is_flat) {
+  Session stage(kFlat, false), arena(kFlat, true);
+  stage.step();
+  arena.step();
+  ASSERT_EQ(arena.world().sensors.ranges.size(), 2 * 185u);
+  int near = 0;
+  for (std::size_t beam = 0; beam < 2 * 185u; ++beam) {
+    EXPECT_NEAR(arena.range(beam), stage.range(beam), 1e-4) << beam;
+    EXPECT_EQ(arena.intensity(beam), stage.intensity(beam)) << beam;
+    near += arena.range(beam) < 2;
+  }
+  EXPECT_GT(near, 20);
+}
+
+TEST(LidarSense, a_tilted_ranger_sees_the_ground_and_above_walls) {
+  constexpr const char* kTilted = R"(
+interval_sim 100
+model( name "wall" pose [3 0 0 0] size [0.2 8 1] )
+model( name "carrier" pose [0 0 0 0] size [0.2 0.2 0.5] gripper_return 1
+  ranger( pose [0 0 0 0] size [0.02 0.02 0.02] alwayson 1
+    sensor( samples 3 fov 180 range [0 8] ) ) )
+)";
+  const auto ahead = [&](double pitch) {
+    Session run(kTilted, true);
+    const world::ModelRow carrier = run.world().find("carrier");
+    run.world().models.tilt_PM.set(carrier.index, {0, pitch});
+    run.world().models.still.set(carrier.index, 100);  // rests as it stands
+    world::place_tree(run.world(), carrier);
+    run.step();
+    EXPECT_EQ(run.world().models.tilt_PM[carrier.index].y, pitch);
+    return std::pair(run.range(1), run.intensity(1));
+  };
+  const double h = 0.51 * std::cos(0.3);  // of the sensor, above the ground
+  EXPECT_NEAR(ahead(0).first, 2.9, 1e-5);
+  EXPECT_NEAR(ahead(0.3).first, h / std::sin(0.3), 1e-3);
+  EXPECT_EQ(ahead(0.3).second, 1);
+  EXPECT_EQ(ahead(-0.3).first, 8) << "over the wall";
+  EXPECT_EQ(ahead(-0.3).second, 0);
+}
+
+TEST(LidarSense, bodies_are_seen_as_they_lie) {
+  constexpr const char* kPlank = R"(
+interval_sim 100
+model( name "plank" pose [2 0 0 0] size [0.1 0.1 2] gripper_return 1 )
+model( name "post" pose [0 0 0 0] size [0.2 0.2 0.5]
+  ranger( pose [0 0 0.5 0] size [0.02 0.02 0.02] alwayson 1 sensor( samples 3 fov 20 range [0 8] ) ) )
+)";
+  Session run(kPlank, true);
+  EXPECT_NEAR(run.step().range(1), 1.95, 1e-4) << "stands";
+  const world::ModelRow plank = run.world().find("plank");
+  world::wake(run.world().models);
+  run.world().models.V_WM.set(plank.index, {{}, {1, 0, 0}});
+  run.step(40);
+  EXPECT_GT(std::fabs(run.world().models.tilt_WM[plank.index].x), 1.3) << "fell";
+  EXPECT_EQ(run.range(1), 8) << "lies below the beam";
+}
+
+TEST(LidarSense, a_single_beam_is_a_cone) {
+  constexpr const char* kCone = R"(
+interval_sim 100
+model( name "thin" pose [2 0.35 0 0] size [0.2 0.2 0.6] )
+model( name "slanted" pose [3 0 0 70] size [0.05 20 1] ranger_return 2 )
+model( name "post" pose [0 0 0 0] size [0.2 0.2 0.2]
+  ranger( pose [0 0 0.1 0] size [0.02 0.02 0.02] alwayson 1
+    sensor( fov 20 range [0 8] ) sensor( fov 0 range [0 8] ) ) )
+)";
+  Session run(kCone, true);
+  run.step();
+  EXPECT_NEAR(run.range(0), 1.93, 0.05) << "beside the axis, and nearer than the ground";
+  EXPECT_NEAR(run.range(1), 3 - 0.025 / std::cos(70 * geom::kPi / 180), 1e-3) << "along the axis alone";
+  EXPECT_EQ(run.intensity(1), 2);
+}
+
+TEST(LidarSense, follows_a_population_that_changes_and_any_number_of_workers) {
+  Session one(kFlat, true, 1), three(kFlat, true, 3);
+  const auto change = [](Session& run) {
+    run.step(3);
+    ASSERT_TRUE(world::despawn(run.world(), run.world().id(run.world().find("low"))));
+    run.step(3);
+    ASSERT_TRUE(world::despawn(run.world(), run.world().id(run.world().find("box"))));
+    ASSERT_TRUE(world::set_pose(run.world(), run.world().find("bright"), {-1, -1, 0, 0}));
+    run.step(3);
+  };
+  change(one);
+  change(three);
+  EXPECT_EQ(one.world().sensed_hash(), three.world().sensed_hash());
+  Session stage(kFlat, false);
+  change(stage);
+  for (std::size_t beam = 0; beam < 181u; ++beam)
+    EXPECT_NEAR(one.range(beam), stage.range(beam), 1e-3) << beam;
+}
+
+}  // namespace
+}  // namespace playhouse::arena

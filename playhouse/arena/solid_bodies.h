@@ -1,0 +1,41 @@
+#pragma once
+
+/// The bodies of models as their outlines: what hulls and triangles are made of.
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "playhouse/stage/bodies.h"
+
+namespace playhouse::arena {
+
+/// Calls visit(begin, end) for the runs of rows in [first, last) that are one body each, all of one model
+/// (see Solids::body), and that `observer` sees.
+template <typename Visit>
+void each_body(const stage::Solids& solids, std::size_t first, std::size_t last, stage::Observer observer,
+               const Visit& visit) {
+  for (std::size_t begin = first; begin < last;) {
+    std::size_t end = begin + 1;
+    while (end < last && solids.body[end] == solids.body[begin]) ++end;
+    if ((solids.seen_by[begin] & stage::bit(observer)) != 0) visit(begin, end);
+    begin = end;
+  }
+}
+
+/// The outlines of a body in F, a frame in which its model stands upright; what is solid is to the left of
+/// them.  [m]
+inline std::vector<std::vector<geom::Vec2>> outlines_of(const stage::Solids& solids, std::size_t begin,
+                                                        std::size_t end, const geom::Pose& X_FM) {
+  const geom::Rotation turn = geom::Rotation::of(X_FM.a);
+  std::vector<std::vector<geom::Vec2>> outlines;
+  for (std::size_t row = begin; row < end; ++row) {
+    std::vector<geom::Vec2>& outline = outlines.emplace_back();
+    for (std::uint32_t v = solids.first_vertex[row]; v + 1 < solids.first_vertex[row + 1]; ++v)
+      outline.push_back(X_FM.xy() + turn * solids.p_M[v]);
+    if (solids.hole[row] != 0) std::ranges::reverse(outline);
+  }
+  return outlines;
+}
+
+}  // namespace playhouse::arena

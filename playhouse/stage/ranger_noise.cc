@@ -1,0 +1,38 @@
+#include "playhouse/stage/ranger_noise.h"
+
+#include "playhouse/base/rng.h"
+
+namespace playhouse::stage {
+namespace {
+
+double noisy(double range, const scene::RangerSensorDesc& sensor, Rng& rng) {
+  if (sensor.noise_proportional > 0) range += range * sensor.noise_proportional * rng.uniform(-1, 1);
+  if (sensor.noise_constant > 0) range += sensor.noise_constant * rng.gaussian();
+  return range;
+}
+
+}  // namespace
+
+double bearing_of(const scene::RangerSensorDesc& sensor, std::uint32_t beam) {
+  if (sensor.samples <= 1) return 0;
+  return -0.5 * sensor.fov + sensor.fov * beam / (sensor.samples - 1);
+}
+
+double turn_of(const world::World& world, world::ModelRow model, std::uint64_t tick, std::uint32_t sensor,
+               std::uint32_t beam) {
+  const double spread = world.desc(model).sensors[sensor].noise_angular;
+  Rng rng(world.seed(), tick, {Purpose::kBeamBearing, world.id(model).value, sensor, beam});
+  return rng.uniform(-spread, spread);
+}
+
+void add_range_noise(const world::World& world, std::uint32_t ranger, std::uint64_t tick, double* range) {
+  const world::ModelRow model = world.rangers.model[ranger];
+  for (std::uint32_t i = 0; i < world.rangers.sensor_count[ranger]; ++i) {
+    const scene::RangerSensorDesc& sensor = world.desc(model).sensors[i];
+    Rng rng(world.seed(), tick, {Purpose::kRangeNoise, world.id(model).value, i});
+    for (std::uint32_t k = 0; k < sensor.samples; ++k, ++range)
+      if (*range < sensor.range_max) *range = noisy(*range, sensor, rng);
+  }
+}
+
+}  // namespace playhouse::stage
