@@ -239,6 +239,12 @@ void add_hosts(CLI::App& app, Serving& serving) {
       ->check(check_web_host)
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  app.add_option("--guests", serving.guests,
+                 "who may open the page, as observer, driver, human or admin (docs/guests.md)")
+      ->type_name("FILE");
+  app.add_option("--viewers", serving.viewers, "pages at once")
+      ->check(check_count<std::size_t, 1, limits::kViewers>)
+      ->capture_default_str();
 }
 
 void add_serving(CLI::App& app, Raw& raw, Serving& serving) {

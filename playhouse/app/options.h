@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "playhouse/base/limits.h"
+
 namespace playhouse::app {
 
 /// Exit codes of the program. Ends by a signal are 128 + its number.
@@ -25,6 +27,8 @@ struct Serving {
   std::string bind = "127.0.0.1";
   std::string port_option = "--port";       // that sets `port`, for errors
   std::vector<std::string> web_hosts = {};  // names of the page besides the machine's
+  std::string guests = {};                  // the file that says who may open the page; empty: everybody may
+  std::size_t viewers = limits::kViewers;   // pages at once
 };
 
 /// The engines: the one of robots in the plane, and the one of bodies with mass.

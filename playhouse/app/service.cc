@@ -256,13 +256,26 @@ Result<std::unique_ptr<drivers::Simulation>> Service::open_world(const std::stri
                                                pace_of(scene_, serving_, running_, quit_time_));
 }
 
+Result<void> Service::read_guests() {
+  if (serving_.guests.empty()) return {};
+  Result<std::string> text = read_file(serving_.guests);
+  if (!text) return text.error();
+  Result<std::vector<web_server::Guest>> guests = web_server::parse_guests(*text, serving_.guests);
+  if (!guests) return guests.error();
+  guests_ = std::move(*guests);
+  return {};
+}
+
 Result<void> Service::open_page() {
   if (!serving_.web) return {};
+  if (const Result<void> read = read_guests(); !read) return read;
   const web_server::WebOptions options{.bind = serving_.bind,
                                        .port = *serving_.web,
                                        .page = web_server::page_files(),
                                        .host_name = {},
-                                       .further_names = serving_.web_hosts};
+                                       .further_names = serving_.web_hosts,
+                                       .guests = guests_,
+                                       .viewers = serving_.viewers};
   const auto device_names = [this](world::ModelId model) {
     if (playback_) return std::vector<std::string>();
     return drivers::device_names(simulation().directory(), model, player_ports_.front());
@@ -285,6 +298,14 @@ std::vector<std::string> Service::places() const {
   for (const std::uint16_t port : player_ports_)
     lines.push_back(fmt::format("Player clients: {}:{}", host, port));
   if (web_) lines.push_back(fmt::format("web page: http://{}:{}/", host, web_port_));
+  for (const web_server::Guest& guest : guests_) {
+    const bool has_token = guest.token != "*";
+    lines.push_back(fmt::format("  {}: http://{}:{}/{}{}",
+                                has_token && !guest.name.empty()
+                                    ? fmt::format("{} ({})", guest.name, name_of(guest.role))
+                                    : std::string(name_of(guest.role)),
+                                host, web_port_, has_token ? "#" : "", has_token ? guest.token : ""));
+  }
   return lines;
 }
 

@@ -93,6 +93,7 @@ class Service final : private drivers::Surroundings {
   /// What else is wrong with the file that a step failed for.
   const std::vector<Error>& other_errors() const { return other_errors_; }
   /// Opens the web page, if one is wanted.
+  Result<void> read_guests();
   Result<void> open_page();
 
   /// Ports for Player clients, the default one first.
@@ -159,6 +160,7 @@ class Service final : private drivers::Surroundings {
   std::vector<std::unique_ptr<device::Driver>> drivers_;  // of the configuration file
   std::unique_ptr<drivers::AutoDevices> robots_;          // without one
   std::unique_ptr<server::Server> server_;
+  std::vector<web_server::Guest> guests_;
   std::unique_ptr<web_server::WebServer> web_;
   std::unique_ptr<net::Timer> progress_;
 

@@ -16,6 +16,7 @@ namespace playhouse::net {
 
 struct HttpRequest {
   std::string path;    // decoded nowhere: as the client wrote it, without the query
+  std::string query;   // what is behind the ?, as the client wrote it
   std::string host;    // of the Host header, with the port
   std::string origin;  // of the Origin header; empty when there is none (not a browser, or the same site)
   std::string if_none_match;

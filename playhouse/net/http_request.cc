@@ -89,7 +89,9 @@ std::variant<HttpRequest, HttpRefusal> read_request(const Message& message, cons
     if (!target.starts_with('/')) target.insert(0, "/");
   }
   if (!target.starts_with('/')) return HttpRefusal{400, "the target is no path"};
-  request.path = target.substr(0, target.find('?'));
+  const std::size_t question = std::min(target.find('?'), target.size());
+  request.path = target.substr(0, question);
+  if (question < target.size()) request.query = target.substr(question + 1);
   request.origin = text_of(message[http::field::origin]);
   request.if_none_match = text_of(message[http::field::if_none_match]);
   request.accepts_gzip = accepts_gzip(message[http::field::accept_encoding]);

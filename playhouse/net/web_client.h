@@ -75,13 +75,19 @@ class WebClient {
     ask_to_upgrade(more);
     return upgraded();
   }
+  /// As a page whose link has a token.
+  bool upgrade_with(const std::string& token) {
+    ask_to_upgrade("", "127.0.0.1", "?token=" + token);
+    return upgraded();
+  }
   /// As the browser of a page from `origin` that calls the program `host`.
   bool upgrade_at(const std::string& host, const std::string& origin) {
     ask_to_upgrade("Origin: " + origin + "\r\n", host);
     return upgraded();
   }
-  void ask_to_upgrade(const std::string& more = "", const std::string& host = "127.0.0.1") {
-    send("GET /live HTTP/1.1\r\nHost: " + host +
+  void ask_to_upgrade(const std::string& more = "", const std::string& host = "127.0.0.1",
+                      const std::string& query = "") {
+    send("GET /live" + query + " HTTP/1.1\r\nHost: " + host +
          "\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
          "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n" +
          more + "\r\n");

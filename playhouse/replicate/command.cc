@@ -15,9 +15,9 @@ namespace {
 
 namespace json = boost::json;
 
-constexpr std::array<std::string_view, 16> kWords = {"pause", "resume", "step", "speed", "rewind", "drag",
-                                                     "drive", "copy",   "add",  "join",  "say",    "remove",
-                                                     "save",  "select", "look", "ack"};
+constexpr std::array<std::string_view, 18> kWords = {"pause", "resume", "step", "speed",  "rewind", "drag",
+                                                     "drive", "copy",   "add",  "join",   "say",    "remove",
+                                                     "mute",  "kick",   "save", "select", "look",   "ack"};
 
 /// Reads the members of one object; the first fault sticks. Done with nothing left over.
 class Members {
@@ -144,6 +144,13 @@ Drive drive(Members& in) {
   return drive;
 }
 
+Mute mute(Members& in) {
+  Mute mute;
+  mute.viewer = in.count("viewer");
+  mute.on = in.truth("on");
+  return mute;
+}
+
 Look look(Members& in) {
   Look look;
   look.view.x_min = in.number("x_min", -kPlaceMost, kPlaceMost);
@@ -169,6 +176,8 @@ Result<Command> read(const json::object& object) {
   if (what == "join") return in.finish(join(in));
   if (what == "say") return in.finish(Say{std::string(in.word("text"))});
   if (what == "remove") return in.finish(Remove{in.model("model")});
+  if (what == "mute") return in.finish(mute(in));
+  if (what == "kick") return in.finish(Kick{in.count("viewer")});
   if (what == "save") return in.finish(Save{});
   if (what == "select") return in.finish(Select{in.model_or_null("model")});
   if (what == "look") return in.finish(look(in));

@@ -61,6 +61,15 @@ struct Say {
 struct Remove {
   world::ModelId model;
 };
+/// Whether this viewer is heard when it says something.
+struct Mute {
+  std::uint32_t viewer = 0;
+  bool on = true;
+};
+/// Sends this viewer out, who may not come again.
+struct Kick {
+  std::uint32_t viewer = 0;
+};
 /// Sends the world as it stands, as a world file, to this viewer.
 struct Save {};
 struct Select {
@@ -75,7 +84,7 @@ struct Acknowledge {
 };
 
 using Command = std::variant<Pause, Resume, Step, SetSpeed, Rewind, Drag, Drive, Copy, Add, Join, Say, Remove,
-                             Save, Select, Look, Acknowledge>;
+                             Mute, Kick, Save, Select, Look, Acknowledge>;
 
 inline constexpr double kSpeedMost = 1000;               // times real time
 inline constexpr double kTickMost = 9007199254740992.0;  // whole numbers are exact up to here

@@ -3,8 +3,13 @@
 #include <arpa/inet.h>
 #include <unistd.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
+#include <boost/json/array.hpp>
+#include <boost/json/object.hpp>
+#include <boost/json/serialize.hpp>
 #include <cctype>
 #include <chrono>
 #include <filesystem>
@@ -231,13 +236,17 @@ class WebServer::Impl final : public net::HttpService,
     return {};
   }
 
-  void upgraded(std::unique_ptr<net::WebSocket> socket, const net::HttpRequest&) override {
-    if (viewers_.size() >= limits::kViewers && !make_room(net::network_of(socket->peer())))
+  void upgraded(std::unique_ptr<net::WebSocket> socket, const net::HttpRequest& request) override {
+    const std::optional<Guest> guest = guest_of(request, socket->peer());
+    if (!guest) return turn_away(*socket);
+    if (viewers_.size() >= options_.viewers && !make_room(net::network_of(socket->peer())))
       return refuse(*socket);
-    viewers_.push_back(std::make_unique<WebViewer>(std::move(socket), newest_, *this));
-    log::info("web: {} watches ({} now)", viewers_.back()->peer(), viewers_.size());
+    viewers_.push_back(
+        std::make_unique<WebViewer>(std::move(socket), newest_, *this, ++viewers_ever_, *guest));
+    log::info("web: {} watches{} ({} now)", viewers_.back()->peer(), as_whom(*guest), viewers_.size());
     watched_ = viewers_.size();
     if (watched_ == 1) control_.record(true);
+    tell_people();
     viewers_.back()->start(scene_text());
   }
 
@@ -245,6 +254,9 @@ class WebServer::Impl final : public net::HttpService,
 
   Result<void> carry_out(const replicate::Command& command, WebViewer& from) override {
     ++status_.commands;
+    if (std::string why = why_not(command, from); !why.empty()) return Error{"", std::move(why)};
+    if (const auto* mute = std::get_if<replicate::Mute>(&command)) return this->mute(*mute);
+    if (const auto* kick = std::get_if<replicate::Kick>(&command)) return this->kick(*kick, from);
     if (std::holds_alternative<replicate::Pause>(command)) control_.pause();
     if (std::holds_alternative<replicate::Resume>(command)) control_.resume();
     if (std::holds_alternative<replicate::Step>(command)) control_.step_once();
@@ -264,6 +276,104 @@ class WebServer::Impl final : public net::HttpService,
       interest_changed();
     }
     return {};
+  }
+
+  /// Who comes with this request; nobody where they may not. One who was sent out is not let in again: by the
+  /// token, or by the address where everybody has the same.
+  std::optional<Guest> guest_of(const net::HttpRequest& request, const std::string& peer) const {
+    constexpr std::string_view kToken = "token=";
+    const std::string token =
+        request.query.starts_with(kToken) ? request.query.substr(kToken.size()) : std::string("*");
+    if (sent_out_.contains(token == "*" ? net::network_of(peer) : token)) return std::nullopt;
+    if (options_.guests.empty()) return Guest{Role::kAdmin, "*", {}};
+    const auto guest = std::ranges::find(options_.guests, token, &Guest::token);
+    if (guest == options_.guests.end()) return std::nullopt;
+    return *guest;
+  }
+
+  void turn_away(net::WebSocket& socket) {
+    if (turned_away_++ == 0)
+      log::warn("web: {} turned away: no guest of this run, or sent out (told once)", socket.peer());
+    socket.close("open the page by the link that you were given");
+  }
+
+  std::string as_whom(const Guest& guest) const {
+    if (options_.guests.empty()) return {};
+    return fmt::format(" as {}{}{}", name_of(guest.role), guest.name.empty() ? "" : " ", guest.name);
+  }
+
+  /// Why a viewer may not have this carried out; empty: it may.
+  std::string why_not(const replicate::Command& command, const WebViewer& from) const {
+    const Rights rights = from.rights();
+    if (std::holds_alternative<replicate::Select>(command) ||
+        std::holds_alternative<replicate::Look>(command) ||
+        std::holds_alternative<replicate::Acknowledge>(command))
+      return {};
+    bool may = rights.manages;
+    if (const auto* drive = std::get_if<replicate::Drive>(&command))
+      may = rights.drives || (rights.joins && is_body(drive->model, from));
+    if (const auto* remove = std::get_if<replicate::Remove>(&command))
+      may = may || is_body(remove->model, from);  // who leaves
+    if (std::holds_alternative<replicate::Join>(command)) may = rights.joins;
+    if (std::holds_alternative<replicate::Say>(command)) {
+      if (rights.joins && muted_.contains(from.number())) return "an admin has muted you";
+      may = rights.joins;
+    }
+    return may ? std::string() : fmt::format("a guest who is {} may not do that", name_of(from.guest().role));
+  }
+
+  bool is_body(world::ModelId model, const WebViewer& of) const {
+    const auto own = bodies_.find(&of);
+    return own != bodies_.end() && own->second->model == model;
+  }
+
+  WebViewer* viewer(std::uint32_t number) const {
+    const auto found =
+        std::ranges::find_if(viewers_, [number](const auto& viewer) { return viewer->number() == number; });
+    return found == viewers_.end() ? nullptr : found->get();
+  }
+
+  Result<void> mute(const replicate::Mute& mute) {
+    if (!viewer(mute.viewer)) return Error{"", "nobody has this number"};
+    if (mute.on) {
+      muted_.insert(mute.viewer);
+    } else {
+      muted_.erase(mute.viewer);
+    }
+    tell_people();
+    return {};
+  }
+
+  Result<void> kick(const replicate::Kick& kick, const WebViewer& from) {
+    WebViewer* const out = viewer(kick.viewer);
+    if (!out) return Error{"", "nobody has this number"};
+    if (out == &from) return Error{"", "this is yourself"};
+    sent_out_.insert(out->guest().token == "*" ? net::network_of(out->peer()) : out->guest().token);
+    out->close("an admin has sent you out");
+    left(*out, "an admin has sent them out");
+    return {};
+  }
+
+  /// To everybody: who watches, and what each may do.
+  void tell_people() {
+    boost::json::array people;
+    for (const auto& viewer : viewers_) {
+      const auto own = bodies_.find(viewer.get());
+      const bool has_body = own != bodies_.end() && own->second->model;
+      boost::json::object person{{"viewer", viewer->number()}, {"role", name_of(viewer->guest().role)}};
+      if (!viewer->guest().name.empty()) person["name"] = viewer->guest().name;
+      if (has_body) person["body"] = own->second->model->value;
+      if (muted_.contains(viewer->number())) person["muted"] = true;
+      people.push_back(std::move(person));
+    }
+    for (const auto& viewer : viewers_) {
+      const Rights rights = viewer->rights();
+      viewer->tell_people(boost::json::serialize(boost::json::object{{"people", people},
+                                                                     {"you", viewer->number()},
+                                                                     {"drives", rights.drives},
+                                                                     {"joins", rights.joins},
+                                                                     {"manages", rights.manages}}));
+    }
   }
 
   /// Whether browsers may call us by this name: as this machine, by an address, by the machine's own name or
@@ -313,7 +423,7 @@ class WebServer::Impl final : public net::HttpService,
 
   void refuse(net::WebSocket& socket) {
     if (status_.viewers_refused++ == 0)
-      log::warn("web: {} refused: {} viewers is the limit (told once)", socket.peer(), limits::kViewers);
+      log::warn("web: {} refused: {} viewers is the limit (told once)", socket.peer(), options_.viewers);
     socket.close("there are as many viewers as this program serves");
   }
 
@@ -398,10 +508,11 @@ class WebServer::Impl final : public net::HttpService,
                    "nobody can join this world: it has no position with drive \"walk\" (worlds/person.inc)"};
     leave_body(from);
     const auto body = bodies_[&from] = std::make_shared<Body>();
-    return post_change([join, body, desc = person->desc, tell = teller(from), weak = weak_from_this(),
-                        &loop = loop_](world::World& world) {
+    const std::string& known = from.guest().name;
+    return post_change([join, wanted = known.empty() ? join.name : known, body, desc = person->desc,
+                        tell = teller(from), weak = weak_from_this(), &loop = loop_](world::World& world) {
       const geom::Pose X_WM{join.x, join.y, world.scene().models[desc].X_PM.z, join.a};
-      const std::string name = world.find(join.name) ? world::fresh_name(world, join.name) : join.name;
+      const std::string name = world.find(wanted) ? world::fresh_name(world, wanted) : wanted;
       const auto came = world::spawn(world, desc, X_WM, name);
       if (!came) return tell(came.error().text);
       loop.post([weak, body, model = *came] {
@@ -427,6 +538,7 @@ class WebServer::Impl final : public net::HttpService,
       const auto own = bodies_.find(viewer.get());
       if (own != bodies_.end() && own->second.get() == &body) viewer->joined(model);
     }
+    tell_people();
   }
 
   void leave_body(const WebViewer& viewer) {
@@ -536,10 +648,12 @@ class WebServer::Impl final : public net::HttpService,
     log::info("web: {} left: {}", viewer.peer(), why);
     driven_.left(&viewer);
     leave_body(viewer);
+    muted_.erase(viewer.number());
     std::erase_if(viewers_, [&](const auto& other) { return other.get() == &viewer; });
     watched_ = viewers_.size();
     if (watched_ == 0) control_.record(false);
     interest_changed();
+    tell_people();
   }
 
   /// The scene with its present population.
@@ -628,7 +742,10 @@ class WebServer::Impl final : public net::HttpService,
   std::chrono::steady_clock::time_point past_time_;
   std::shared_ptr<const std::string> history_text_;  // of past_
   WebStatus status_;
-  std::uint64_t hosts_refused_ = 0, origins_refused_ = 0;
+  std::uint64_t hosts_refused_ = 0, origins_refused_ = 0, turned_away_ = 0;
+  std::uint32_t viewers_ever_ = 0;
+  std::set<std::uint32_t> muted_;                // numbers of viewers
+  std::set<std::string, std::less<>> sent_out_;  // tokens, and networks of those without one
 
   // who calls wants_show() and show()
   const replicate::DeviceNames devices_;

@@ -18,6 +18,7 @@
 #include "playhouse/base/result.h"
 #include "playhouse/net/io_loop.h"
 #include "playhouse/replicate/scene_text.h"
+#include "playhouse/web_server/guests.h"
 #include "playhouse/web_server/page_files.h"
 #include "playhouse/world/control.h"
 
@@ -30,11 +31,13 @@ struct WebOptions {
   std::string host_name;           // of this machine; empty: the system is asked
   std::chrono::milliseconds viewer_quiet = std::chrono::seconds(limits::kViewerQuietSeconds);  // for tests
   std::vector<std::string> further_names;  // under which browsers may call us besides
+  std::vector<Guest> guests;               // who may come; none: everybody, as an admin
+  std::size_t viewers = limits::kViewers;  // at once, at most that
 };
 
 struct WebStatus {
   std::size_t viewers = 0;            // connected now
-  std::uint64_t viewers_refused = 0;  // over limits::kViewers, with none that gave way
+  std::uint64_t viewers_refused = 0;  // over the limit, with none that gave way
   std::uint64_t frames_sent = 0;
   std::uint64_t bytes_sent = 0;  // of frames
   std::uint64_t commands = 0;

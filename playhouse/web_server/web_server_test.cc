@@ -104,25 +104,44 @@ class Notes final : public world::Control {
   int refused_ = 0;
 };
 
-using net::WebClient;
 using testing::AllOf;
 using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
+/// A page: what it is told of who watches is kept apart.
+class WebClient : public net::WebClient {
+ public:
+  using net::WebClient::WebClient;
+  std::string message(const std::function<void()>& meanwhile = [] {}) {
+    for (;;) {
+      std::string message = net::WebClient::message(meanwhile);
+      if (message.find("{\"people\":") == std::string::npos) return message;
+      people_ = std::move(message);
+    }
+  }
+  const std::string& people() const { return people_; }
+
+ private:
+  std::string people_;
+};
+
 class WebServerTest : public testing::Test {
  protected:
   explicit WebServerTest(std::span<const PageFile> page = kPage, const std::string& bind = "127.0.0.1",
                          std::vector<std::string> further_names = {},
-                         std::chrono::milliseconds viewer_quiet = std::chrono::hours(1))
+                         std::chrono::milliseconds viewer_quiet = std::chrono::hours(1),
+                         std::vector<Guest> guests = {}, std::size_t viewers = limits::kViewers)
       : server_(loop_,
                 {.bind = bind,
                  .port = 0,
                  .page = page,
                  .host_name = "robo.lab.example",
                  .viewer_quiet = viewer_quiet,
-                 .further_names = std::move(further_names)},
+                 .further_names = std::move(further_names),
+                 .guests = std::move(guests),
+                 .viewers = viewers},
                 notes_, small_.world, [](world::ModelId model) {
                   return model == SmallWorld::id(0) ? std::vector<std::string>{"position2d:0"}
                                                     : std::vector<std::string>();
@@ -697,6 +716,98 @@ TEST_F(WebServerTest, a_message_over_the_limit_ends_the_connection) {
   while (!viewer.message(turning()).empty()) {
   }
   EXPECT_TRUE(viewer.ended());
+}
+
+class GuestsTest : public WebServerTest {
+ protected:
+  GuestsTest()
+      : WebServerTest(kPage, "127.0.0.1", {}, std::chrono::hours(1),
+                      {{Role::kAdmin, "the-admin", "Ada"},
+                       {Role::kDriver, "a-driver-", ""},
+                       {Role::kHuman, "somebody-", "Bob"},
+                       {Role::kObserver, "*", ""}},
+                      4) {}
+  /// The line that a page hears after a command.
+  std::string answer(WebClient& viewer, const std::string& command) {
+    viewer.send_text(command);
+    return next_text(viewer, turning());
+  }
+  /// Until the page has heard of who watches what has `part`.
+  bool hears(WebClient& viewer, const std::string& part) {
+    for (int k = 0; k < 100 && viewer.people().find(part) == std::string::npos; ++k) {
+      const std::string packet = viewer.message(turning());
+      if (packet.empty()) return false;
+      if (packet[0] == 2) viewer.send_text("{\"do\":\"ack\",\"frame\":" + std::to_string(packet[3]) + "}");
+    }
+    return viewer.people().find(part) != std::string::npos;
+  }
+};
+
+constexpr const char* kDriveFirst = R"({"do":"drive","model":0,"forward":1,"sideways":0,"turn":0})";
+
+TEST_F(GuestsTest, roles_decide_what_is_carried_out) {
+  WebClient admin(port_), driver(port_), human(port_), observer(port_);
+  ASSERT_TRUE(admin.upgrade_with("the-admin"));
+  ASSERT_TRUE(driver.upgrade_with("a-driver-"));
+  ASSERT_TRUE(human.upgrade_with("somebody-"));
+  ASSERT_TRUE(observer.upgrade());
+  admin.send_text(R"({"do":"pause"})");
+  EXPECT_TRUE(turn_until([this] { return notes_.all() == "pause;"; }));
+  for (WebClient* guest : {&driver, &human, &observer}) {
+    guest->message();
+    EXPECT_THAT(answer(*guest, R"({"do":"resume"})"), HasSubstr("may not do that"));
+  }
+  EXPECT_THAT(answer(observer, kDriveFirst), HasSubstr("a guest who is observer may not do that"));
+  EXPECT_THAT(answer(human, kDriveFirst), HasSubstr("a guest who is human may not do that"));
+  EXPECT_THAT(answer(driver, R"({"do":"say","text":"hi"})"), HasSubstr("a guest who is driver may not"));
+  EXPECT_THAT(answer(human, R"({"do":"kick","viewer":1})"), HasSubstr("may not do that"));
+  EXPECT_EQ(notes_.all(), "pause;");
+  EXPECT_THAT(answer(driver, kDriveFirst), HasSubstr("no such robot to drive")) << "but may drive one";
+}
+
+TEST_F(GuestsTest, everybody_hears_who_is_there_and_what_they_may_do) {
+  WebClient human(port_), admin(port_);
+  ASSERT_TRUE(human.upgrade_with("somebody-"));
+  EXPECT_TRUE(hears(
+      human,
+      R"({"viewer":1,"role":"human","name":"Bob"}],"you":1,"drives":false,"joins":true,"manages":false})"));
+  ASSERT_TRUE(admin.upgrade_with("the-admin"));
+  EXPECT_TRUE(hears(
+      admin,
+      R"({"viewer":2,"role":"admin","name":"Ada"}],"you":2,"drives":true,"joins":true,"manages":true})"));
+  EXPECT_TRUE(hears(human, R"("name":"Ada")"));
+  admin.send_text(R"({"do":"mute","viewer":1,"on":true})");
+  EXPECT_TRUE(hears(human, R"("muted":true)"));
+  EXPECT_THAT(answer(human, R"({"do":"say","text":"hi"})"), HasSubstr("an admin has muted you"));
+}
+
+TEST_F(GuestsTest, who_is_sent_out_does_not_come_again_by_the_same_link) {
+  WebClient human(port_), admin(port_), again(port_), observer(port_);
+  ASSERT_TRUE(human.upgrade_with("somebody-"));
+  ASSERT_TRUE(admin.upgrade_with("the-admin"));
+  EXPECT_TRUE(hears(admin, R"("viewer":1)"));
+  EXPECT_THAT(answer(admin, R"({"do":"kick","viewer":2})"), HasSubstr("this is yourself"));
+  EXPECT_THAT(answer(admin, R"({"do":"kick","viewer":9})"), HasSubstr("nobody has this number"));
+  admin.send_text(R"({"do":"kick","viewer":1})");
+  ASSERT_TRUE(turn_until([this] { return server_.status().viewers == 1; }));
+  again.upgrade_with("somebody-");
+  EXPECT_THAT(again.message(), HasSubstr("open the page by the link that you were given"));
+  EXPECT_TRUE(observer.upgrade()) << "others may still come";
+  observer.message();
+  EXPECT_EQ(server_.status().viewers, 2u);
+}
+
+TEST_F(GuestsTest, a_wrong_token_opens_nothing_and_the_limit_holds) {
+  WebClient wrong(port_);
+  wrong.upgrade_with("guessed-it");
+  EXPECT_THAT(wrong.message(), HasSubstr("open the page by the link that you were given"));
+  std::vector<std::unique_ptr<WebClient>> many;
+  for (int k = 0; k < 6; ++k) {
+    many.push_back(std::make_unique<WebClient>(port_));
+    many.back()->upgrade();
+  }
+  EXPECT_TRUE(turn_until([this] { return server_.status().viewers_refused == 2; }));
+  EXPECT_EQ(server_.status().viewers, 4u);
 }
 
 }  // namespace

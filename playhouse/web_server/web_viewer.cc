@@ -18,6 +18,7 @@ constexpr std::chrono::milliseconds kSignOfLife{1000};
 void WebViewer::start(std::shared_ptr<const std::string> scene) {
   socket_->start(*this);
   socket_->send_text(std::move(scene));
+  if (people_) socket_->send_text(told_people_ = people_);
 }
 
 void WebViewer::offer(const replicate::Snapshot& snapshot) {
@@ -86,6 +87,7 @@ void WebViewer::send_frame() {
   frame_time_ = now;
   if (const auto history = owner_.history(); history != told_history_)
     socket_->send_text(told_history_ = history);
+  if (people_ != told_people_) socket_->send_text(told_people_ = people_);
   if (next.changes) socket_->send_text(next.changes);
   owner_.sent_frame(frame_->size());
   socket_->send_binary(frame_);

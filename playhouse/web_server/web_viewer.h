@@ -12,6 +12,7 @@
 
 #include "playhouse/net/websocket.h"
 #include "playhouse/replicate/viewer.h"
+#include "playhouse/web_server/guests.h"
 
 namespace playhouse::web_server {
 
@@ -41,10 +42,14 @@ class WebViewerOwner {
 class WebViewer final : public net::WebSocketEvents {
  public:
   WebViewer(std::unique_ptr<net::WebSocket> socket, std::shared_ptr<const replicate::Layout> layout,
-            WebViewerOwner& owner)
-      : socket_(std::move(socket)), viewer_(std::move(layout)), owner_(owner) {}
+            WebViewerOwner& owner, std::uint32_t number, Guest guest)
+      : socket_(std::move(socket)),
+        viewer_(std::move(layout)),
+        owner_(owner),
+        number_(number),
+        guest_(std::move(guest)) {}
 
-  /// Sends the scene, which tells of the layout, and begins to listen.
+  /// Sends the scene, which tells of the layout, and who watches, and begins to listen.
   void start(std::shared_ptr<const std::string> scene);
 
   /// The newest snapshot, valid until the next call. A frame goes out now if the page keeps up, else as soon
@@ -66,6 +71,9 @@ class WebViewer final : public net::WebSocketEvents {
   /// This model is the viewer's own now.
   void joined(world::ModelId body);
 
+  /// Who watches, as a text of docs/viewer-protocol.md: the newest goes out with the next frame.
+  void tell_people(std::string text) { people_ = std::make_shared<const std::string>(std::move(text)); }
+
   /// A large text is to come for this viewer. False: one is on its way already.
   bool await_text() { return !std::exchange(awaits_text_, true); }
   void send_text(std::shared_ptr<const std::string> text);
@@ -73,6 +81,9 @@ class WebViewer final : public net::WebSocketEvents {
 
   const replicate::Wish& wish() const { return viewer_.wish(); }
   const std::string& peer() const { return socket_->peer(); }
+  std::uint32_t number() const { return number_; }  // never another viewer's
+  const Guest& guest() const { return guest_; }
+  Rights rights() const { return rights_of(guest_.role); }
 
  private:
   void received(std::string_view text) override;
@@ -85,8 +96,11 @@ class WebViewer final : public net::WebSocketEvents {
   std::unique_ptr<net::WebSocket> socket_;
   replicate::Viewer viewer_;
   WebViewerOwner& owner_;
+  const std::uint32_t number_;
+  const Guest guest_;
   const replicate::Snapshot* newest_ = nullptr;
   std::shared_ptr<const std::string> told_history_;
+  std::shared_ptr<const std::string> people_, told_people_;
   bool awaits_text_ = false, text_is_under_way_ = false;
   // With the socket while a frame is under way, else ours alone and reused.
   std::shared_ptr<std::vector<std::byte>> frame_ = std::make_shared<std::vector<std::byte>>();

@@ -1,6 +1,6 @@
 import type { Command } from './protocol/commands';
 import { Replica } from './protocol/replica';
-import { parseText, withChanges, type Changes, type History, type Scene, type WorldFile } from './protocol/scene';
+import { parseText, withChanges, type Changes, type History, type People, type Scene, type WorldFile } from './protocol/scene';
 
 export type LinkState = 'connecting' | 'live' | 'silent' | 'lost';
 
@@ -11,10 +11,12 @@ export interface LinkEvents {
   packet(): void;
   history(history: History): void;
   file(world: WorldFile): void;
+  people(people: People): void;
   /** This model, by its id, is the viewer's own now. */
   joined(model: number): void;
   notice(text: string): void;
-  state(state: LinkState): void;
+  /** `why` the program ended the connection, where it said so. */
+  state(state: LinkState, why: string): void;
 }
 
 const kSilentMs = 4000; // the program sends something every second
@@ -55,7 +57,7 @@ export class Link {
     const socket = new WebSocket(this.url);
     socket.binaryType = 'arraybuffer';
     socket.onmessage = (message) => this.receive(socket, message.data);
-    socket.onclose = () => this.closed(socket);
+    socket.onclose = (event) => this.closed(socket, event.reason);
     this.socket = socket;
   }
 
@@ -77,6 +79,7 @@ export class Link {
     if ('history' in message) return this.events.history(message.history);
     if ('world' in message) return this.events.file(message.world);
     if ('joined' in message) return this.events.joined(message.joined);
+    if ('people' in message) return this.events.people(message.people);
     if ('changes' in message) return this.follow(message.changes);
     this.tries = 0;
     this.unacknowledged = 0;
@@ -100,10 +103,10 @@ export class Link {
     this.events.packet();
   }
 
-  private closed(socket: WebSocket): void {
+  private closed(socket: WebSocket, why: string): void {
     if (socket !== this.socket) return;
     this.socket = null;
-    this.change('lost');
+    this.change('lost', why);
     const wait = kRetryMs[Math.min(this.tries++, kRetryMs.length - 1)];
     window.setTimeout(() => this.connect(), wait);
   }
@@ -114,9 +117,9 @@ export class Link {
     if (this.current === 'live' && performance.now() - this.lastHeard > kSilentMs) this.change('silent');
   }
 
-  private change(state: LinkState): void {
-    if (state === this.current) return;
+  private change(state: LinkState, why = ''): void {
+    if (state === this.current && why === '') return;
     this.current = state;
-    this.events.state(state);
+    this.events.state(state, why);
   }
 }

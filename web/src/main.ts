@@ -3,8 +3,9 @@ import { Eyes } from './drive/eyes';
 import { HeldKeys, handsOfAxes, sum, velocityOf, type Hands, type Velocity } from './drive/hands';
 import { Link, type LinkState } from './link';
 import { PicturePage } from './picture_page';
+import type { Command } from './protocol/commands';
 import type { Replica } from './protocol/replica';
-import { wheelsOf, type Scene } from './protocol/scene';
+import { wheelsOf, type People, type Scene } from './protocol/scene';
 import { Ask } from './ui/ask';
 import { Clock } from './ui/clock';
 import { DevicePanel } from './ui/device_panel';
@@ -12,6 +13,7 @@ import { byId, download } from './ui/dom';
 import { DriveBar } from './ui/drive_bar';
 import { fillHelp } from './ui/help';
 import { listenForHeldKeys, listenForKeys } from './ui/keyboard';
+import { PeopleMenu } from './ui/people_menu';
 import { RobotList } from './ui/robot_list';
 import { SpeedWish, fasterBy } from './ui/speed_wish';
 import { Stick } from './ui/stick';
@@ -35,6 +37,15 @@ const kLinkTexts: Record<LinkState, string> = {
   lost: 'Connection lost. Trying again … What you see is old.',
 };
 
+/** Where the program listens; the link by which somebody came has their token behind the #. */
+function liveAddress(page: Location): string {
+  const live = new URL('live', page.href.replace(/^http/, 'ws'));
+  live.hash = '';
+  const token = page.hash.slice(1);
+  if (token !== '') live.search = `token=${encodeURIComponent(token)}`;
+  return live.href;
+}
+
 /** Everything on the page, and what one part tells the others. */
 class Page {
   private scene: Scene | null = null;
@@ -49,27 +60,34 @@ class Page {
   private wheels: number | null = null; // of the selected robot
   private live = false;
   private own: number | null = null; // id of the viewer's body
+  private rights: People = { people: [], you: 0, drives: true, joins: true, manages: true };
   private enters = false; // it is not known in the scene yet
   private awaited = 0; // models that were asked for and have not come yet
   private readonly pointer: Pointer;
 
   private readonly view = new StageView(byId<HTMLCanvasElement>('picture'), byId<HTMLCanvasElement>('overlay'), margins);
-  private readonly link = new Link(new URL('live', location.href).href.replace(/^http/, 'ws'), {
+  private readonly link = new Link(liveAddress(location), {
     scene: (scene, replica) => this.showScene(scene, replica),
     population: (scene, replica) => this.showPopulation(scene, replica),
     packet: () => this.showPacket(),
     history: (history) => this.clock.follow(history),
     file: (world) => download(world.file, new Blob([world.text], { type: 'text/plain' })),
+    people: (people) => this.showPeople(people),
     joined: (model) => this.joined(model),
     notice: (text) => {
       this.awaited = 0; // it may tell why nobody comes
       this.showNotice(text);
     },
-    state: (state) => this.showLink(state),
+    state: (state, why) => this.showLink(state, why),
   });
-  private readonly toolbar = new Toolbar(byId('bar'), this.view.layers, {
-    togglePause: () => this.link.send({ do: this.replica?.paused ? 'resume' : 'pause' }),
-    step: () => this.link.send({ do: 'step' }),
+  private readonly people = new PeopleMenu({
+    mute: (viewer, on) => this.manage({ do: 'mute', viewer, on }),
+    kick: (viewer) => this.manage({ do: 'kick', viewer }),
+    nameOf: (model) => this.scene?.models[this.replica?.rows.get(model) ?? -1]?.name,
+  });
+  private readonly toolbar = new Toolbar(byId('bar'), this.view.layers, this.people, {
+    togglePause: () => this.manage({ do: this.replica?.paused ? 'resume' : 'pause' }),
+    step: () => this.manage({ do: 'step' }),
     speed: (times) => this.askSpeed(times),
     layers: () => this.view.applyLayers(),
     tilt: () => this.tilt(),
@@ -77,14 +95,14 @@ class Page {
     toggleList: () => byId('robots').classList.toggle('desk'),
     add: (robot) => this.add(robot),
     join: () => this.join(),
-    save: () => this.link.send({ do: 'save' }),
+    save: () => this.manage({ do: 'save' }),
     picture: () => void this.savePicture(),
     help: () => this.help.showModal(),
   });
   private readonly clock = new Clock(byId('clock'), {
-    rewind: (tick) => this.link.send({ do: 'rewind', tick }),
-    pause: () => this.link.send({ do: 'pause' }),
-    goOn: () => this.link.send({ do: 'resume' }),
+    rewind: (tick) => this.manage({ do: 'rewind', tick }),
+    pause: () => this.manage({ do: 'pause' }),
+    goOn: () => this.manage({ do: 'resume' }),
   });
   private readonly robots = new RobotList(byId('robots'), (row) => {
     this.select(row);
@@ -106,10 +124,10 @@ class Page {
     byId('robots').classList.add('desk');
     this.pointer = new Pointer(byId('picture'), this.view, {
       select: (row) => this.select(row),
-      carry: (row, x, y, a) => this.link.send({ do: 'drag', model: this.idOf(row), x, y, a }),
+      carry: (row, x, y, a) => this.manage({ do: 'drag', model: this.idOf(row), x, y, a }),
       looked: () => this.panel.showFollowed(this.view.followed),
       describe: (what) => this.showNotice(what),
-      mayCarry: (row) => (this.live && this.scene?.models[row].movable) ?? false,
+      mayCarry: (row) => (this.live && this.rights.manages && this.scene?.models[row].movable) ?? false,
     });
     listenForKeys(this.keys());
     listenForHeldKeys(this.heldKeys, (fast) => {
@@ -230,7 +248,7 @@ class Page {
     this.panel.update();
   }
 
-  private showLink(state: LinkState): void {
+  private showLink(state: LinkState, why = ''): void {
     this.live = state === 'live';
     document.body.dataset.link = state;
     if (!this.live) this.letGo();
@@ -239,7 +257,26 @@ class Page {
     this.clock.showLink(this.live);
     const banner = byId('lost');
     banner.hidden = state === 'live' || state === 'connecting';
-    banner.textContent = kLinkTexts[state];
+    banner.textContent = why === '' ? kLinkTexts[state] : `The program says: ${why}.`;
+  }
+
+  private showPeople(people: People): void {
+    this.rights = people;
+    this.people.show(people);
+    this.toolbar.showManages(people.manages);
+    document.body.classList.toggle('guest', !people.manages);
+    this.showJoin();
+    this.showWheels();
+  }
+
+  /** Sends what only an admin may ask for; others are told so. */
+  private manage(command: Command): void {
+    if (this.mayManage()) this.link.send(command);
+  }
+
+  private mayManage(): boolean {
+    if (!this.rights.manages) this.showNotice('Only an admin may do that in this world.');
+    return this.rights.manages;
   }
 
   private showNotice(text: string): void {
@@ -250,12 +287,19 @@ class Page {
     this.noticeTimer = window.setTimeout(() => (notice.hidden = true), kNoticeMs);
   }
 
+  /** What the keys drive: the wheels of the selected robot, if this viewer may. */
+  private showWheels(): void {
+    const { scene, view: { selected: row } } = this;
+    const may = this.rights.drives || (row !== null && this.own !== null && scene?.models[row].id === this.own);
+    this.wheels = row === null || !scene || !may ? null : wheelsOf(scene, this.view.roots, row);
+    this.driveBar.show(this.wheels === null ? null : scene!.models[this.wheels]);
+    this.stick.show(this.wheels !== null);
+  }
+
   private select(row: number | null): void {
     if (row !== this.view.selected) this.letGo();
     this.view.selected = row;
-    this.wheels = row === null || !this.scene ? null : wheelsOf(this.scene, this.view.roots, row);
-    this.driveBar.show(this.wheels === null ? null : this.scene!.models[this.wheels]);
-    this.stick.show(this.wheels !== null);
+    this.showWheels();
     if (row === null) this.follow(null);
     this.robots.showSelected(row);
     this.link.send({ do: 'select', model: row === null ? null : this.idOf(row) });
@@ -316,7 +360,7 @@ class Page {
 
   private showJoin(): void {
     const { scene, own } = this;
-    this.toolbar.showJoin(own !== null || (scene?.models.some((_, row) => isPerson(scene, row)) ?? false), own !== null);
+    this.toolbar.showJoin(own !== null || (this.rights.joins && (scene?.models.some((_, row) => isPerson(scene, row)) ?? false)), own !== null);
   }
 
   /** Into the world as a person, in the middle of the picture; or out of it. */
@@ -372,25 +416,25 @@ class Page {
   /** Another one of the scene's robots, in the middle of the picture. */
   private add(robot: number): void {
     const at = this.middle();
-    if (!this.live || !at) return;
+    if (!this.live || !at || !this.mayManage()) return;
     ++this.awaited;
-    this.link.send({ do: 'add', robot, x: at.x, y: at.y, a: 0 });
+    this.manage({ do: 'add', robot, x: at.x, y: at.y, a: 0 });
   }
 
   /** Another one like the selected robot, beside it. */
   private copy(): void {
     const { selected: row, motion } = this.view;
-    if (row === null || !motion || !this.live) return;
+    if (row === null || !motion || !this.live || !this.mayManage()) return;
     const { size } = this.scene!.models[row];
     const beside = 1.5 * Math.max(size[0], size[1], 0.1);
     const a = motion.a[row];
     ++this.awaited;
-    this.link.send({ do: 'copy', model: this.idOf(row), x: motion.x[row] + Math.sin(a) * beside, y: motion.y[row] - Math.cos(a) * beside, a });
+    this.manage({ do: 'copy', model: this.idOf(row), x: motion.x[row] + Math.sin(a) * beside, y: motion.y[row] - Math.cos(a) * beside, a });
   }
 
   private remove(): void {
     const { selected: row } = this.view;
-    if (row !== null && this.live) this.link.send({ do: 'remove', model: this.idOf(row) });
+    if (row !== null && this.live) this.manage({ do: 'remove', model: this.idOf(row) });
   }
 
   private follow(row: number | null): void {
@@ -418,16 +462,16 @@ class Page {
   }
 
   private askSpeed(speed: number): void {
-    if (!this.live) return;
+    if (!this.live || !this.mayManage()) return;
     this.speedWish.ask(speed, performance.now());
     this.toolbar.showSpeed(speed);
-    this.link.send({ do: 'speed', times_real_time: speed });
+    this.manage({ do: 'speed', times_real_time: speed });
   }
 
   private keys(): Record<string, () => void> {
     return {
-      ' ': () => this.link.send({ do: this.replica?.paused ? 'resume' : 'pause' }),
-      '.': () => this.link.send({ do: 'step' }),
+      ' ': () => this.manage({ do: this.replica?.paused ? 'resume' : 'pause' }),
+      '.': () => this.manage({ do: 'step' }),
       '<': () => this.faster(-1),
       '>': () => this.faster(1),
       t: () => this.tilt(),

@@ -12,6 +12,8 @@ export type Command =
   | { do: 'join'; name: string; x: number; y: number; a: number }
   | { do: 'say'; text: string }
   | { do: 'remove'; model: number }
+  | { do: 'mute'; viewer: number; on: boolean }
+  | { do: 'kick'; viewer: number }
   | { do: 'save' }
   | { do: 'select'; model: number | null }
   | { do: 'look'; x_min: number; y_min: number; x_max: number; y_max: number; sensors: boolean }

@@ -85,7 +85,25 @@ export interface WorldFile {
   text: string;
 }
 
-type Message = { scene: Scene } | { changes: Changes } | { history: History } | { world: WorldFile } | { joined: number } | { notice: string };
+/** Somebody who watches; `body` is the id of the model that they have joined as. */
+export interface Person {
+  viewer: number;
+  role: string;
+  name?: string;
+  body?: number;
+  muted?: boolean;
+}
+
+/** Who watches, and what this viewer may do: drive robots, join, change how the world runs and who is in it. */
+export interface People {
+  people: Person[];
+  you: number;
+  drives: boolean;
+  joins: boolean;
+  manages: boolean;
+}
+
+type Message = { scene: Scene } | { people: People } | { changes: Changes } | { history: History } | { world: WorldFile } | { joined: number } | { notice: string };
 
 /** A text message: the scene, changes of its population, instants to go back to, a file, or a line for the person who watches. */
 export function parseText(text: string): Message {
@@ -95,6 +113,7 @@ export function parseText(text: string): Message {
   if ('history' in message) return { history: historyOf(message.history as HistoryText) };
   if ('world' in message) return { world: message.world as WorldFile };
   if ('joined' in message) return { joined: message.joined as number };
+  if ('people' in message) return { people: message as People };
   if ('gone' in message) return { changes: message as Changes };
   if ('protocol' in message && message.protocol === 3) return { scene: sceneOf(message as SceneText) };
   throw new Error('this page is older or newer than the program: reload it');

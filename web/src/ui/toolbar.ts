@@ -1,6 +1,7 @@
 import type { LinkState } from '../link';
 import type { Layers } from '../view/stage_view';
 import { el, icon, setText } from './dom';
+import type { PeopleMenu } from './people_menu';
 
 export interface ToolbarEvents {
   togglePause(): void;
@@ -63,10 +64,13 @@ export class Toolbar {
   private readonly stepButton = el('button', { 'data-testid': 'step', title: 'One tick (.)', 'aria-label': 'Step' }, icon('step'), el('span', { class: 'desk' }, ' Step'));
   private readonly tiltButton = el('button', { 'data-testid': 'tilt', title: 'From above or tilted (T)' });
   private paused: boolean | null = null;
+  private live = false;
+  private manages = true;
 
   constructor(
     bar: HTMLElement,
     private readonly layers: Layers,
+    people: PeopleMenu,
     private readonly events: ToolbarEvents,
   ) {
     const list = el('button', { class: 'phone', title: 'Robots', 'aria-label': 'Robots', 'data-testid': 'list' }, icon('list'));
@@ -89,7 +93,7 @@ export class Toolbar {
     bar.append(
       el('span', { class: 'brand' }, this.dot, el('span', { class: 'desk' }, 'Playhouse'), this.world),
       list, el('span', { class: 'rule' }), this.pause, this.stepButton, this.speeds, el('span', { class: 'gap' }),
-      this.joinButton, this.menu(this.addButton, this.addSheet), this.saveButton, picture, this.tiltButton, fit, this.layerMenu(), help,
+      this.joinButton, this.menu(people.button, people.sheet), this.menu(this.addButton, this.addSheet), this.saveButton, picture, this.tiltButton, fit, this.layerMenu(), help,
     );
     this.showPaused(false);
     this.showTilted(false);
@@ -98,7 +102,19 @@ export class Toolbar {
   showLink(state: LinkState, text: string): void {
     this.dot.dataset.state = state;
     this.dot.title = text;
-    for (const control of [this.pause, this.stepButton, this.speeds, this.joinButton, this.addButton, this.saveButton]) control.disabled = state !== 'live';
+    this.live = state === 'live';
+    this.showAllowed();
+  }
+
+  /** Whether this viewer may change how the world runs and who is in it. */
+  showManages(manages: boolean): void {
+    this.manages = manages;
+    this.showAllowed();
+  }
+
+  private showAllowed(): void {
+    this.joinButton.disabled = !this.live;
+    for (const control of [this.pause, this.stepButton, this.speeds, this.addButton, this.saveButton]) control.disabled = !this.live || !this.manages;
   }
 
   showWorld(name: string): void {

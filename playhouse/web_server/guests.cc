@@ -1,0 +1,102 @@
+#include "playhouse/web_server/guests.h"
+
+#include <sys/random.h>
+
+#include <algorithm>
+#include <array>
+
+#include "playhouse/base/assert.h"
+#include "playhouse/base/in_quotes.h"
+#include "playhouse/base/nearest_word.h"
+
+namespace playhouse::web_server {
+namespace {
+
+constexpr std::array<std::string_view, 4> kRoles = {"observer", "driver", "human", "admin"};
+constexpr std::size_t kLeastToken = 8, kMostToken = 128, kMostName = 24;
+
+bool is_letter(unsigned char c) {
+  return (c | 0x20) >= 'a' && (c | 0x20) <= 'z';
+}
+/// Of tokens, which stand in links, and of names, which models and clients may have.
+bool is_word(std::string_view text) {
+  return std::ranges::all_of(
+      text, [](unsigned char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '-' || c == '_'; });
+}
+
+std::vector<std::string_view> words_of(std::string_view line) {
+  constexpr std::string_view kSpace = " \t\r";
+  line = line.substr(0, line.find('#'));
+  std::vector<std::string_view> words;
+  for (std::size_t begin = line.find_first_not_of(kSpace); begin != std::string_view::npos;) {
+    const std::size_t end = std::min(line.find_first_of(kSpace, begin), line.size());
+    words.push_back(line.substr(begin, end - begin));
+    begin = line.find_first_not_of(kSpace, end);
+  }
+  return words;
+}
+
+/// What is wrong with a line, or nothing.
+std::string fault_of(const std::vector<std::string_view>& words) {
+  if (std::ranges::find(kRoles, words[0]) == kRoles.end())
+    return in_quotes(words[0]) + " is no role: observer, driver, human or admin" +
+           did_you_mean(words[0], kRoles);
+  if (words.size() < 2)
+    return "a token is missing: role token [name]; ? makes one, * is for whoever has none";
+  if (words.size() > 3) return "more than role, token and name";
+  const std::string_view token = words[1];
+  if (token != "*" && token != "?" &&
+      (token.size() < kLeastToken || token.size() > kMostToken || !is_word(token)))
+    return "a token has 8 to 128 letters, digits, - and _";
+  if (words.size() < 3) return {};
+  if (token == "*") return "* is for everybody without a token, who cannot all have one name";
+  const std::string_view name = words[2];
+  if (name.size() > kMostName || !is_letter(static_cast<unsigned char>(name[0])) || !is_word(name))
+    return "a name has 1 to 24 letters, digits, - and _, the first one a letter";
+  return {};
+}
+
+}  // namespace
+
+std::string_view name_of(Role role) {
+  return kRoles[static_cast<std::size_t>(role)];
+}
+
+Rights rights_of(Role role) {
+  if (role == Role::kAdmin) return {.drives = true, .joins = true, .manages = true};
+  return {.drives = role == Role::kDriver, .joins = role == Role::kHuman, .manages = false};
+}
+
+Result<std::vector<Guest>> parse_guests(std::string_view text, const std::string& path) {
+  if (text.size() > kGuestFileBytes) return Error{escaped(path), "more than 1 MiB of guests"};
+  std::vector<Guest> guests;
+  std::set<std::string, std::less<>> tokens;
+  for (std::size_t number = 1; !text.empty(); ++number) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::vector<std::string_view> words = words_of(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (words.empty()) continue;
+    const std::string where = escaped(path) + ":" + std::to_string(number);
+    if (std::string fault = fault_of(words); !fault.empty()) return Error{where, std::move(fault)};
+    Guest guest{static_cast<Role>(std::ranges::find(kRoles, words[0]) - kRoles.begin()),
+                words[1] == "?" ? random_token() : std::string(words[1]),
+                words.size() > 2 ? std::string(words[2]) : ""};
+    if (!tokens.insert(guest.token).second) return Error{where, "another line has this token"};
+    guests.push_back(std::move(guest));
+  }
+  if (guests.empty()) return Error{escaped(path), "no line says who may come: role token [name]"};
+  return guests;
+}
+
+std::string random_token() {
+  constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz234567";
+  constexpr std::size_t kTokenLetters = 26;  // 5 bits each
+  std::array<std::uint8_t, kTokenLetters> bytes;
+  const ssize_t got = getrandom(bytes.data(), bytes.size(), 0);
+  PLAYHOUSE_ASSERT(got == static_cast<ssize_t>(bytes.size()));
+  std::string token;
+  for (const std::uint8_t byte : bytes) token += kLetters[byte % kLetters.size()];
+  return token;
+}
+
+}  // namespace playhouse::web_server

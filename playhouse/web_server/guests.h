@@ -1,0 +1,45 @@
+#pragma once
+
+/// Guests: who may open the page, and what each may do. A file has a line for each: role, token and name; the
+/// link by which somebody comes carries the token. docs/guests.md.
+
+#include <cstdint>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "playhouse/base/result.h"
+
+namespace playhouse::web_server {
+
+enum class Role : std::uint8_t { kObserver, kDriver, kHuman, kAdmin };
+
+std::string_view name_of(Role role);
+
+/// What a role may do besides looking.
+struct Rights {
+  bool drives = false;   // any robot
+  bool joins = false;    // has a body, drives it and speaks
+  bool manages = false;  // pauses, rewinds, adds, moves, removes and saves; mutes others and sends them out
+};
+
+Rights rights_of(Role role);
+
+struct Guest {
+  Role role = Role::kObserver;
+  std::string token;  // "*": whoever has none
+  std::string name;   // what they are called; empty: as they wish
+};
+
+/// Longest file of guests.  [B]
+inline constexpr std::size_t kGuestFileBytes = 1 << 20;
+
+/// Reads `role token [name]` lines; # begins a comment, and the token ? is made at random. Fails with
+/// "path:line: what".
+Result<std::vector<Guest>> parse_guests(std::string_view text, const std::string& path);
+
+/// 26 letters and digits, 130 bits at random from the system.
+std::string random_token();
+
+}  // namespace playhouse::web_server
