@@ -34,8 +34,15 @@ void check_written(const SceneDesc& scene, FileReader& files) {
   // A heading of many turns may have no number near zero that says the same to the last bit.
   if (what.find("words of ") == std::string::npos) expect_same(what, *text);
   const auto second = write_world(again, scene.path);
-  expect_same(second && *second == *text ? "" : "written otherwise then", *text);
-  expect_same(difference(again, read_back(again, files, *second)), *text);
+  expect_same(second ? "" : "not written then", *text);
+  const SceneDesc third = read_back(again, files, *second);
+  expect_same(difference(again, third), *text);
+  // Trees with parts that lost a name of their own to later ones are alike only once they are read again:
+  // then one macro may make them.
+  const auto settled = scene.renamed.empty() ? second : write_world(third, scene.path);
+  expect_same(
+      settled && *settled == (scene.renamed.empty() ? *text : *second) ? "" : "written otherwise then",
+      *text);
   for (const std::string& warning : again.warnings)
     expect_same(warning.find("of older versions: ") == std::string::npos ? "" : warning, *text);
 }
