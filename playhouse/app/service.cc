@@ -267,6 +267,8 @@ Result<void> Service::read_guests() {
 }
 
 Result<void> Service::open_page() {
+  if (!serving_.web && !serving_.guests.empty())
+    return Error{{}, "--guests is for the page, which --headless and --web off leave out"};
   if (!serving_.web) return {};
   if (const Result<void> read = read_guests(); !read) return read;
   const web_server::WebOptions options{.bind = serving_.bind,

@@ -348,7 +348,12 @@ class WebServer::Impl final : public net::HttpService,
     WebViewer* const out = viewer(kick.viewer);
     if (!out) return Error{"", "nobody has this number"};
     if (out == &from) return Error{"", "this is yourself"};
-    sent_out_.insert(out->guest().token == "*" ? net::network_of(out->peer()) : out->guest().token);
+    const std::string network = net::network_of(out->peer());
+    if (out->guest().token != "*") {
+      sent_out_.insert(out->guest().token);
+    } else if (network != net::network_of(from.peer())) {  // else it would shut the admin out, too
+      sent_out_.insert(network);
+    }
     out->close("an admin has sent you out");
     left(*out, "an admin has sent them out");
     return {};

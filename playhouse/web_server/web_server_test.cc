@@ -797,6 +797,21 @@ TEST_F(GuestsTest, who_is_sent_out_does_not_come_again_by_the_same_link) {
   EXPECT_EQ(server_.status().viewers, 2u);
 }
 
+TEST_F(GuestsTest, an_admin_does_not_shut_out_the_own_address) {
+  WebClient observer(port_), elsewhere(port_, "127.0.0.7"), admin(port_);
+  ASSERT_TRUE(observer.upgrade());
+  ASSERT_TRUE(elsewhere.upgrade());
+  ASSERT_TRUE(admin.upgrade_with("the-admin"));
+  admin.send_text(R"({"do":"kick","viewer":1})");
+  admin.send_text(R"({"do":"kick","viewer":2})");
+  ASSERT_TRUE(turn_until([this] { return server_.status().viewers == 1; }));
+  WebClient again(port_), other(port_, "127.0.0.7");
+  ASSERT_TRUE(again.upgrade());
+  EXPECT_THAT(again.message(), HasSubstr("\"name\":\"small\""));
+  ASSERT_TRUE(other.upgrade());
+  EXPECT_THAT(other.message(), HasSubstr("open the page by the link that you were given"));
+}
+
 TEST_F(GuestsTest, a_wrong_token_opens_nothing_and_the_limit_holds) {
   WebClient wrong(port_);
   wrong.upgrade_with("guessed-it");
