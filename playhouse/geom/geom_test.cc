@@ -173,5 +173,13 @@ TEST(SpatialPose, upside_down_is_a_tilt_and_what_goes_further_is_none) {
   EXPECT_NEAR(std::hypot(X.tilt.x, X.tilt.y), kPi, 1e-12);
 }
 
+// Found by stage_saved_run_fuzz, in a run whose camera looks 3e302 radians to the left.
+TEST(SinCos, takes_any_number) {
+  for (const double angle : {3.04785e+302, -1e19, 1e18, std::numeric_limits<double>::infinity(),
+                             std::numeric_limits<double>::quiet_NaN()})
+    static_cast<void>(sincos(angle));  // under the sanitizers: no undefined behaviour
+  EXPECT_NEAR(sincos(1e5).sin, std::sin(1e5), 1e-10);
+}
+
 }  // namespace
 }  // namespace playhouse::geom

@@ -72,7 +72,9 @@ SinCos sincos(double angle) {
   const double x = (angle - n * kHalfPiHigh) - n * kHalfPiLow;
   const double both[2] = {sin_small(x), cos_small(x)};
   // Without branches: headings lie in any quadrant. sin: s, c, -s, -c; cos: c, -s, -c, s.
-  const auto quadrant = static_cast<std::uint64_t>(static_cast<std::int64_t>(n)) & 3;
+  // A damaged saved run may hold any number: what no integer can hold has no quadrant.
+  const double turns = std::fabs(n) < 0x1p62 ? n : 0;
+  const auto quadrant = static_cast<std::uint64_t>(static_cast<std::int64_t>(turns)) & 3;
   const auto turned = [&](std::uint64_t which, std::uint64_t negative) {
     return std::bit_cast<double>(std::bit_cast<std::uint64_t>(both[which & 1]) ^ (negative & 2) << 62);
   };
