@@ -111,6 +111,9 @@ void slice_bearings(const Image& image, double zoom, const scene::CameraDesc& ca
 }  // namespace
 
 Lens make_lens(const scene::CameraDesc& camera, double tilt, double zoom) {
+  // A damaged saved run may hold any number.
+  if (!(std::fabs(tilt) <= 1e5)) tilt = 0;
+  if (!(zoom > 0 && zoom < geom::kPi)) zoom = camera.fov_horizontal;
   const Image image(camera, tilt, zoom);
   Lens lens;
   if (tilt == 0) {
