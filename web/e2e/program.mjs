@@ -19,19 +19,27 @@ const program = process.env.PLAYHOUSE_PROGRAM ?? join(root, 'build/playhouse');
  * @param {string} world its path, from the source root
  * @param {string[]} options
  * @param {string} port of the page; '0': any free one
- * @returns {Promise<{page: string, port: number, stop: () => Promise<number | null>}>}
+ * @returns {Promise<{page: string, port: number, said: () => string, stop: () => Promise<number | null>}>}
  */
 export async function startProgram(world, options = [], port = '0') {
   if (!existsSync(program)) throw new Error(`no program at ${program} (make build, or set PLAYHOUSE_PROGRAM)`);
-  const child = spawn(program, ['run', resolve(root, world), '--port', '0', '--web', port, ...options], {
-    cwd: root,
-    stdio: ['ignore', 'ignore', 'pipe'],
-  });
+  return started(program, ['run', resolve(root, world), '--port', '0', '--web', port, ...options]);
+}
+
+/** Runs an experiment, named from the source root, in the same way; its page is on any free port. */
+export async function startScenario(script, options = []) {
+  return started('python3', [resolve(root, script), ...options, '--', '--web', '0'], { ...process.env, PLAYHOUSE_PROGRAM: program });
+}
+
+/** What a command that serves a page says, and how to end it. */
+async function started(command, words, env = process.env) {
+  const child = spawn(command, words, { cwd: root, env, stdio: ['ignore', 'pipe', 'pipe'] });
   const exit = new Promise((done) => child.once('exit', (code) => done(code)));
+  let said = '';
+  child.stdout.on('data', (bytes) => (said += bytes));
   const [page, clients] = await new Promise((found, fail) => {
-    let said = '';
     child.once('error', fail);
-    child.once('exit', (code) => fail(new Error(`the program ended with ${code}:\n${said}`)));
+    child.once('exit', (code) => fail(new Error(`${command} ended with ${code}:\n${said}`)));
     child.stderr.on('data', (bytes) => {
       said += bytes;
       const places = [/web page: (http:\S+)/, /Player clients: \S+:(\d+)/].map((place) => said.match(place)?.[1]);
@@ -42,7 +50,7 @@ export async function startProgram(world, options = [], port = '0') {
     child.kill('SIGTERM');
     return exit;
   };
-  return { page, port: Number(clients), stop };
+  return { page, port: Number(clients), said: () => said, stop };
 }
 
 /** What `playhouse check` makes of a file. */

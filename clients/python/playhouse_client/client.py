@@ -8,7 +8,7 @@ from .connection import Connection
 from .device import Access, Device, did_you_mean
 from .errors import ConnectionLost, PlayerError, RequestRefused, RequestTimeout, WireError
 from .generated import INTERFACES, common, find_message, player, simulation
-from .models import Model, ask_models, families
+from .models import DeviceAddress, Model, ask_models, families
 from .proxies import Aio, Bumper, Camera, Fiducial, Laser, Opaque, Position2d, Ptz, Ranger, Simulation, Sonar
 from .robot import Robot
 from .session import Session
@@ -73,8 +73,8 @@ class Client:
     ) -> None:
         self._devices: Dict[Tuple[int, int], List[Device]] = {}
         self._session = Session(Connection(host, port, timeout), timeout, self._retire)
-        self._families: Optional[List[List[Model]]] = None
-        self._robots: Dict[int, Robot] = {}
+        self._families: Optional[List[List[Model]]] = None  # as they were asked for last
+        self._robots: Dict[Tuple[str, Tuple[DeviceAddress, ...]], Robot] = {}  # by name and devices
         self._reading = False
         self.mode = Mode.PUSH  # what a server starts with
         if mode == Mode.PUSH:
@@ -183,26 +183,29 @@ class Client:
         return self._open(Simulation, "simulation", index, access)
 
     def models(self) -> List[Model]:
-        """All models of the simulated world with their devices, parents before what they carry. Raises RequestRefused
-        where the server does not tell them (not every simulator does, and no real robot)."""
+        """All models that are in the simulated world now, with their devices, parents before what they carry. Raises
+        RequestRefused where the server does not tell them (not every simulator does, and no real robot)."""
         return [family[0] for family in self._list_families()]
 
     def robot(self, name: str) -> Robot:
-        """The robot of this name in the world file, or any other model, with the devices of all that it carries.
+        """The robot of this name, or any other model, with the devices of all that it carries: of those that models() or
+        robots() listed last, or of those that are there now where the name is not among them.
 
-        The same name gives the same Robot; of several models of one name it is the last. Raises RequestRefused if
+        The same name gives the same Robot as long as it has the same devices; of several models of one name it is the last. Raises RequestRefused if
         there is none, and as models().
         """
-        names = [model.name for model in self.models()]
-        if name not in names:
-            near = did_you_mean(name, names)
+        named = [family for family in self._families or () if family[0].name == name]
+        if not named:
+            named = [family for family in self._list_families() if family[0].name == name]
+        if not named:
+            near = did_you_mean(name, [family[0].name for family in self._families or ()])
             raise RequestRefused(f'there is no robot "{name}" at {self._session.peer}{near}')
-        return self._robot_at(len(names) - 1 - names[::-1].index(name))
+        return self._robot_of(named[-1])
 
     def robots(self) -> List[Robot]:
         """The models at the top of the world that have devices on this connection, of their own or of what they carry,
         in the world file's order. Raises RequestRefused as models()."""
-        tops = [self._robot_at(at) for at, family in enumerate(self._list_families()) if not family[0].parent]
+        tops = [self._robot_of(family) for family in self._list_families() if not family[0].parent]
         return [robot for robot in tops if any(at.port == self._session.server_port for at in robot.devices)]
 
     def deliver_pushed(self) -> None:
@@ -265,21 +268,21 @@ class Client:
         }
 
     def _list_families(self) -> List[List[Model]]:
-        """All models, each with what it carries. Asked for once: a world keeps its models for life."""
-        if self._families is None:
-            try:
-                with self.simulation(0) as simulator:
-                    self._families = families(ask_models(simulator))
-            except RequestRefused:
-                raise RequestRefused(
-                    f"{self._session.peer}: this server does not tell the names of models; open devices by number"
-                ) from None
+        """All models that are there now, each with what it carries."""
+        try:
+            with self.simulation(0) as simulator:
+                self._families = families(ask_models(simulator))
+        except RequestRefused:
+            raise RequestRefused(
+                f"{self._session.peer}: this server does not tell the names of models; open devices by number"
+            ) from None
         return self._families
 
-    def _robot_at(self, place: int) -> Robot:
-        if place not in self._robots:
-            self._robots[place] = Robot(self, self._list_families()[place], self._session.server_port)
-        return self._robots[place]
+    def _robot_of(self, family: List[Model]) -> Robot:
+        key = (family[0].name, tuple(device for model in family for device in model.devices))
+        if key not in self._robots:
+            self._robots[key] = Robot(self, family, self._session.server_port)
+        return self._robots[key]
 
     def _retire(self, addr: common.Devaddr) -> None:
         for device in self._devices.get((addr.interf, addr.index), []):

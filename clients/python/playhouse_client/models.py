@@ -27,8 +27,8 @@ class DeviceAddress(NamedTuple):
 
 
 class Model(NamedTuple):
-    """One model of the world: its full name, its type in the world file ("position", or a macro's name as
-    "pioneer2dx"), the name of the model that carries it (empty: none does), and its own devices."""
+    """One model of the world: its full name, its type ("position", whatever macro made it), the name of the model that
+    carries it (empty: none does), and its own devices."""
 
     name: str
     type: str

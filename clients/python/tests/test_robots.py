@@ -146,6 +146,19 @@ class Robots(unittest.TestCase):
         self.assertEqual(opened(server), ["+4:12", "+6:12", "+6:30", "-6:30", "-6:12", "-4:12"])
         self.assertEqual(len([m for m in server.peer.received if m[11] == 31]), 3)
 
+    def test_a_robot_that_came_later_is_found(self) -> None:
+        lists = [b"0\tr0\tposition\t\t1:position2d:0\n", b"0\tr0\tposition\t\t1:position2d:0\n1\tr1\tposition\t\t1:position2d:1\n"]
+
+        def answer(peer: Peer, message: Message) -> None:
+            page = lists.pop(0) if len(lists) > 1 else lists[0]
+            peer.answer(message, body=simulation.PropertyReq(b"\0", b"models\0", 0, page).encode())
+
+        with FakeServer(lambda peer: peer.serve(answer)) as server, connect(server.address) as client:
+            first = client.robot("r0")
+            self.assertEqual(client.robot("r1").devices[0].name, "position2d:1")
+            self.assertIs(client.robot("r0"), first)
+            self.assertEqual([model.name for model in client.models()], ["r0", "r1"])
+
     def test_leaving_a_robots_block_stops_and_closes_it_and_it_opens_again(self) -> None:
         with FakeServer(house) as server, connect(server.address) as client:
             with client.robot("guest") as guest:

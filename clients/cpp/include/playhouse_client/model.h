@@ -24,7 +24,7 @@ struct DeviceAddress {
 /// A model of the simulated world.
 struct Model {
   std::string name;                    // in full: "guest.ranger:0"
-  std::string type;                    // as the world file says: "pioneer2dx"
+  std::string type;                    // whatever macro made it: "position"
   std::optional<std::size_t> parent;   // its place in the list of models, before this one; none at the top
   std::vector<DeviceAddress> devices;  // that show it, on all ports of the server
 };

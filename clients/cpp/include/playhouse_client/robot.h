@@ -32,7 +32,7 @@ struct RobotDevice {
 class Robot {
  public:
   const std::string& name() const { return name_; }
-  /// Its type as the world file says: "pioneer2dx".
+  /// Its type, whatever macro made it: "position".
   const std::string& type() const { return type_; }
   /// On the port of the connection: the model's own, then those of what it carries, in the file's order.
   const std::vector<RobotDevice>& devices() const { return devices_; }
