@@ -159,8 +159,11 @@ TEST(SecondEngine, serves_clients_and_viewers_as_the_first_does) {
   ASSERT_TRUE(service.make_devices());
   const std::uint16_t port = service.player_ports().front();
   Watcher watcher;
-  service.simulation().add_listener(
-      [&](const world::World& world, const world::Pace& pace) { watcher.show(world, pace); });
+  bool has_rolled = false;  // it rolls to and fro: at the end it may be upright
+  service.simulation().add_listener([&](const world::World& world, const world::Pace& pace) {
+    watcher.show(world, pace);
+    has_rolled = has_rolled || watcher.tilt_of(world.find("puck").index) != 0;
+  });
 
   const auto drive_towards_the_puck = [&]() -> Result<double> {
     Result<client::Client> client = client::Client::connect("127.0.0.1", port);
@@ -205,7 +208,7 @@ TEST(SecondEngine, serves_clients_and_viewers_as_the_first_does) {
     EXPECT_EQ(watcher.x_of(row), std::lround(1000 * world.models.X_WM[row].x)) << name;
     EXPECT_EQ(watcher.tilt_of(row), replicate::quantize_angle(world.models.tilt_WM[row].y)) << name;
   }
-  EXPECT_NE(watcher.tilt_of(world.find("puck").index), 0);
+  EXPECT_TRUE(has_rolled);
 }
 
 }  // namespace
