@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "playhouse/arena/supports.h"
 #include "playhouse/arena/wheels.h"
 
 namespace playhouse::arena {
@@ -19,6 +20,8 @@ constexpr double kUpright = 0.3;    // cosine of the steepest slope that bears a
 // What is forgotten (see forget()) leaves no contacts of earlier steps: each step finds all corners of a
 // face.
 constexpr int kPerturbations = 4;
+
+constexpr std::uint32_t kNobody = 0xffffffff;
 
 enum Group : int { kFixed = 1, kMoving = 2, kGround = 4 };
 
@@ -102,6 +105,8 @@ struct Moving {
   geom::Twist velocity;  // driven at
   std::vector<Footing> footings;
   std::vector<WheelImpulse> impulses;
+  std::vector<std::uint32_t> below;     // bodies that its wheels may stand on: scratch
+  std::vector<std::uint32_t> supports;  // the body that each wheel stands on, or kNobody
 
   explicit Moving(const BodyDesc& of) : desc(of), solids(std::make_unique<Solids>(of.hulls, of.center)) {
     body = make_body(desc.mass, solids->shape(), desc.surface);
@@ -116,10 +121,32 @@ struct Moving {
       }
     footings.resize(desc.wheels.size());
     impulses.resize(desc.wheels.size());
+    supports.resize(desc.wheels.size(), kNobody);
     write();
   }
   bool is_guided() const { return desc.mass == 0; }
   bool is_vehicle() const { return !desc.wheels.empty(); }
+
+  Box box() const {
+    btVector3 low, high;
+    body->getAabb(low, high);
+    return {from(low), from(high)};
+  }
+  /// Where the ground may be that its wheels stand on.
+  Box footprint() const {
+    Box box{{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}};
+    for (const Wheel& wheel : desc.wheels) {
+      const Vec3 p = state.p + state.q * wheel.p_B;
+      const double reach = std::max(wheel.rise, kWheelDrop);
+      box.low = {std::min(box.low.x, p.x - reach), std::min(box.low.y, p.y - reach),
+                 std::min(box.low.z, p.z - reach)};
+      box.high = {std::max(box.high.x, p.x + reach), std::max(box.high.y, p.y + reach),
+                  std::max(box.high.z, p.z + reach)};
+    }
+    return box;
+  }
+  /// Of what of it is at p.  [m/s, both in W]
+  Vec3 velocity_at(const Vec3& p) const { return state.v + cross(state.w, p - state.p); }
 
   /// So that nothing but its wheels can come to the ground before this is asked again.
   bool is_on_wheels() const {
@@ -214,30 +241,86 @@ struct Physics::Impl {
       if (moving->is_vehicle()) moving->body->setGravity({0, 0, 0});  // before its wheels
     }
   }
-  Footing footing(const Moving& moving, const Wheel& wheel) const;
+  void find_footing(Moving& moving, std::size_t i) const;
+  void find_footings(std::uint32_t number);
+  void find_supports();
+  void wake();
   void roll(Moving& moving, double dt) const;
+  void push_supports();
+
+  Supports supports;
+  std::vector<Box> boxes;  // scratch
 };
 
-/// The ground below a wheel: the plane, or what stands still and is higher.
-Footing Physics::Impl::footing(const Moving& moving, const Wheel& wheel) const {
-  const Vec3 up = moving.state.q * Vec3{0, 0, 1}, p = moving.state.p + moving.state.q * wheel.p_B;
-  Footing out;
-  out.is_near = up.z > kUpright && p.z < kWheelDrop;
-  out.gap = p.z;
-  out.friction = ground->getFriction();
-  const btVector3 top = bullet(p + wheel.rise * up), bottom = bullet(p - kWheelDrop * up);
-  const btTransform begin(btQuaternion::getIdentity(), top), end(btQuaternion::getIdentity(), bottom);
-  for (const Fixed& part : fixed) {
-    if (top.z() < part.lowest_top) continue;
+/// Where a ray from a wheel downwards meets a body from above.
+struct Ray {
+  btVector3 top, bottom;
+  double rise = 0;
+
+  /// Whether it is nearer than what `footing` has; then it has that.
+  bool meet(btRigidBody& body, Footing& footing) const {
+    const btTransform begin(btQuaternion::getIdentity(), top), end(btQuaternion::getIdentity(), bottom);
     btCollisionWorld::ClosestRayResultCallback hit(top, bottom);
-    btCollisionWorld::rayTestSingle(begin, end, part.body.get(), part.body->getCollisionShape(),
-                                    part.body->getWorldTransform(), hit);
-    if (!hit.hasHit() || hit.m_closestHitFraction <= 0 || hit.m_hitNormalWorld.z() < kUpright) continue;
-    const double gap = hit.m_closestHitFraction * (wheel.rise + kWheelDrop) - wheel.rise;
-    if (out.is_near && out.gap < gap) continue;
-    out = {true, gap, from(hit.m_hitNormalWorld), part.body->getFriction()};
+    btCollisionWorld::rayTestSingle(begin, end, &body, body.getCollisionShape(), body.getWorldTransform(), hit);
+    if (!hit.hasHit() || hit.m_closestHitFraction <= 0 || hit.m_hitNormalWorld.z() < kUpright) return false;
+    const double gap = hit.m_closestHitFraction * (rise + kWheelDrop) - rise;
+    if (footing.is_near && footing.gap < gap) return false;
+    footing = {true, gap, from(hit.m_hitNormalWorld), body.getFriction(), {}};
+    return true;
   }
-  return out;
+};
+
+/// The ground below a wheel: the plane, or what is higher, be it that it stands still or moves.
+void Physics::Impl::find_footing(Moving& moving, std::size_t i) const {
+  const Wheel& wheel = moving.desc.wheels[i];
+  const Vec3 up = moving.state.q * Vec3{0, 0, 1}, p = moving.state.p + moving.state.q * wheel.p_B;
+  Footing& footing = moving.footings[i];
+  footing = {};
+  footing.is_near = up.z > kUpright && p.z < kWheelDrop;
+  footing.gap = p.z;
+  footing.friction = ground->getFriction();
+  const Ray ray{bullet(p + wheel.rise * up), bullet(p - kWheelDrop * up), wheel.rise};
+  for (const Fixed& part : fixed)
+    if (ray.top.z() >= part.lowest_top) ray.meet(*part.body, footing);
+  moving.supports[i] = kNobody;
+  for (const std::uint32_t below : moving.below) {
+    if (!ray.meet(*bodies[below]->body, footing)) continue;
+    footing.v = bodies[below]->velocity_at(p);
+    moving.supports[i] = below;
+  }
+}
+
+/// Of a vehicle, unless neither it nor what may be below it moves.
+void Physics::Impl::find_footings(std::uint32_t number) {
+  Moving& moving = *bodies[number];
+  if (!moving.is_vehicle()) return;
+  supports.find(moving.footprint(), moving.below);
+  std::erase(moving.below, number);
+  const auto moves = [this](std::uint32_t below) { return !bodies[below]->rests; };
+  if (moving.rests && std::ranges::none_of(moving.below, moves)) return moving.below.clear();
+  for (std::size_t i = 0; i < moving.footings.size(); ++i) find_footing(moving, i);
+}
+
+void Physics::Impl::find_supports() {
+  boxes.clear();
+  for (const auto& moving : bodies) boxes.push_back(moving->box());
+  supports.set(boxes);
+}
+
+/// What moves below a vehicle that rests wakes it, and a vehicle that moves what it stands on, unless nothing
+/// pushes that. One after the other, in the order of their numbers: a stack wakes from below within a step, from above in as many as it
+/// is high.
+void Physics::Impl::wake() {
+  for (const auto& moving : bodies) {
+    if (moving->below.empty()) continue;
+    for (const std::uint32_t below : moving->supports) {
+      if (below == kNobody || moving->rests == bodies[below]->rests) continue;
+      Moving& sleeper = moving->rests ? *moving : *bodies[below];
+      if (sleeper.is_guided()) continue;
+      sleeper.rests = false;
+      sleeper.write();
+    }
+  }
 }
 
 /// What gravity and its wheels do to a vehicle.
@@ -245,12 +328,25 @@ void Physics::Impl::roll(Moving& moving, double dt) const {
   Motion motion{moving.state.q, from(moving.body->getLinearVelocity()),
                 from(moving.body->getAngularVelocity())};
   motion.v.z -= kGravity * dt;
-  for (std::size_t i = 0; i < moving.footings.size(); ++i)
-    moving.footings[i] = footing(moving, moving.desc.wheels[i]);
   solve_wheels(moving.desc, moving.inertia, moving.velocity, dt, moving.footings, moving.impulses, motion);
   if (moving.desc.is_upright) motion.w = {0, 0, moving.velocity.a};
   moving.body->setLinearVelocity(bullet(motion.v));
   moving.body->setAngularVelocity(bullet(motion.w));
+}
+
+/// What wheels stand on is pushed as much as they are, the other way.
+void Physics::Impl::push_supports() {
+  for (const auto& moving : bodies) {
+    if (moving->below.empty() || moving->rests) continue;
+    for (std::size_t i = 0; i < moving->supports.size(); ++i) {
+      if (moving->supports[i] == kNobody) continue;
+      Moving& support = *bodies[moving->supports[i]];
+      if (support.is_guided()) continue;
+      const Vec3 p = moving->state.p + moving->state.q * moving->desc.wheels[i].p_B;
+      const Vec3 center = support.state.p + support.state.q * support.desc.center;
+      support.body->applyImpulse(bullet(-1 * moving->impulses[i].total), bullet(p - center));
+    }
+  }
 }
 
 Physics::Physics() : impl_(std::make_unique<Impl>()) {}
@@ -324,12 +420,23 @@ void Physics::step(double dt, world::Workers& workers) {
   constexpr std::size_t kGrain = 16;
   impl_->put_in();
   const auto& bodies = impl_->bodies;
-  workers.run(bodies.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      if (bodies[i]->is_guided()) bodies[i]->advance(dt);
-      if (bodies[i]->is_vehicle() && !bodies[i]->rests) impl_->roll(*bodies[i], dt);
-    }
-  });
+  bool has_vehicles = false;
+  for (const auto& moving : bodies) {
+    if (moving->is_guided()) moving->advance(dt);
+    has_vehicles = has_vehicles || moving->is_vehicle();
+  }
+  if (has_vehicles) {
+    impl_->find_supports();
+    workers.run(bodies.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) impl_->find_footings(static_cast<std::uint32_t>(i));
+    });
+    impl_->wake();
+    workers.run(bodies.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        if (bodies[i]->is_vehicle() && !bodies[i]->rests) impl_->roll(*bodies[i], dt);
+    });
+    impl_->push_supports();
+  }
   impl_->world.stepSimulation(dt, 0);
   for (const auto& moving : bodies) moving->read();
 }

@@ -106,5 +106,74 @@ TEST_F(PhysicsTest, slopes_hold_vehicles_and_boxes_as_friction_says) {
   EXPECT_NEAR(dot(5 * along - physics_.state(box_body).p, along), slid, 0.03 * slid);
 }
 
+BodyDesc slab(double mass, double length, double height, double friction) {
+  BodyDesc desc;
+  desc.hulls = {box(length, 1, 0, height)};
+  desc.mass = mass;
+  desc.center = {0, 0, 0.5 * height};
+  desc.surface.friction = friction;
+  return desc;
+}
+
+TEST_F(PhysicsTest, a_platform_that_moves_carries_the_vehicle_on_it) {
+  const std::uint32_t platform = physics_.add(slab(0, 2, 0.2, 1)), body = physics_.add(rover());
+  physics_.put(body, {.p = {0, 0, 0.2}}, false);
+  physics_.put(platform, {.v = {0.5, 0, 0.1}}, false);
+  run(0.2);  // the wheels get it going
+  const Vec3 begin = physics_.state(body).p - physics_.state(platform).p;
+  run(3);
+  const Vec3 end = physics_.state(body).p - physics_.state(platform).p;
+  EXPECT_NEAR(physics_.state(platform).p.x, 1.6, 1e-9);
+  EXPECT_NEAR(end.x, begin.x, 1e-3);
+  EXPECT_NEAR(end.y, 0, 1e-3);
+  EXPECT_NEAR(end.z, 0.2, 2e-3);
+}
+
+TEST_F(PhysicsTest, what_a_vehicle_drives_off_from_goes_the_other_way) {
+  physics_.add(slab(0, 8, 0.1, 0));  // of ice
+  const std::uint32_t plank = physics_.add(slab(18, 4, 0.1, 1)), body = physics_.add(rover());
+  physics_.put(plank, {.p = {0, 0, 0.1}}, false);
+  physics_.put(body, {.p = {-1, 0, 0.2}}, false);
+  physics_.drive(body, {0.3, 0, 0, 0});
+  run(2);
+  const double ahead = physics_.state(body).v.x, back = physics_.state(plank).v.x;
+  EXPECT_NEAR(ahead - back, 0.3, 1e-3) << "the wheels turn as fast as they are told to";
+  EXPECT_NEAR(9 * ahead + 18 * back, 0, 0.02) << "nothing else pushes them along";
+  EXPECT_NEAR(physics_.state(body).p.z - physics_.state(plank).p.z, 0.1, 2e-3);
+}
+
+TEST_F(PhysicsTest, a_vehicle_that_rests_falls_when_what_it_stands_on_is_pulled_away) {
+  const std::uint32_t slab_body = physics_.add(slab(50, 2, 0.3, 0)), body = physics_.add(rover());
+  physics_.put(body, {.p = {0, 0, 0.3}}, true);
+  physics_.put(slab_body, {}, true);
+  run(1);
+  EXPECT_EQ(physics_.state(body).p.z, 0.3) << "to the bit";
+  EXPECT_TRUE(physics_.rests(body));
+  physics_.put(slab_body, {.v = {3, 0, 0}}, false);
+  run(1.5);
+  EXPECT_FALSE(physics_.rests(body));
+  EXPECT_GT(physics_.state(slab_body).p.x, 2.5);
+  EXPECT_NEAR(physics_.state(body).p.z, 0, 5e-3);
+}
+
+TEST_F(PhysicsTest, who_walks_steps_onto_what_is_loose_and_low) {
+  BodyDesc person;
+  person.hulls = {box(0.3, 0.4, 0.3, 1.7)};
+  person.mass = 70;
+  person.center = {0, 0, 0.8};
+  person.is_upright = true;
+  for (const auto& [x, y] : {std::pair(0.0, 0.0), {-0.15, -0.2}, {0.15, 0.2}, {-0.15, 0.2}, {0.15, -0.2}})
+    person.wheels.push_back({{x, y, 0}, 1, 1, 0.3});
+  const std::uint32_t body = physics_.add(person), crate = physics_.add(slab(40, 2, 0.25, 1));
+  physics_.put(crate, {.p = {1.5, 0, 0}}, false);
+  physics_.drive(body, {1, 0, 0, 0});
+  run(2);
+  EXPECT_NEAR(physics_.state(body).p.x, 1.6, 0.5);
+  EXPECT_NEAR(physics_.state(body).p.z, 0.25, 0.01);
+  EXPECT_NEAR(physics_.state(crate).p.x, 1.5, 0.1);
+  run(2);
+  EXPECT_NEAR(physics_.state(body).p.z, 0, 0.01) << "and down again";
+}
+
 }  // namespace
 }  // namespace playhouse::arena

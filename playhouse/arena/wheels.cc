@@ -99,6 +99,17 @@ double grip(Contact& contact, Vehicle& vehicle) {
   return std::fabs(next_along - along) + std::fabs(next_across - across);
 }
 
+/// Until impulses change by less than `enough`.  [N s]
+void iterate(std::span<Contact> contacts, double enough, Vehicle& vehicle) {
+  for (int iteration = 0; iteration < kIterations; ++iteration) {
+    double change = 0;
+    for (Contact& contact : contacts) change += press(contact, vehicle);
+    for (Contact& contact : contacts)
+      if (contact.grip_along > 0 || contact.grip_across > 0) change += grip(contact, vehicle);
+    if (change < enough) return;
+  }
+}
+
 }  // namespace
 
 void solve_wheels(const BodyDesc& desc, const Inertia& inertia, const geom::Twist& velocity, double dt,
@@ -120,9 +131,11 @@ void solve_wheels(const BodyDesc& desc, const Inertia& inertia, const geom::Twis
                                  ? -footing.gap / dt
                                  : std::min(kPushOut * std::max(0.0, -footing.gap - kSlop) / dt, kClimb);
     Contact& contact = contacts[count++];
-    contact.normal = vehicle.row(footing.normal, from_center, in_or_out);
-    contact.along = vehicle.row(along, from_center, velocity.x - velocity.a * wheel.p_B.y);
-    contact.across = vehicle.row(left, from_center, velocity.y + velocity.a * wheel.p_B.x);
+    contact.normal = vehicle.row(footing.normal, from_center, in_or_out + dot(footing.normal, footing.v));
+    contact.along =
+        vehicle.row(along, from_center, velocity.x - velocity.a * wheel.p_B.y + dot(along, footing.v));
+    contact.across =
+        vehicle.row(left, from_center, velocity.y + velocity.a * wheel.p_B.x + dot(left, footing.v));
     contact.grip_along = wheel.along * footing.friction;
     contact.grip_across = wheel.across * footing.friction;
     contact.impulse = &impulses[i];
@@ -130,13 +143,12 @@ void solve_wheels(const BodyDesc& desc, const Inertia& inertia, const geom::Twis
     vehicle.push(contact.along, contact.impulse->along);
     vehicle.push(contact.across, contact.impulse->across);
   }
-  const double enough = kConverged / inertia.per_mass;
-  for (int iteration = 0; iteration < kIterations; ++iteration) {
-    double change = 0;
-    for (std::size_t i = 0; i < count; ++i) change += press(contacts[i], vehicle);
-    for (std::size_t i = 0; i < count; ++i)
-      if (contacts[i].grip_along > 0 || contacts[i].grip_across > 0) change += grip(contacts[i], vehicle);
-    if (change < enough) return;
+  iterate({contacts.data(), count}, kConverged / inertia.per_mass, vehicle);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Contact& contact = contacts[i];
+    WheelImpulse& impulse = *contact.impulse;
+    impulse.total = impulse.normal * contact.normal.direction + impulse.along * contact.along.direction +
+                    impulse.across * contact.across.direction;
   }
 }
 

@@ -28,11 +28,13 @@ struct Footing {
   double gap = 0;        // from the wheel to the ground; below 0 where it is pressed in  [m]
   Vec3 normal{0, 0, 1};  // unit vector, in W
   double friction = 1;   // of the ground, by which that of the wheel is multiplied
+  Vec3 v;                // of the ground, where it moves  [m/s, in W]
 };
 
 /// Impulses at a wheel.  [N s]
 struct WheelImpulse {
   double normal = 0, along = 0, across = 0;
+  Vec3 total;  // all of them, in W
 };
 
 /// How heavy a vehicle is, and how its centre of mass moves. Frame: W, but for the moments.
