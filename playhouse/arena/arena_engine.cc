@@ -43,8 +43,9 @@ Pose moved_by(const world::World& world, const stage::Mover& mover) {
 
 }  // namespace
 
-ArenaEngine::ArenaEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers)
-    : BodyEngine(scene, seed, workers, {.ranger = make_lidar_sense}) {
+ArenaEngine::ArenaEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers,
+                         const Surface& ground)
+    : BodyEngine(scene, seed, workers, {.ranger = make_lidar_sense}), physics_(ground, scene.gravity) {
   world_.engine = "arena";
   world_.upright = false;
   populate(true);

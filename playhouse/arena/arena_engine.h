@@ -14,7 +14,7 @@ namespace playhouse::arena {
 
 class ArenaEngine final : public stage::BodyEngine {
  public:
-  ArenaEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers);
+  ArenaEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers, const Surface& ground);
 
  private:
   /// A tree of models as a body.

@@ -205,7 +205,8 @@ std::vector<FixedSolid> fixed_solids(const world::World& world, const stage::Sol
     const std::uint32_t model = solids.model[begin];
     hulls.clear();
     add_body(hulls, solids, begin, end, world.models.X_WM[model]);
-    for (Hull& hull : hulls) fixed.push_back({std::move(hull), surface_of(world.desc({model}))});
+    for (Hull& hull : hulls) 
+      fixed.push_back({std::move(hull), surface_of(world.desc({model})), world.models.X_WM[model].a});
   });
   return fixed;
 }

@@ -11,7 +11,6 @@
 namespace playhouse::arena {
 namespace {
 
-constexpr double kGravity = 9.81;   // m/s^2
 constexpr double kMargin = 1e-3;    // m by which Bullet rounds convex solids
 constexpr double kWheelDrop = 0.1;  // m below a wheel to where the ground is looked for
 constexpr double kForesight = 0.1;  // s between two calls of forget(), about
@@ -37,6 +36,15 @@ btQuaternion bullet(const Quaternion& q) {
 
 double highest(const Hull& hull) {
   return std::ranges::max(hull, {}, &Vec3::z).z;
+}
+
+/// About the z axis.
+Hull turned(const Hull& hull, double angle) {
+  if (angle == 0) return hull;
+  const Quaternion q = geom::orientation(angle, {});
+  Hull out;
+  for (const Vec3& p : hull) out.push_back(q * p);
+  return out;
 }
 
 /// Its corners are moved inwards by the margin where that leaves a solid, so that faces are where they were.
@@ -90,6 +98,7 @@ std::unique_ptr<btRigidBody> make_body(double mass, btCollisionShape& shape, con
   info.m_friction = surface.friction;
   info.m_restitution = surface.restitution;
   auto body = std::make_unique<btRigidBody>(info);
+  if (surface.has_grain()) body->setAnisotropicFriction({surface.share_x, surface.share_y, 1});
   body->setActivationState(DISABLE_DEACTIVATION);
   return body;
 }
@@ -202,7 +211,8 @@ struct Physics::Impl {
   btSequentialImpulseConstraintSolver solver;
   btDiscreteDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
   btStaticPlaneShape plane{btVector3(0, 0, 1), 0};
-  std::unique_ptr<btRigidBody> ground = make_body(0, plane, {});
+  std::unique_ptr<btRigidBody> ground;
+  double gravity;  // m/s^2
   struct Fixed {
     std::unique_ptr<Solids> solids;
     std::unique_ptr<btRigidBody> body;
@@ -212,8 +222,8 @@ struct Physics::Impl {
   std::vector<std::unique_ptr<Moving>> bodies;
   bool is_in = false;
 
-  Impl() {
-    world.setGravity({0, 0, -kGravity});
+  Impl(const Surface& surface, double gravity) : ground(make_body(0, plane, surface)), gravity(gravity) {
+    world.setGravity({0, 0, -gravity});
     world.getDispatchInfo().m_deterministicOverlappingPairs = true;
     configuration.setPlaneConvexMultipointIterations(kPerturbations, kPerturbations);
   }
@@ -265,8 +275,21 @@ struct Ray {
     if (!hit.hasHit() || hit.m_closestHitFraction <= 0 || hit.m_hitNormalWorld.z() < kUpright) return false;
     const double gap = hit.m_closestHitFraction * (rise + kWheelDrop) - rise;
     if (footing.is_near && footing.gap < gap) return false;
-    footing = {true, gap, from(hit.m_hitNormalWorld), body.getFriction(), {}};
+    footing = {};
+    footing.is_near = true;
+    footing.gap = gap;
+    footing.normal = from(hit.m_hitNormalWorld);
+    footing.friction = body.getFriction();
+    if (body.hasAnisotropicFriction()) add_grain(body, footing);
     return true;
+  }
+  static void add_grain(const btRigidBody& body, Footing& footing) {
+    const btMatrix3x3& axes = body.getWorldTransform().getBasis();
+    const btVector3& share = body.getAnisotropicFriction();
+    footing.has_grain = true;
+    footing.grain_x = from(axes.getColumn(0) * share.x());
+    footing.grain_y = from(axes.getColumn(1) * share.y());
+    footing.grain_z = from(axes.getColumn(2));
   }
 };
 
@@ -327,7 +350,7 @@ void Physics::Impl::wake() {
 void Physics::Impl::roll(Moving& moving, double dt) const {
   Motion motion{moving.state.q, from(moving.body->getLinearVelocity()),
                 from(moving.body->getAngularVelocity())};
-  motion.v.z -= kGravity * dt;
+  motion.v.z -= gravity * dt;
   solve_wheels(moving.desc, moving.inertia, moving.velocity, dt, moving.footings, moving.impulses, motion);
   if (moving.desc.is_upright) motion.w = {0, 0, moving.velocity.a};
   moving.body->setLinearVelocity(bullet(motion.v));
@@ -349,22 +372,31 @@ void Physics::Impl::push_supports() {
   }
 }
 
-Physics::Physics() : impl_(std::make_unique<Impl>()) {}
+Physics::Physics(const Surface& ground, double gravity) : impl_(std::make_unique<Impl>(ground, gravity)) {}
 Physics::~Physics() = default;
 
 void Physics::set_fixed(std::span<const FixedSolid> solids) {
   impl_->take_out();
   impl_->fixed.clear();
-  std::vector<std::pair<Surface, std::vector<Hull>>> by_surface;
+  struct Alike {
+    Surface surface;
+    double heading = 0;
+    std::vector<Hull> hulls;  // in a frame of that heading
+  };
+  std::vector<Alike> parts;
   for (const FixedSolid& solid : solids) {
-    auto same = std::ranges::find(by_surface, solid.surface, [](const auto& entry) { return entry.first; });
-    if (same == by_surface.end()) same = by_surface.insert(same, {solid.surface, {}});
-    same->second.push_back(solid.hull);
+    const double heading = solid.surface.has_grain() ? solid.heading : 0;
+    auto same = std::ranges::find_if(parts, [&](const Alike& part) {
+      return part.surface == solid.surface && part.heading == heading;
+    });
+    if (same == parts.end()) same = parts.insert(same, {solid.surface, heading, {}});
+    same->hulls.push_back(turned(solid.hull, -heading));
   }
-  for (const auto& [surface, hulls] : by_surface) {
-    Impl::Fixed part{std::make_unique<Solids>(hulls, Vec3{}), nullptr, 1e300};
-    part.body = make_body(0, part.solids->shape(), surface);
-    for (const Hull& hull : hulls) part.lowest_top = std::min(part.lowest_top, highest(hull));
+  for (const Alike& alike : parts) {
+    Impl::Fixed part{std::make_unique<Solids>(alike.hulls, Vec3{}), nullptr, 1e300};
+    part.body = make_body(0, part.solids->shape(), alike.surface);
+    part.body->setWorldTransform(btTransform(bullet(geom::orientation(alike.heading, {}))));
+    for (const Hull& hull : alike.hulls) part.lowest_top = std::min(part.lowest_top, highest(hull));
     impl_->fixed.push_back(std::move(part));
   }
 }

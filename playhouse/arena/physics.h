@@ -19,11 +19,13 @@ namespace playhouse::arena {
 struct FixedSolid {
   Hull hull;  // in W
   Surface surface;
+  double heading = 0;  // rad, of the x along which the surface has its share
 };
 
 class Physics {
  public:
-  Physics();
+  /// `gravity` in m/s^2, downwards.
+  explicit Physics(const Surface& ground = {}, double gravity = 9.81);
   ~Physics();
   Physics(const Physics&) = delete;
   Physics& operator=(const Physics&) = delete;

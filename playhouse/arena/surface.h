@@ -3,6 +3,7 @@
 /// What things are made of.
 
 #include "playhouse/arena/rigid_body.h"
+#include "playhouse/base/result.h"
 #include "playhouse/scene/scene_desc.h"
 
 namespace playhouse::arena {
@@ -10,5 +11,8 @@ namespace playhouse::arena {
 /// How the faces of a model rub and bounce: as its material does, or as its word `friction` says. What is
 /// made of nothing in particular is rubber on concrete with most others.
 Surface surface_of(const scene::ModelDesc& desc);
+
+/// That of the ground; fails for a material that is not known, with the nearest one that is.
+Result<Surface> ground_of(const scene::SceneDesc& scene);
 
 }  // namespace playhouse::arena

@@ -56,9 +56,12 @@ struct PlainDesc {
   /// Driving it takes 10 W for each kg and m/s, and for each rad/s. In the plane nothing is pushed, so that
   /// it means nothing else; it is kept for engines with forces. [kg]
   double mass = 0;
-  /// How much its faces rub. In the plane nothing slides, so that it means nothing, as in Stage; it is kept
-  /// for engines with forces.
+  /// How much its faces rub. In the plane nothing slides, so that it means nothing there, as in Stage; the
+  /// arena multiplies it with that of what it touches.
   double friction = 0;
+  /// Shares of its friction along its x and y, in the arena: with [0.1 1] it slides along its x, as a sledge.
+  double friction_x = 1;
+  double friction_y = 1;
   /// What it is made of, as "glass": a name that detectors may look for, or through.
   std::string material;
   /// Time between two measurements of a sensor, at least a tick. [s]
@@ -425,6 +428,10 @@ struct WorldDesc {
   double interval = 0.1;
   /// Told to clients as the resolution of ranges; geometry here is exact. [m]
   double resolution = 0.02;
+  /// How fast what falls gets faster, in the arena; 1.62 is the moon's. [m/s^2]
+  double gravity = 9.81;
+  /// What the ground is made of, in the arena: a material, as of models (docs/arena.md).
+  std::string ground = "concrete";
   /// Simulated time after which the run ends; 0: never. [s]
   double quit_time = 0;
   /// Times real time; 0 or less: as fast as possible.

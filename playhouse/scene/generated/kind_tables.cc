@@ -25,7 +25,7 @@ constexpr Meaning kOld_model_polygon{.how = Meaning::How::kNested, .part = "bloc
 constexpr Meaning kOld_model_blocks{.how = Meaning::How::kCount, .part = "block"};
 constexpr SaidWord kOld_model_block_part_words[] = {{"z", "0 1"}};
 constexpr Meaning kOld_model_block{.how = Meaning::How::kNested, .part = "block", .part_words = kOld_model_block_part_words};
-constexpr Word kWordsOfModel[59] = {
+constexpr Word kWordsOfModel[60] = {
     {.name = "name", .use = Use::kRead, .type = "text", .told = "the type and its number, as position:0", .doc = "What the model is called; inside a parent it is parent.name, with a leading / it stands as it is."},
     {.name = "pose", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .otherwise = "[0 0 0 0]", .doc = "Where the model is in its parent."},
     {.name = "origin", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .otherwise = "[0 0 0 0]", .doc = "Where body and sensors are, from the pose."},
@@ -42,7 +42,8 @@ constexpr Word kWordsOfModel[59] = {
     {.name = "fiducial_key", .use = Use::kRead, .type = "integer", .otherwise = "0", .doc = "Finders see marks of their own key only."},
     {.name = "gripper_return", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "Grippers see it, and take it up with all its parts: it has to be at the top level, and holds nothing that drives."},
     {.name = "mass", .use = Use::kRead, .type = "number", .unit = "kg", .otherwise = "0", .limits = "not negative", .doc = "Driving it takes 10 W for each kg and m/s, and for each rad/s. In the plane nothing is pushed, so that it means nothing else; it is kept for engines with forces."},
-    {.name = "friction", .use = Use::kRead, .type = "number", .otherwise = "0", .limits = "not negative", .doc = "How much its faces rub. In the plane nothing slides, so that it means nothing, as in Stage; it is kept for engines with forces."},
+    {.name = "friction", .use = Use::kRead, .type = "number", .otherwise = "0", .limits = "not negative", .doc = "How much its faces rub. In the plane nothing slides, so that it means nothing there, as in Stage; the arena multiplies it with that of what it touches."},
+    {.name = "friction_axes", .use = Use::kRead, .type = "tuple", .form = "[x y]", .otherwise = "[1 1]", .limits = "from 0 to 1", .doc = "Shares of its friction along its x and y, in the arena: with [0.1 1] it slides along its x, as a sledge."},
     {.name = "material", .use = Use::kRead, .type = "text", .otherwise = "\"\"", .doc = "What it is made of, as \"glass\": a name that detectors may look for, or through."},
     {.name = "update_interval", .use = Use::kRead, .type = "number", .unit = "ms", .otherwise = "100", .limits = "not negative", .doc = "Time between two measurements of a sensor, at least a tick."},
     {.name = "alwayson", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "It moves or measures although nobody has opened it."},
@@ -409,10 +410,12 @@ constexpr Word kWordsOfWindow[51] = {
 
 constexpr std::string_view kOld_world_threadpool_to[] = {"threads"};
 constexpr Meaning kOld_world_threadpool{.how = Meaning::How::kWords, .to = kOld_world_threadpool_to};
-constexpr Word kWordsOfWorld[21] = {
+constexpr Word kWordsOfWorld[23] = {
     {.name = "name", .use = Use::kRead, .type = "text", .told = "the file's path", .doc = "The name of the world."},
     {.name = "interval_sim", .use = Use::kRead, .type = "number", .unit = "ms", .otherwise = "100", .limits = "above 0", .doc = "Simulated time of one tick, in whole microseconds."},
     {.name = "resolution", .use = Use::kRead, .type = "number", .unit = "m", .otherwise = "0.02", .limits = "above 0", .doc = "Told to clients as the resolution of ranges; geometry here is exact."},
+    {.name = "gravity", .use = Use::kRead, .type = "number", .unit = "m/s^2", .otherwise = "9.81", .limits = "from 0 to 100", .doc = "How fast what falls gets faster, in the arena; 1.62 is the moon's."},
+    {.name = "ground", .use = Use::kRead, .type = "text", .otherwise = "\"concrete\"", .doc = "What the ground is made of, in the arena: a material, as of models (docs/arena.md)."},
     {.name = "quit_time", .use = Use::kRead, .type = "number", .unit = "s", .otherwise = "0", .limits = "not negative", .doc = "Simulated time after which the run ends; 0: never."},
     {.name = "unit_length", .use = Use::kRead, .type = "choice", .form = "\"m\" | \"cm\" | \"mm\"", .otherwise = "\"m\"", .doc = "The unit of all lengths in the file."},
     {.name = "unit_angle", .use = Use::kRead, .type = "choice", .form = "\"degrees\" | \"radians\"", .otherwise = "\"degrees\"", .doc = "The unit of all angles in the file."},

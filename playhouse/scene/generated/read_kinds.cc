@@ -230,6 +230,11 @@ void read(const Properties& properties, std::size_t row, PlainDesc& to) {
   to.mass = at_least_zero(properties, "mass", to.mass, "no mass is meant");
   to.friction = properties.number("friction", to.friction);
   to.friction = at_least_zero(properties, "friction", to.friction, "no friction is meant");
+  double friction_axes[2] = {to.friction_x, to.friction_y};
+  properties.tuple("friction_axes", "NN", friction_axes, "[x y]");
+  require(friction_axes[0] >= 0 && friction_axes[0] <= 1 && friction_axes[1] >= 0 && friction_axes[1] <= 1, properties, "friction_axes", "needs numbers from 0 to 1");
+  to.friction_x = friction_axes[0];
+  to.friction_y = friction_axes[1];
   to.material = properties.text("material", to.material);
   to.update_interval = read_milliseconds(properties, "update_interval", to.update_interval);
   to.update_interval = at_least_zero(properties, "update_interval", to.update_interval, "every tick is meant");
@@ -294,6 +299,9 @@ void read(const Properties& properties, WorldDesc& to) {
   require(to.interval > 0, properties, "interval_sim", "must be above 0 ms");
   to.resolution = properties.number("resolution", to.resolution);
   require(to.resolution > 0, properties, "resolution", "must be above 0 m");
+  to.gravity = properties.number("gravity", to.gravity);
+  require(to.gravity >= 0 && to.gravity <= 100, properties, "gravity", "must be from 0 to 100");
+  to.ground = properties.text("ground", to.ground);
   to.quit_time = properties.number("quit_time", to.quit_time);
   to.quit_time = at_least_zero(properties, "quit_time", to.quit_time, "no end is meant");
   to.speedup = properties.number("speedup", to.speedup);

@@ -165,6 +165,8 @@ void write(const PlainDesc& from, const PlainDesc& unsaid, double z, Words& to) 
   if (from.gripper_return != unsaid.gripper_return) to.flag("gripper_return", from.gripper_return);
   if (from.mass != unsaid.mass) to.number("mass", from.mass);
   if (from.friction != unsaid.friction) to.number("friction", from.friction);
+  const double friction_axes[] = {from.friction_x, from.friction_y};
+  if (from.friction_x != unsaid.friction_x || from.friction_y != unsaid.friction_y) to.tuple("friction_axes", "NN", friction_axes);
   if (from.material != unsaid.material) to.text("material", from.material);
   if (from.update_interval != unsaid.update_interval) to.milliseconds("update_interval", from.update_interval);
   if (from.alwayson != unsaid.alwayson) to.flag("alwayson", from.alwayson);
@@ -197,6 +199,8 @@ void write(const WorldDesc& from, const WorldDesc& unsaid, Words& to) {
   if (from.name != unsaid.name) to.text("name", from.name);
   if (from.interval != unsaid.interval) to.milliseconds("interval_sim", from.interval);
   if (from.resolution != unsaid.resolution) to.number("resolution", from.resolution);
+  if (from.gravity != unsaid.gravity) to.number("gravity", from.gravity);
+  if (from.ground != unsaid.ground) to.text("ground", from.ground);
   if (from.quit_time != unsaid.quit_time) to.number("quit_time", from.quit_time);
   if (from.speedup != unsaid.speedup) to.number("speedup", from.speedup);
   if (from.paused != unsaid.paused) to.flag("paused", from.paused);
