@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "playhouse/arena/camera_sense.h"
 #include "playhouse/arena/lidar_sense.h"
 #include "playhouse/stage/generated/moves.h"
 
@@ -44,7 +45,7 @@ Pose moved_by(const world::World& world, const stage::Mover& mover) {
 }  // namespace
 
 ArenaEngine::ArenaEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers)
-    : BodyEngine(scene, seed, workers, {.ranger = make_lidar_sense}) {
+    : BodyEngine(scene, seed, workers, {.ranger = make_lidar_sense, .camera = make_camera_sense}) {
   world_.engine = "arena";
   world_.upright = false;
   populate(true);
