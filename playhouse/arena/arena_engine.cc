@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "playhouse/arena/camera_sense.h"
 #include "playhouse/arena/lidar_sense.h"
 #include "playhouse/stage/generated/moves.h"
 
@@ -45,7 +46,8 @@ Pose moved_by(const world::World& world, const stage::Mover& mover) {
 
 ArenaEngine::ArenaEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers,
                          const Surface& ground)
-    : BodyEngine(scene, seed, workers, {.ranger = make_lidar_sense}), physics_(ground, scene.gravity) {
+    : BodyEngine(scene, seed, workers, {.ranger = make_lidar_sense, .camera = make_camera_sense}),
+      physics_(ground, scene.gravity) {
   world_.engine = "arena";
   world_.upright = false;
   populate(true);

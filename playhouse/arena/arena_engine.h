@@ -1,8 +1,8 @@
 #pragma once
 
-/// ArenaEngine: bodies with mass, which fall, slide, push and are pushed, and robots on wheels. Rangers see
-/// them in space (lidar_sense.h), other senses as those of the stage engine do: extruded outlines, at
-/// heights. Thread: the tick thread.
+/// ArenaEngine: bodies with mass, which fall, slide, push and are pushed, and robots on wheels. Rangers and
+/// cameras see them in space (lidar_sense.h, camera_sense.h), other senses as those of the stage engine do:
+/// extruded outlines, at heights. Thread: the tick thread.
 
 #include <vector>
 

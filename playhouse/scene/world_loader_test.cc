@@ -853,6 +853,8 @@ TEST(WorldModels, cameras_have_lenses_limits_and_an_image_that_counts) {
   EXPECT_THAT(scene.warnings, testing::IsEmpty());
   EXPECT_THAT(loaded("camera( image \"depth\" compression \"jpeg\" )").warnings,
               ElementsAre("w/t.world:1: images of distances are sent raw; \"compression\" has no effect"));
+  EXPECT_THAT(loaded("camera( image \"segmentation\" compression \"jpeg\" )").warnings,
+              ElementsAre("w/t.world:1: images of models are sent raw; \"compression\" has no effect"));
   EXPECT_THAT(error_of("camera( resolution [0 10] )"), HasSubstr("resolution"));
   EXPECT_THAT(error_of("camera( fov [180 40] )"), HasSubstr("fov"));
   EXPECT_THAT(error_of("camera( image \"colour\" )"), HasSubstr("\"color\""));

@@ -1,9 +1,25 @@
 #include "playhouse/stage/engine.h"
 
+#include "playhouse/base/log.h"
 #include "playhouse/stage/check_scene.h"
 #include "playhouse/stage/stage_engine.h"
 
 namespace playhouse::stage {
+namespace {
+
+/// Says that a file asks for what cameras of this engine do not show.
+void tell_of_unseen_weather(const scene::SceneDesc& scene) {
+  const scene::WorldDesc none;
+  const bool has_sun = scene.sun_heading != none.sun_heading || scene.sun_elevation != none.sun_elevation ||
+                       scene.sun_brightness != none.sun_brightness;
+  if (has_sun || scene.fog > 0)
+    log::info(
+        "{}: sun and fog have no effect: cameras of the stage engine show colors without light; "
+        "--engine arena shows them",
+        scene.path);
+}
+
+}  // namespace
 
 StageEngine::StageEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers)
     : BodyEngine(scene, seed, workers), motion_(workers_.count()) {
@@ -25,6 +41,7 @@ void StageEngine::move() {
 Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene,
                                                    const EngineOptions& options) {
   if (const Result<void> checked = check_scene(scene); !checked) return checked.error();
+  tell_of_unseen_weather(scene);
   return std::unique_ptr<world::Engine>(std::make_unique<StageEngine>(scene, options.seed, options.workers));
 }
 

@@ -308,7 +308,7 @@ void tell_camera(const scene::ModelDesc& model, std::string& text) {
   if (!model.camera) return;
   text += ",\"resolution\":[" + number(model.camera->width) + ',' + number(model.camera->height) + "]";
   text += ",\"view\":[" + number(model.camera->fov_horizontal) + ',' + number(model.camera->fov_vertical) + "]";
-  static constexpr std::string_view kWordsOfImage[] = {"color", "gray", "depth"};
+  static constexpr std::string_view kWordsOfImage[] = {"color", "gray", "depth", "segmentation"};
   text += ",\"shows\":" + quoted(kWordsOfImage[static_cast<std::size_t>(model.camera->image)]);
 }
 

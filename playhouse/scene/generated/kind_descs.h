@@ -278,13 +278,13 @@ struct WifiDesc {
 };
 
 /// What a pixel says.
-enum class ImageKind : std::uint8_t { kColor, kGray, kDepth };
+enum class ImageKind : std::uint8_t { kColor, kGray, kDepth, kSegmentation };
 
-/// How images are sent; those of distances always raw.
+/// How images are sent; those of distances and of models always raw.
 enum class ImageCompression : std::uint8_t { kRaw, kJpeg };
 
-/// A camera: takes images of the bodies, the floor and the sky, in colours, in grey, or of distances, and
-/// pans, tilts and zooms.
+/// A camera: takes images of the bodies, the floor and the sky, in colours, in grey, of distances, or of
+/// which model is where, and pans, tilts and zooms.
 struct CameraDesc {
   /// The size of the image. [px]
   double width = 32;
@@ -311,7 +311,7 @@ struct CameraDesc {
   double pantilt_speed = geom::radians(90);
   /// What a pixel says.
   ImageKind image = ImageKind::kColor;
-  /// How images are sent; those of distances always raw.
+  /// How images are sent; those of distances and of models always raw.
   ImageCompression compression = ImageCompression::kRaw;
   /// That of JPEG files, in percent.
   std::uint32_t quality = 85;
@@ -438,6 +438,22 @@ struct WorldDesc {
   double speedup = 1;
   /// The run starts paused.
   bool paused = false;
+  /// The color of the sky in the images of cameras, as shares from 0 to 1.
+  double sky_red = 0.6235;
+  double sky_green = 0.7686;
+  double sky_blue = 0.9098;
+  /// Where the sun is, seen from the world, and how bright; one that is not above the horizon has set. Of
+  /// cameras of the arena engine. [rad, rad, 1]
+  double sun_heading = geom::radians(-125);
+  double sun_elevation = geom::radians(50);
+  double sun_brightness = 1;
+  /// How far one sees: at this distance fog leaves 5 % of a contrast; 0: there is none. Of cameras of the
+  /// arena engine. [m]
+  double fog = 0;
+  /// The color of the fog, as shares from 0 to 1. Of cameras of the arena engine.
+  double fog_red = 0.8;
+  double fog_green = 0.82;
+  double fog_blue = 0.84;
 
   friend bool operator==(const WorldDesc&, const WorldDesc&) = default;
 };

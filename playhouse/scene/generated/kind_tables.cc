@@ -273,8 +273,8 @@ constexpr Word kWordsOfCamera[12] = {
     {.name = "tilt_limits", .use = Use::kRead, .type = "tuple", .form = "[min max]", .unit = "deg", .otherwise = "[-25 25]", .doc = "How far clients may turn it down and up."},
     {.name = "zoom_limits", .use = Use::kRead, .type = "tuple", .form = "[min max]", .unit = "deg", .otherwise = "[5 70]", .limits = "from 1 to 170", .doc = "The smallest and the largest horizontal field of view that clients may ask for."},
     {.name = "pantilt_speed", .use = Use::kRead, .type = "angle", .unit = "deg", .otherwise = "90", .limits = "not negative", .doc = "How fast it turns at most, and changes its field of view, in a second."},
-    {.name = "image", .use = Use::kRead, .type = "choice", .form = "\"color\" | \"gray\" | \"depth\"", .otherwise = "\"color\"", .doc = "What a pixel says. \"color\": red, green and blue; \"gray\": how bright it is; \"depth\": how far it is along the way that the camera looks, in mm; 0 where nothing is in range."},
-    {.name = "compression", .use = Use::kRead, .type = "choice", .form = "\"raw\" | \"jpeg\"", .otherwise = "\"raw\"", .doc = "How images are sent; those of distances always raw. \"raw\": as rows of pixels; \"jpeg\": as a JPEG file."},
+    {.name = "image", .use = Use::kRead, .type = "choice", .form = "\"color\" | \"gray\" | \"depth\" | \"segmentation\"", .otherwise = "\"color\"", .doc = "What a pixel says. \"color\": red, green and blue; \"gray\": how bright it is; \"depth\": how far it is along the way that the camera looks, in mm; 0 where nothing is in range; \"segmentation\": which model it is: its id plus 1, in 24 bits; 0 where there is none in range."},
+    {.name = "compression", .use = Use::kRead, .type = "choice", .form = "\"raw\" | \"jpeg\"", .otherwise = "\"raw\"", .doc = "How images are sent; those of distances and of models always raw. \"raw\": as rows of pixels; \"jpeg\": as a JPEG file."},
     {.name = "quality", .use = Use::kRead, .type = "count", .otherwise = "85", .limits = "from 1 to 100", .doc = "That of JPEG files, in percent."},
     {.name = "noise", .use = Use::kRead, .type = "tuple", .form = "[value depth]", .otherwise = "[0 0]", .limits = "from 0 to 1", .doc = "Errors of a pixel: the standard deviation of red, green and blue each, as a share of the brightest, and that of distances, as a share of them."},
 };
@@ -410,7 +410,7 @@ constexpr Word kWordsOfWindow[51] = {
 
 constexpr std::string_view kOld_world_threadpool_to[] = {"threads"};
 constexpr Meaning kOld_world_threadpool{.how = Meaning::How::kWords, .to = kOld_world_threadpool_to};
-constexpr Word kWordsOfWorld[23] = {
+constexpr Word kWordsOfWorld[27] = {
     {.name = "name", .use = Use::kRead, .type = "text", .told = "the file's path", .doc = "The name of the world."},
     {.name = "interval_sim", .use = Use::kRead, .type = "number", .unit = "ms", .otherwise = "100", .limits = "above 0", .doc = "Simulated time of one tick, in whole microseconds."},
     {.name = "resolution", .use = Use::kRead, .type = "number", .unit = "m", .otherwise = "0.02", .limits = "above 0", .doc = "Told to clients as the resolution of ranges; geometry here is exact."},
@@ -421,6 +421,10 @@ constexpr Word kWordsOfWorld[23] = {
     {.name = "unit_angle", .use = Use::kRead, .type = "choice", .form = "\"degrees\" | \"radians\"", .otherwise = "\"degrees\"", .doc = "The unit of all angles in the file."},
     {.name = "speedup", .use = Use::kRead, .type = "number", .otherwise = "1", .doc = "Times real time; 0 or less: as fast as possible."},
     {.name = "paused", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "The run starts paused."},
+    {.name = "sky", .use = Use::kRead, .type = "tuple", .form = "[red green blue]", .otherwise = "[0.6235 0.7686 0.9098]", .limits = "from 0 to 1", .doc = "The color of the sky in the images of cameras, as shares from 0 to 1."},
+    {.name = "sun", .use = Use::kRead, .type = "tuple", .form = "[heading elevation brightness]", .unit = "deg, deg, 1", .otherwise = "[-125 50 1]", .doc = "Where the sun is, seen from the world, and how bright; one that is not above the horizon has set. Of cameras of the arena engine."},
+    {.name = "fog", .use = Use::kRead, .type = "length", .unit = "m", .otherwise = "0", .limits = "not negative", .doc = "How far one sees: at this distance fog leaves 5 % of a contrast; 0: there is none. Of cameras of the arena engine."},
+    {.name = "fog_color", .use = Use::kRead, .type = "tuple", .form = "[red green blue]", .otherwise = "[0.8 0.82 0.84]", .limits = "from 0 to 1", .doc = "The color of the fog, as shares from 0 to 1. Of cameras of the arena engine."},
     {.name = "show_clock", .use = Use::kSilent},
     {.name = "show_clock_interval", .use = Use::kSilent},
     {.name = "threads", .use = Use::kSilent},
@@ -452,7 +456,7 @@ constexpr Kind kKinds[19] = {
     {.name = "gripper", .doc = "Two paddles that close around a thing and carry it.", .entity = EntityForm::kModel, .table = "grippers", .kind = ModelKind::kGripper, .simulated = true, .solid = true, .size = {0.2, 0.3, 0.2}, .color = {0.3f, 0.3f, 0.3f, 1}, .words = kWordsOfGripper, .interfaces = kInterfacesOfGripper},
     {.name = "actuator", .doc = "A joint that slides or turns, with what it carries.", .entity = EntityForm::kModel, .table = "actuators", .kind = ModelKind::kActuator, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfActuator, .interfaces = kInterfacesOfActuator},
     {.name = "wifi", .doc = "A radio: tells which others of its network it hears, and how well, and carries messages between them.", .entity = EntityForm::kModel, .table = "wifis", .kind = ModelKind::kWifi, .simulated = true, .solid = false, .size = {0, 0, 0}, .color = {0.2f, 0.6f, 0.9f, 1}, .words = kWordsOfWifi, .interfaces = kInterfacesOfWifi},
-    {.name = "camera", .doc = "A camera: takes images of the bodies, the floor and the sky, in colours, in grey, or of distances, and pans, tilts and zooms.", .entity = EntityForm::kModel, .table = "cameras", .kind = ModelKind::kCamera, .simulated = true, .solid = true, .size = {0.1, 0.07, 0.05}, .color = {0, 0, 0, 1}, .words = kWordsOfCamera, .interfaces = kInterfacesOfCamera},
+    {.name = "camera", .doc = "A camera: takes images of the bodies, the floor and the sky, in colours, in grey, of distances, or of which model is where, and pans, tilts and zooms.", .entity = EntityForm::kModel, .table = "cameras", .kind = ModelKind::kCamera, .simulated = true, .solid = true, .size = {0.1, 0.07, 0.05}, .color = {0, 0, 0, 1}, .words = kWordsOfCamera, .interfaces = kInterfacesOfCamera},
     {.name = "detector", .doc = "A sensor made up in the world file: what it sees, what it sees through, how far, how finely and how well (docs/detectors.md).", .entity = EntityForm::kModel, .table = "detectors", .kind = ModelKind::kDetector, .simulated = true, .solid = false, .size = {0.1, 0.1, 0.1}, .color = {0.4f, 0.1f, 0.6f, 1}, .words = kWordsOfDetector, .interfaces = kInterfacesOfDetector},
     {.name = "custom", .doc = "A model or a sensor whose code is in a shared library.", .entity = EntityForm::kModel, .table = "customs", .kind = ModelKind::kCustom, .simulated = true, .solid = true, .size = {0.1, 0.1, 0.1}, .color = {1, 0.5f, 0, 1}, .words = kWordsOfCustom, .interfaces = kInterfacesOfCustom},
     {.name = "block", .doc = "A prism, as a part of a model's body; all blocks together are stretched to fill the model's size.", .entity = EntityForm::kPart, .inside = "model", .simulated = true, .words = kWordsOfBlock},

@@ -160,7 +160,7 @@ void read(const Properties& properties, CameraDesc& to) {
   to.zoom_max = zoom_limits[1];
   to.pantilt_speed = properties.angle("pantilt_speed", to.pantilt_speed);
   require(to.pantilt_speed >= 0, properties, "pantilt_speed", "must not be negative");
-  static constexpr std::string_view kWordsOfImage[] = {"color", "gray", "depth"};
+  static constexpr std::string_view kWordsOfImage[] = {"color", "gray", "depth", "segmentation"};
   to.image = static_cast<ImageKind>(read_choice(properties, "image", kWordsOfImage, static_cast<std::size_t>(to.image)));
   static constexpr std::string_view kWordsOfCompression[] = {"raw", "jpeg"};
   to.compression = static_cast<ImageCompression>(read_choice(properties, "compression", kWordsOfCompression, static_cast<std::size_t>(to.compression)));
@@ -306,6 +306,25 @@ void read(const Properties& properties, WorldDesc& to) {
   to.quit_time = at_least_zero(properties, "quit_time", to.quit_time, "no end is meant");
   to.speedup = properties.number("speedup", to.speedup);
   to.paused = properties.flag("paused", to.paused);
+  double sky[3] = {to.sky_red, to.sky_green, to.sky_blue};
+  properties.tuple("sky", "NNN", sky, "[red green blue]");
+  require(sky[0] >= 0 && sky[0] <= 1 && sky[1] >= 0 && sky[1] <= 1 && sky[2] >= 0 && sky[2] <= 1, properties, "sky", "needs numbers from 0 to 1");
+  to.sky_red = sky[0];
+  to.sky_green = sky[1];
+  to.sky_blue = sky[2];
+  double sun[3] = {to.sun_heading, to.sun_elevation, to.sun_brightness};
+  properties.tuple("sun", "AAN", sun, "[heading elevation brightness]");
+  to.sun_heading = sun[0];
+  to.sun_elevation = sun[1];
+  to.sun_brightness = sun[2];
+  to.fog = properties.length("fog", to.fog);
+  require(to.fog >= 0, properties, "fog", "must not be negative");
+  double fog_color[3] = {to.fog_red, to.fog_green, to.fog_blue};
+  properties.tuple("fog_color", "NNN", fog_color, "[red green blue]");
+  require(fog_color[0] >= 0 && fog_color[0] <= 1 && fog_color[1] >= 0 && fog_color[1] <= 1 && fog_color[2] >= 0 && fog_color[2] <= 1, properties, "fog_color", "needs numbers from 0 to 1");
+  to.fog_red = fog_color[0];
+  to.fog_green = fog_color[1];
+  to.fog_blue = fog_color[2];
 }
 
 void read_kind(const Properties& properties, ModelKind kind, KindDescs& to) {

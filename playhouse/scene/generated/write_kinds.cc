@@ -105,7 +105,7 @@ void write(const CameraDesc& from, const CameraDesc& unsaid, Words& to) {
   const double zoom_limits[] = {from.zoom_min, from.zoom_max};
   if (from.zoom_min != unsaid.zoom_min || from.zoom_max != unsaid.zoom_max) to.tuple("zoom_limits", "AA", zoom_limits);
   if (from.pantilt_speed != unsaid.pantilt_speed) to.angle("pantilt_speed", from.pantilt_speed);
-  static constexpr std::string_view kWordsOfImage[] = {"color", "gray", "depth"};
+  static constexpr std::string_view kWordsOfImage[] = {"color", "gray", "depth", "segmentation"};
   if (from.image != unsaid.image) to.text("image", kWordsOfImage[static_cast<std::size_t>(from.image)]);
   static constexpr std::string_view kWordsOfCompression[] = {"raw", "jpeg"};
   if (from.compression != unsaid.compression) to.text("compression", kWordsOfCompression[static_cast<std::size_t>(from.compression)]);
@@ -204,6 +204,13 @@ void write(const WorldDesc& from, const WorldDesc& unsaid, Words& to) {
   if (from.quit_time != unsaid.quit_time) to.number("quit_time", from.quit_time);
   if (from.speedup != unsaid.speedup) to.number("speedup", from.speedup);
   if (from.paused != unsaid.paused) to.flag("paused", from.paused);
+  const double sky[] = {from.sky_red, from.sky_green, from.sky_blue};
+  if (from.sky_red != unsaid.sky_red || from.sky_green != unsaid.sky_green || from.sky_blue != unsaid.sky_blue) to.tuple("sky", "NNN", sky);
+  const double sun[] = {from.sun_heading, from.sun_elevation, from.sun_brightness};
+  if (from.sun_heading != unsaid.sun_heading || from.sun_elevation != unsaid.sun_elevation || from.sun_brightness != unsaid.sun_brightness) to.tuple("sun", "AAN", sun);
+  if (from.fog != unsaid.fog) to.length("fog", from.fog);
+  const double fog_color[] = {from.fog_red, from.fog_green, from.fog_blue};
+  if (from.fog_red != unsaid.fog_red || from.fog_green != unsaid.fog_green || from.fog_blue != unsaid.fog_blue) to.tuple("fog_color", "NNN", fog_color);
 }
 
 void write_kind(const KindDescs& from, const Units& units, Entity& to) {

@@ -236,7 +236,7 @@ struct Wifis {
 
 /// A pixel of an image.
 struct Pixel {
-  std::uint32_t sample = 0;  // 0xRRGGBB, brightness from 0 to 255, or mm; 0 where nothing is in range.
+  std::uint32_t sample = 0;  // 0xRRGGBB, brightness from 0 to 255, mm, or an id plus 1; the last two 0 where nothing is in range.
   friend bool operator==(const Pixel&, const Pixel&) = default;
 };
 
@@ -252,8 +252,8 @@ void each_part(const Pixel& value, const Visit& visit) {
   visit(sample);
 }
 
-/// A camera: takes images of the bodies, the floor and the sky, in colours, in grey, or of distances, and
-/// pans, tilts and zooms.
+/// A camera: takes images of the bodies, the floor and the sky, in colours, in grey, of distances, or of
+/// which model is where, and pans, tilts and zooms.
 struct Cameras {
   std::vector<ModelRow> model;  // The model that sees.
   std::vector<ControlMode> mode;  // What commands mean: a velocity, or a position.

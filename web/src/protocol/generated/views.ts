@@ -78,7 +78,7 @@ export interface WifiView {
   quality: number;
 }
 
-/** A camera: takes images of the bodies, the floor and the sky, in colours, in grey, or of distances, and pans, tilts and zooms. SI units and radians. */
+/** A camera: takes images of the bodies, the floor and the sky, in colours, in grey, of distances, or of which model is where, and pans, tilts and zooms. SI units and radians. */
 export interface CameraView {
   sample: number;
 }
@@ -173,7 +173,7 @@ export interface KindStart {
   axis?: [number, number, number]; // 1
   resolution?: [number, number]; // px
   view?: [number, number]; // rad
-  shows?: 'color' | 'gray' | 'depth';
+  shows?: 'color' | 'gray' | 'depth' | 'segmentation';
   reach?: [number, number]; // m
   library?: string;
   traits?: Trait[];
