@@ -17,7 +17,7 @@ SOURCE = ROOT / "playhouse"
 # A module may include itself and every module of a lower rank (ARCHITECTURE.md).
 RANKS = [
     {"base"}, {"geom"}, {"mesh"}, {"wire", "net", "scene", "render"}, {"device", "world"}, {"libraries"}, {"replicate", "controllers", "behaviour"}, {"record", "stage"}, {"arena"},
-    {"scenarios"}, {"drivers", "server", "web_server"}, {"app"},
+    {"scenarios"}, {"drivers", "server", "web_server"}, {"observers"}, {"app"},
 ]
 RANK = {module: rank for rank, modules in enumerate(RANKS) for module in modules}
 # Engines and what they stand on know nothing of devices and sockets, the device server nothing of robots, and the web
@@ -27,6 +27,7 @@ FORBIDDEN = {
     "scenarios": {"wire", "net", "device"}, "libraries": {"wire", "net", "device"}, "record": {"wire", "net", "device"}, "wire": {"geom", "mesh"}, "net": {"geom", "mesh"}, "device": {"net", "scene"},
     "server": {"scene", "world", "replicate", "controllers", "behaviour", "stage", "arena", "scenarios"},
     "web_server": {"wire", "device", "controllers", "behaviour", "stage", "arena", "scenarios"},
+    "observers": {"wire", "device", "controllers", "behaviour", "stage", "arena", "scenarios", "drivers", "server"},
 }
 REPRODUCIBLE = {"geom", "mesh", "scene", "world", "behaviour", "stage", "arena", "controllers", "scenarios"}
 UNREPRODUCIBLE = re.compile(

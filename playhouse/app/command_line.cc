@@ -42,6 +42,7 @@ constexpr const char* kExamples = R"(Examples:
   playhouse serve simple.cfg                         devices as a Player configuration file names them
   playhouse devices 127.0.0.1:6665                   what a server offers
   playhouse watch 127.0.0.1 laser:0                  a device's data as JSON lines
+  playhouse observe 127.0.0.1                        who is where, as JSON lines, by UDP (run --observers)
   playhouse drive 127.0.0.1 guest                    a robot by the keyboard
   playhouse check my.world                           what is wrong with a file
   playhouse convert old.world -o new.world           a world for older versions of Stage in today's words
@@ -79,6 +80,10 @@ constexpr const char* kDevicesExamples = R"(Examples:
 constexpr const char* kWatchExamples = R"(Examples:
   playhouse watch 127.0.0.1 laser:0 --count 3
   playhouse watch 127.0.0.1 guest --count 3)";
+constexpr const char* kObserveExamples = R"(Examples:
+  playhouse observe 127.0.0.1 --seconds 1 --stats
+  playhouse observe 127.0.0.1 --name guest --rate 2 --seconds 1
+  playhouse observe 127.0.0.1 --view 0,0,5 --bytes-per-second 8000 --seconds 1)";
 constexpr const char* kDriveExamples = R"(Examples:
   playhouse drive 127.0.0.1 guest
   playhouse drive 127.0.0.1:6665 position2d:0)";
@@ -126,6 +131,7 @@ struct Raw {
   VerifyOptions verify;
   DevicesOptions devices;
   WatchOptions watch;
+  ObserveOptions observe;
   DriveOptions drive;
   CheckOptions check;
   ConvertOptions convert;
@@ -135,7 +141,7 @@ struct Raw {
   BenchOptions bench;
   std::string web, gym_web = "off", replay_web = std::to_string(kWebPort);
   std::vector<std::pair<double, std::string>> saves;
-  std::string lock_step;
+  std::string lock_step, view;
   bool headless = false, fast = false;
 };
 
@@ -199,6 +205,31 @@ std::string check_positive(const std::string& text) {
   return "a number above 0 is wanted, not " + in_quotes(text);
 }
 
+/// "X,Y,RADIUS".
+std::optional<ViewSquare> view_in(const std::string& text) {
+  std::vector<double> numbers;
+  for (const std::string& word : CLI::detail::split(text, ',')) {
+    double value = 0;
+    if (!CLI::detail::lexical_cast(word, value) || !(std::abs(value) <= 1e6)) return std::nullopt;
+    numbers.push_back(value);
+  }
+  if (numbers.size() != 3 || numbers[2] <= 0) return std::nullopt;
+  return ViewSquare{numbers[0], numbers[1], numbers[2]};
+}
+
+std::string check_view(const std::string& text) {
+  if (view_in(text)) return {};
+  return "X,Y,RADIUS in metres is wanted, the radius above 0, not " + in_quotes(text);
+}
+
+constexpr auto check_observer_bytes =
+    check_count<std::uint32_t, limits::kObserverBytesLeast, limits::kObserverBytesMost>;
+
+std::string check_token(const std::string& text) {
+  const bool good = !text.empty() && text.size() <= limits::kTokenBytes;
+  return good ? "" : fmt::format("a token of 1 to {} letters is wanted", limits::kTokenBytes);
+}
+
 std::string check_selection(const std::string& text) {
   const Result<record::Selection> selection = record::Selection::parse(text);
   return selection ? "" : selection.error().text;
@@ -242,9 +273,19 @@ void add_hosts(CLI::App& app, Serving& serving) {
   app.add_option("--guests", serving.guests,
                  "who may open the page, as observer, driver, human or admin (docs/guests.md)")
       ->type_name("FILE");
-  app.add_option("--viewers", serving.viewers, "pages at once")
+  app.add_option("--viewers", serving.viewers, "pages at once, and observers")
       ->check(check_count<std::size_t, 1, limits::kViewers>)
       ->capture_default_str();
+  auto* observers =
+      app.add_option("--observers", serving.observers,
+                     "UDP port of playhouse observe; 0: any free one, printed (none; docs/observers.md)")
+          ->type_name("PORT")
+          ->check(check_port);
+  app.add_option("--observer-bytes", serving.observer_bytes, "a second, to each observer at most")
+      ->type_name("N")
+      ->check(check_observer_bytes)
+      ->capture_default_str()
+      ->needs(observers);
 }
 
 void add_serving(CLI::App& app, Raw& raw, Serving& serving) {
@@ -484,6 +525,32 @@ void add_commands(CLI::App& app, Raw& raw) {
   watch->add_option("--count", raw.watch.count, "end after so many messages")
       ->check(check_count<std::uint64_t, 1>);
 
+  CLI::App* observe =
+      app.add_subcommand("observe", "print who is where and what they say, of a run with --observers");
+  observe->footer(kObserveExamples);
+  observe->add_option("SERVER", raw.observe.server, "HOST or HOST:PORT (6670)")->required();
+  observe->add_option("--token", raw.observe.token, "of a guest, where the run has --guests")
+      ->check(check_token);
+  observe
+      ->add_option("--name", raw.observe.names,
+                   "of a model to print, and no others; may be given again (those that stand for themselves)")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  observe
+      ->add_option("--view", raw.view,
+                   "a square of the world: what is in it comes first, the rest once a second (everything)")
+      ->type_name("X,Y,RADIUS")
+      ->check(check_view);
+  observe->add_option("--rate", raw.observe.rate, "lines a second of each model (when it changes)")
+      ->check(check_positive);
+  observe->add_option("--seconds", raw.observe.seconds, "until the end (never)")->check(check_positive);
+  observe
+      ->add_option("--bytes-per-second", raw.observe.bytes_per_second,
+                   "to ask for, at most what the run gives (that)")
+      ->type_name("N")
+      ->check(check_observer_bytes);
+  observe->add_flag("--stats", raw.observe.stats, "a last line of figures: bytes, packets, losses");
+
   CLI::App* drive = app.add_subcommand("drive", "drive a robot by the keyboard");
   drive->add_option("HOST[:PORT]", raw.drive.server, "the server")->required();
   drive->footer(kDriveExamples);
@@ -647,6 +714,10 @@ CommandLine chosen(const CLI::App& app, Raw& raw) {
   if (name == "verify") return raw.verify;
   if (name == "devices") return raw.devices;
   if (name == "watch") return raw.watch;
+  if (name == "observe") {
+    if (!raw.view.empty()) raw.observe.view = view_in(raw.view);
+    return raw.observe;
+  }
   if (name == "drive") return raw.drive;
   if (name == "check") return raw.check;
   if (name == "convert") return raw.convert;

@@ -14,6 +14,7 @@ int gym(const GymOptions& options);
 int verify(const VerifyOptions& options);
 int devices(const DevicesOptions& options);
 int watch(const WatchOptions& options);
+int observe(const ObserveOptions& options);
 int drive(const DriveOptions& options);
 int check(const CheckOptions& options);
 int convert(const ConvertOptions& options);

@@ -20,6 +20,7 @@ int run_service(Service& service, const std::function<Result<void>()>& read, con
   for (const SaveAt& save : saves)
     if (const Result<void> step = service.save_at(save); !step) return fail(step.error());
   if (const Result<void> step = service.open_page(); !step) return fail(step.error());
+  if (const Result<void> step = service.open_observers(); !step) return fail(step.error());
   if (!running.record.empty())
     if (const Result<void> step = service.record(running.record, running.record_only); !step)
       return fail(step.error());

@@ -262,15 +262,15 @@ Result<void> Service::read_guests() {
   if (!text) return text.error();
   Result<std::vector<web_server::Guest>> guests = web_server::parse_guests(*text, serving_.guests);
   if (!guests) return guests.error();
-  guests_ = std::move(*guests);
+  guests_ = web_server::GuestBook(std::move(*guests));
   return {};
 }
 
 Result<void> Service::open_page() {
-  if (!serving_.web && !serving_.guests.empty())
-    return Error{{}, "--guests is for the page, which --headless and --web off leave out"};
-  if (!serving_.web) return {};
+  if (!serving_.web && !serving_.observers && !serving_.guests.empty())
+    return Error{{}, "--guests is for the page, which --headless and --web off leave out, and --observers"};
   if (const Result<void> read = read_guests(); !read) return read;
+  if (!serving_.web) return {};
   const web_server::WebOptions options{.bind = serving_.bind,
                                        .port = *serving_.web,
                                        .page = web_server::page_files(),
@@ -294,20 +294,43 @@ Result<void> Service::open_page() {
   return {};
 }
 
+Result<void> Service::open_observers() {
+  if (!serving_.observers) return {};
+  observers::ObserverOptions options{.bind = serving_.bind,
+                                     .port = *serving_.observers,
+                                     .guests = guests_,
+                                     .observers = serving_.viewers,
+                                     .bytes_per_second = serving_.observer_bytes};
+  observers_ = std::make_unique<observers::ObserverServer>(web_loop_, std::move(options),
+                                                           simulation().world(), replicate::DeviceNames());
+  const Result<std::uint16_t> port = observers_->listen();
+  if (!port) return Error{port.error().where, port.error().text + "; --observers takes another port"};
+  observer_port_ = *port;
+  simulation().add_watcher(
+      {[this] { return observers_->wants_show(); },
+       [this](const world::World& world, const world::Pace& pace) { observers_->show(world, pace); }});
+  return {};
+}
+
 std::vector<std::string> Service::places() const {
   std::vector<std::string> lines;
   const std::string host = shown_host(serving_.bind);
   for (const std::uint16_t port : player_ports_)
     lines.push_back(fmt::format("Player clients: {}:{}", host, port));
   if (web_) lines.push_back(fmt::format("web page: http://{}:{}/", host, web_port_));
-  for (const web_server::Guest& guest : guests_) {
+  for (const web_server::Guest& guest : guests_.guests()) {
     const bool has_token = guest.token != "*";
-    lines.push_back(fmt::format("  {}: http://{}:{}/{}{}",
-                                has_token && !guest.name.empty()
-                                    ? fmt::format("{} ({})", guest.name, name_of(guest.role))
-                                    : std::string(name_of(guest.role)),
-                                host, web_port_, has_token ? "#" : "", has_token ? guest.token : ""));
+    const std::string who = has_token && !guest.name.empty()
+                                ? fmt::format("{} ({})", guest.name, name_of(guest.role))
+                                : std::string(name_of(guest.role));
+    if (web_) {
+      lines.push_back(fmt::format("  {}: http://{}:{}/{}{}", who, host, web_port_, has_token ? "#" : "",
+                                  has_token ? guest.token : ""));
+    } else {
+      lines.push_back(fmt::format("  {}: {}", who, has_token ? "--token " + guest.token : "no token"));
+    }
   }
+  if (observers_) lines.push_back(fmt::format("observers: {}:{}", host, observer_port_));
   return lines;
 }
 
@@ -347,6 +370,7 @@ Outcome Service::run(const std::function<void(int signal)>& ended) {
   if (ended) ended(signal_.load());
   simulation().discard();  // nobody would answer what is asked from now on
   loop_.post([this] { server_->finish([this] { loop_.finish(); }); });
+  if (observers_) web_loop_.post([this] { observers_->say_goodbye("the run has ended"); });
   web_loop_.stop();
   io.join();
   web.join();

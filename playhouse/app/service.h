@@ -22,6 +22,7 @@
 #include "playhouse/drivers/simulated/auto_devices.h"
 #include "playhouse/drivers/site.h"
 #include "playhouse/net/io_loop.h"
+#include "playhouse/observers/observer_server.h"
 #include "playhouse/record/recorder.h"
 #include "playhouse/scene/cfg.h"
 #include "playhouse/scene/scene_desc.h"
@@ -95,12 +96,14 @@ class Service final : private drivers::Surroundings {
   /// Opens the web page, if one is wanted.
   Result<void> read_guests();
   Result<void> open_page();
+  /// Opens the port for observers, if one is wanted.
+  Result<void> open_observers();
 
   /// Ports for Player clients, the default one first.
   const std::vector<std::uint16_t>& player_ports() const { return player_ports_; }
   /// Of the web page; 0 where there is none.
   std::uint16_t web_port() const { return web_port_; }
-  /// "Player clients: ..." and "web page: ...", one line each.
+  /// "Player clients: ...", "web page: ..." and "observers: ...", one line each.
   std::vector<std::string> places() const;
 
   /// Until the duration is over, the file says so, or a signal comes. `ended` is called with that signal, or
@@ -160,12 +163,13 @@ class Service final : private drivers::Surroundings {
   std::vector<std::unique_ptr<device::Driver>> drivers_;  // of the configuration file
   std::unique_ptr<drivers::AutoDevices> robots_;          // without one
   std::unique_ptr<server::Server> server_;
-  std::vector<web_server::Guest> guests_;
+  web_server::GuestBook guests_;
   std::unique_ptr<web_server::WebServer> web_;
+  std::unique_ptr<observers::ObserverServer> observers_;
   std::unique_ptr<net::Timer> progress_;
 
   std::vector<std::uint16_t> player_ports_;
-  std::uint16_t web_port_ = 0;
+  std::uint16_t web_port_ = 0, observer_port_ = 0;
   std::atomic<int> signal_ = 0;
 };
 

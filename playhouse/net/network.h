@@ -1,7 +1,7 @@
 #pragma once
 
-/// What the server side needs of a network: listeners, connections, tasks and timers on one io thread.
-/// IoLoop is the real one (TCP), SimulatedNetwork the one of the tests. Knows bytes, never messages.
+/// What the server side needs of a network: listeners, connections, datagrams, tasks and timers on one io thread.
+/// IoLoop is the real one (TCP and UDP), SimulatedNetwork the one of the tests. Knows bytes, never messages.
 /// Everything runs on the io thread (the thread in IoLoop::run, or before it runs); only post() is for any
 /// thread.
 
@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "playhouse/base/result.h"
+#include "playhouse/net/endpoint.h"
 
 namespace playhouse::net {
 
@@ -67,6 +68,19 @@ class Listener {
   virtual std::uint16_t port() const = 0;
 };
 
+/// An open port for datagrams: each may come once, more than once, late, or never. Destroying it closes the port;
+/// destroying it inside its receiver is allowed.
+class DatagramSocket {
+ public:
+  /// `bytes` is valid for the call.
+  using Receiver = std::function<void(const Endpoint& from, std::span<const std::byte> bytes)>;
+
+  virtual ~DatagramSocket() = default;
+  /// At once, or never: what the system has no room for is lost, as what a network loses.
+  virtual void send(const Endpoint& to, std::span<const std::byte> bytes) = 0;
+  virtual std::uint16_t port() const = 0;
+};
+
 /// Destroying it cancels the task.
 class Timer {
  public:
@@ -87,6 +101,11 @@ class Network {
   /// means every IPv4 interface, "::" every interface of either kind.
   virtual Result<std::unique_ptr<Listener>> listen(const std::string& bind, std::uint16_t port,
                                                    Acceptor acceptor) = 0;
+  /// Opens a UDP port, likewise.
+  virtual Result<std::unique_ptr<DatagramSocket>> open_datagrams(const std::string& bind, std::uint16_t port,
+                                                                 DatagramSocket::Receiver receiver) = 0;
+  /// The network's clock: seconds from some moment on.
+  virtual double now() const = 0;
 };
 
 }  // namespace playhouse::net

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <boost/json/array.hpp>
 #include <boost/json/object.hpp>
 #include <boost/json/serialize.hpp>
@@ -15,7 +14,6 @@
 #include <filesystem>
 #include <functional>
 #include <map>
-#include <mutex>
 #include <optional>
 #include <set>
 #include <utility>
@@ -27,6 +25,7 @@
 #include "playhouse/base/log.h"
 #include "playhouse/net/fair_share.h"
 #include "playhouse/net/http.h"
+#include "playhouse/replicate/snapshot_feed.h"
 #include "playhouse/web_server/driven_robots.h"
 #include "playhouse/web_server/web_viewer.h"
 #include "playhouse/world/as_scene.h"
@@ -106,11 +105,10 @@ class WebServer::Impl final : public net::HttpService,
         control_(control),
         scene_(world.scene()),
         prototypes_(scene_),
-        newest_(std::make_shared<const replicate::Layout>(world, prototypes_, devices)),
+        feed_(world, prototypes_, std::move(devices)),
+        newest_(feed_.first_layout()),
         driven_(loop, control),
-        ids_given_(newest_->ids_given),
-        devices_(std::move(devices)),
-        layout_(newest_) {}
+        ids_given_(newest_->ids_given) {}
 
   Result<std::uint16_t> listen() {
     auto listener = net::listen_http(loop_, options_.bind, options_.port, *this);
@@ -119,26 +117,10 @@ class WebServer::Impl final : public net::HttpService,
     return listener_->port();
   }
 
-  bool wants_show() const {
-    return watched_.load(std::memory_order_relaxed) != 0 &&
-           std::chrono::steady_clock::now() - capture_time_ >= kFramePeriod;
-  }
+  bool wants_show() const { return feed_.wants_show(); }
 
   void show(const world::World& world, const world::Pace& pace) {
-    capture_time_ = std::chrono::steady_clock::now();
-    {
-      const std::lock_guard lock(mutex_);
-      tick_interest_ = interest_;
-    }
-    if (layout_->population != world.population())
-      layout_ = std::make_shared<const replicate::Layout>(world, prototypes_, devices_, layout_.get());
-    replicate::capture(world, pace, layout_, tick_interest_, back_);
-    {
-      const std::lock_guard lock(mutex_);
-      std::swap(back_, ready_);
-      fresh_ = true;
-    }
-    if (posted_.exchange(true)) return;
+    if (!feed_.show(world, pace)) return;
     loop_.post([weak = weak_from_this()] {
       if (const auto self = weak.lock()) self->serve();
     });
@@ -160,12 +142,8 @@ class WebServer::Impl final : public net::HttpService,
  private:
   /// One turn: the newest snapshot for every viewer, and its next commands.
   void serve() {
-    posted_ = false;
     for (const auto& viewer : viewers_) viewer->new_turn();
-    {
-      const std::lock_guard lock(mutex_);
-      if (std::exchange(fresh_, false)) std::swap(ready_, front_);
-    }
+    feed_.take(front_);
     ids_given_ = std::max(ids_given_, front_.layout->ids_given);
     look_at_past();
     offer();
@@ -244,8 +222,8 @@ class WebServer::Impl final : public net::HttpService,
     viewers_.push_back(
         std::make_unique<WebViewer>(std::move(socket), newest_, *this, ++viewers_ever_, *guest));
     log::info("web: {} watches{} ({} now)", viewers_.back()->peer(), as_whom(*guest), viewers_.size());
-    watched_ = viewers_.size();
-    if (watched_ == 1) control_.record(true);
+    feed_.watch(true);
+    if (viewers_.size() == 1) control_.record(true);
     tell_people();
     viewers_.back()->start(scene_text());
   }
@@ -278,17 +256,12 @@ class WebServer::Impl final : public net::HttpService,
     return {};
   }
 
-  /// Who comes with this request; nobody where they may not. One who was sent out is not let in again: by the
-  /// token, or by the address where everybody has the same.
+  /// Who comes with this request; nobody where they may not.
   std::optional<Guest> guest_of(const net::HttpRequest& request, const std::string& peer) const {
     constexpr std::string_view kToken = "token=";
     const std::string token =
         request.query.starts_with(kToken) ? request.query.substr(kToken.size()) : std::string("*");
-    if (sent_out_.contains(token == "*" ? net::network_of(peer) : token)) return std::nullopt;
-    if (options_.guests.empty()) return Guest{Role::kAdmin, "*", {}};
-    const auto guest = std::ranges::find(options_.guests, token, &Guest::token);
-    if (guest == options_.guests.end()) return std::nullopt;
-    return *guest;
+    return options_.guests.admit(token, peer);
   }
 
   void turn_away(net::WebSocket& socket) {
@@ -298,7 +271,7 @@ class WebServer::Impl final : public net::HttpService,
   }
 
   std::string as_whom(const Guest& guest) const {
-    if (options_.guests.empty()) return {};
+    if (options_.guests.guests().empty()) return {};
     return fmt::format(" as {}{}{}", name_of(guest.role), guest.name.empty() ? "" : " ", guest.name);
   }
 
@@ -348,12 +321,9 @@ class WebServer::Impl final : public net::HttpService,
     WebViewer* const out = viewer(kick.viewer);
     if (!out) return Error{"", "nobody has this number"};
     if (out == &from) return Error{"", "this is yourself"};
-    const std::string network = net::network_of(out->peer());
-    if (out->guest().token != "*") {
-      sent_out_.insert(out->guest().token);
-    } else if (network != net::network_of(from.peer())) {  // else it would shut the admin out, too
-      sent_out_.insert(network);
-    }
+    // Else it would shut the admin out, too.
+    if (out->guest().token != "*" || net::network_of(out->peer()) != net::network_of(from.peer()))
+      options_.guests.send_out(out->guest().token, out->peer());
     out->close("an admin has sent you out");
     left(*out, "an admin has sent them out");
     return {};
@@ -643,7 +613,7 @@ class WebServer::Impl final : public net::HttpService,
 
   void waits() override {
     if (offer_timer_) return;
-    offer_timer_ = loop_.after(std::chrono::duration<double>(kFramePeriod).count(), [this] {
+    offer_timer_ = loop_.after(std::chrono::duration<double>(replicate::kFramePeriod).count(), [this] {
       offer_timer_.reset();
       offer();
     });
@@ -655,8 +625,8 @@ class WebServer::Impl final : public net::HttpService,
     leave_body(viewer);
     muted_.erase(viewer.number());
     std::erase_if(viewers_, [&](const auto& other) { return other.get() == &viewer; });
-    watched_ = viewers_.size();
-    if (watched_ == 0) control_.record(false);
+    feed_.watch(!viewers_.empty());
+    if (viewers_.empty()) control_.record(false);
     interest_changed();
     tell_people();
   }
@@ -686,10 +656,7 @@ class WebServer::Impl final : public net::HttpService,
     }
     interest.selected.assign(selected.begin(), selected.end());
     selected_ = std::move(selected);
-    {
-      const std::lock_guard lock(mutex_);
-      interest_ = std::move(interest);
-    }
+    feed_.set_interest(std::move(interest));
     reconcile_subscriptions();
   }
 
@@ -708,7 +675,7 @@ class WebServer::Impl final : public net::HttpService,
       return posted;
     });
     if (done) return;
-    subscription_timer_ = loop_.after(std::chrono::duration<double>(kFramePeriod).count(),
+    subscription_timer_ = loop_.after(std::chrono::duration<double>(replicate::kFramePeriod).count(),
                                       [this] { reconcile_subscriptions(); });
   }
 
@@ -723,11 +690,12 @@ class WebServer::Impl final : public net::HttpService,
   }
 
   net::IoLoop& loop_;
-  const WebOptions options_;
+  WebOptions options_;
   const std::string host_name_;
   world::Control& control_;
   const scene::SceneDesc& scene_;
   const replicate::Prototypes prototypes_;
+  replicate::SnapshotFeed feed_;
 
   // web thread
   std::shared_ptr<const replicate::Layout> newest_;  // that viewers were told of
@@ -750,22 +718,6 @@ class WebServer::Impl final : public net::HttpService,
   std::uint64_t hosts_refused_ = 0, origins_refused_ = 0, turned_away_ = 0;
   std::uint32_t viewers_ever_ = 0;
   std::set<std::uint32_t> muted_;                // numbers of viewers
-  std::set<std::string, std::less<>> sent_out_;  // tokens, and networks of those without one
-
-  // who calls wants_show() and show()
-  const replicate::DeviceNames devices_;
-  std::shared_ptr<const replicate::Layout> layout_;  // of the newest capture
-  std::chrono::steady_clock::time_point capture_time_;
-  replicate::Interest tick_interest_;
-  replicate::Snapshot back_;
-
-  // both
-  std::atomic<std::size_t> watched_ = 0;
-  std::atomic<bool> posted_ = false;
-  std::mutex mutex_;  // guards the next three; held for copies of a few words
-  replicate::Interest interest_;
-  replicate::Snapshot ready_;
-  bool fresh_ = false;
 };
 
 WebServer::WebServer(net::IoLoop& loop, WebOptions options, world::Control& control,

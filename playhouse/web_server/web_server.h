@@ -31,7 +31,7 @@ struct WebOptions {
   std::string host_name;           // of this machine; empty: the system is asked
   std::chrono::milliseconds viewer_quiet = std::chrono::seconds(limits::kViewerQuietSeconds);  // for tests
   std::vector<std::string> further_names;  // under which browsers may call us besides
-  std::vector<Guest> guests;               // who may come; none: everybody, as an admin
+  GuestBook guests;                        // who may come
   std::size_t viewers = limits::kViewers;  // at once, at most that
 };
 

@@ -80,7 +80,7 @@ void WebViewer::send_frame() {
   if (!newest_ || socket_->messages_in_flight() > 0 || !viewer_.ready()) return;
   const auto now = std::chrono::steady_clock::now();
   // Rows that wait for room in the next frame must not make it come sooner.
-  if (now - frame_time_ < kFramePeriod * 3 / 4) return owner_.waits();
+  if (now - frame_time_ < replicate::kFramePeriod * 3 / 4) return owner_.waits();
   const auto emit = now - frame_time_ >= kSignOfLife ? replicate::Emit::kAlways : replicate::Emit::kIfChanged;
   const replicate::NextFrame next = viewer_.next_frame(*newest_, emit, owner_.changes_texts(), *frame_);
   if (!next.packet) return;

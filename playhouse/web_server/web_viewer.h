@@ -11,15 +11,13 @@
 #include <vector>
 
 #include "playhouse/net/websocket.h"
+#include "playhouse/replicate/snapshot_feed.h"
 #include "playhouse/replicate/viewer.h"
 #include "playhouse/web_server/guests.h"
 
 namespace playhouse::web_server {
 
 class WebViewer;
-
-/// The least time between two frames of one viewer, and between two captures.
-inline constexpr std::chrono::milliseconds kFramePeriod{33};
 
 /// Who hears of a viewer's commands and its end.
 class WebViewerOwner {
@@ -33,7 +31,7 @@ class WebViewerOwner {
   virtual replicate::ChangesTexts& changes_texts() = 0;
   /// What to tell of the instants to go back to; none: nothing yet.
   virtual std::shared_ptr<const std::string> history() = 0;
-  /// Wants to be offered the newest snapshot again after kFramePeriod, also if it is the same one.
+  /// Wants to be offered the newest snapshot again after replicate::kFramePeriod, also if it is the same one.
   virtual void waits() = 0;
   /// May destroy the viewer.
   virtual void left(WebViewer& viewer, const std::string& why) = 0;
