@@ -1,9 +1,24 @@
 #include "playhouse/stage/engine.h"
 
+#include "playhouse/base/log.h"
 #include "playhouse/stage/check_scene.h"
 #include "playhouse/stage/stage_engine.h"
 
 namespace playhouse::stage {
+namespace {
+
+/// What this engine measures less of than a file asks for: one line, for the first that does.
+void warn_of_arena_words(const scene::SceneDesc& scene) {
+  for (const scene::ModelDesc& model : scene.models)
+    for (const scene::RangerSensorDesc& sensor : model.sensors) {
+      if (sensor.rings <= 1 && sensor.errors == scene::RangerErrors::kNone) continue;
+      log::warn("{}: rings and error of sensors count with --engine arena; here {} has one level ring",
+                scene.at(model.where), model.name);
+      return;
+    }
+}
+
+}  // namespace
 
 StageEngine::StageEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers)
     : BodyEngine(scene, seed, workers), motion_(workers_.count()) {
@@ -25,6 +40,7 @@ void StageEngine::move() {
 Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene,
                                                    const EngineOptions& options) {
   if (const Result<void> checked = check_scene(scene); !checked) return checked.error();
+  warn_of_arena_words(scene);
   return std::unique_ptr<world::Engine>(std::make_unique<StageEngine>(scene, options.seed, options.workers));
 }
 
