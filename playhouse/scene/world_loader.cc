@@ -22,6 +22,7 @@
 #include "playhouse/scene/kinds.h"
 #include "playhouse/scene/old_words.h"
 #include "playhouse/scene/properties.h"
+#include "playhouse/scene/read_word.h"
 #include "playhouse/scene/repeats.h"
 #include "playhouse/scene/syntax.h"
 #include "playhouse/scene/token_names.h"
@@ -294,6 +295,8 @@ void WorldLoader::read_globals() {
   vocabulary_.check(world_kind(), properties);
   scene_.name = scene_.path;
   read(properties, scene_);
+  require(std::fabs(scene_.latitude) <= 0.5 * geom::kPi, properties, "latitude", "needs -90 to 90 degrees");
+  require(std::fabs(scene_.longitude) <= geom::kPi, properties, "longitude", "needs -180 to 180 degrees");
   scene_.kept = kept_words(world_kind(), properties);
 }
 
@@ -460,8 +463,13 @@ void WorldLoader::load_block(const Properties& properties, SourceLine where, Sha
 }
 
 void WorldLoader::load_sensor(const Properties& properties, SourceLine where, ModelDesc& model) {
-  read(properties, number_of(scene_.models.size()), model.sensors.emplace_back());
-  spend(beams_, model.sensors.back().samples, where);
+  RangerSensorDesc& sensor = model.sensors.emplace_back();
+  read(properties, number_of(scene_.models.size()), sensor);
+  require(sensor.ring_lowest <= sensor.ring_highest, properties, "ring_fov",
+          "needs the lowest ring before the highest");
+  require(std::size_t{sensor.samples} * sensor.rings <= limits::kRangerSamples, properties, "rings",
+          "needs at most " + std::to_string(limits::kRangerSamples) + " beams in all rings together");
+  spend(beams_, std::size_t{sensor.samples} * sensor.rings, where);
 }
 
 void WorldLoader::check_holds_nothing(const Instance& entity) {

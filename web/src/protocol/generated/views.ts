@@ -2,7 +2,7 @@
 import type { Pose, Rgba } from '../scene';
 
 /** What a model is. */
-export type Kind = 'plain' | 'position' | 'ranger' | 'fiducial' | 'blobfinder' | 'bumper' | 'blinkenlight' | 'lightindicator' | 'gripper' | 'actuator' | 'wifi' | 'camera' | 'detector' | 'custom';
+export type Kind = 'plain' | 'position' | 'ranger' | 'fiducial' | 'blobfinder' | 'bumper' | 'blinkenlight' | 'lightindicator' | 'gripper' | 'actuator' | 'wifi' | 'camera' | 'detector' | 'custom' | 'imu' | 'gps';
 
 /** What models of any kind may have. */
 export type Trait = 'pack';
@@ -97,6 +97,24 @@ export interface CustomView {
   reading: number;
 }
 
+/** An inertial measurement unit: feels how it is accelerated, with gravity, and how fast it turns, and tells how it stands. SI units and radians. */
+export interface ImuView {
+  ax: number;
+  ay: number;
+  az: number;
+  wx: number; // rad/s
+  wy: number; // rad/s
+  wz: number; // rad/s
+  heading: number; // rad, in (-pi, pi]
+}
+
+/** A satellite receiver: tells where on the earth it is, as the world's latitude, longitude and altitude have it. SI units and radians. */
+export interface GpsView {
+  x: number; // m
+  y: number; // m
+  z: number; // m
+}
+
 /** A battery, from which a model draws, and what is inside it and has none of its own. SI units and radians. */
 export interface PackView {
   stored: number; // J
@@ -118,6 +136,8 @@ export interface Views {
   camera: CameraView[];
   detector: DetectorView[];
   custom: CustomView[];
+  imu: ImuView;
+  gps: GpsView;
   pack: PackView;
 }
 
@@ -142,6 +162,8 @@ export const kViews: readonly ViewFormat[] = [
   { kind: 'camera', list: true, fields: [['sample', 'varint', 1]] },
   { kind: 'detector', list: true, fields: [['target', 'varint', 1], ['range', 'varint', 0.001], ['bearing', 'turn', 1], ['level', 'varint', 0.001], ['bodies', 'varint', 1]] },
   { kind: 'custom', list: true, fields: [['reading', 'zigzag', 0.001]] },
+  { kind: 'imu', list: false, fields: [['ax', 'zigzag', 0.001], ['ay', 'zigzag', 0.001], ['az', 'zigzag', 0.001], ['wx', 'zigzag', 0.001], ['wy', 'zigzag', 0.001], ['wz', 'zigzag', 0.001], ['heading', 'turn', 1]] },
+  { kind: 'gps', list: false, fields: [['x', 'zigzag', 0.001], ['y', 'zigzag', 0.001], ['z', 'zigzag', 0.001]] },
   { kind: 'pack', list: false, fields: [['stored', 'zigzag', 1], ['capacity', 'zigzag', 1], ['watts', 'zigzag', 0.001], ['charging', 'varint', 1]] },
 ];
 
@@ -176,5 +198,6 @@ export interface KindStart {
   shows?: 'color' | 'gray' | 'depth' | 'segmentation';
   reach?: [number, number]; // m
   library?: string;
+  satellites?: number;
   traits?: Trait[];
 }
