@@ -395,7 +395,7 @@ struct ImuDesc {
   /// The same of the turn rate about each axis. [rad/s]
   double gyro_bias = 0;
   /// More than this along an axis reads as this, here 16 times the gravity of the earth. [m/s^2]
-  double acceleration_range = 156.9064;
+  double acceleration_range = 156.906;
   /// More than this about an axis reads as this, here 2000 degrees per second. [rad/s]
   double gyro_range = 34.9066;
 
