@@ -141,7 +141,7 @@ Tube foot(double side) {
 
 class Builder {
  public:
-  explicit Builder(int level) : around_(level == 0 ? 14 : level == 1 ? 9 : 5), every_(level == 2 ? 2 : 1) {}
+  explicit Builder(int level) : around_(level == 0 ? 14 : level == 1 ? 9 : 6), every_(level == 2 ? 2 : 1) {}
 
   void add(const Tube& tube) {
     std::vector<std::uint32_t> first;

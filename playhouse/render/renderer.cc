@@ -22,8 +22,8 @@ constexpr double kShadowReach = 12;     // m along the way a view looks, up to w
 constexpr float kOpaque = 0.999f;       // of a tint
 constexpr float kLeastOpaque = 0.5f;    // where a texture of what is solid has less, there is a hole
 constexpr double kFigureRadius = 0.62;  // of the sphere about its middle, in heights
-constexpr double kFinePixels = 220,
-                 kCoarsePixels = 70;  // how high a figure is that has the first, the last level
+// How high a figure is that has the first, the last level.  [px]
+constexpr double kFinePixels = 260, kCoarsePixels = 90;
 constexpr std::size_t kPaints = 3;
 
 /// As shaders.cc has it.

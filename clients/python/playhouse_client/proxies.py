@@ -146,6 +146,16 @@ class Image(NamedTuple):
             raise InvalidValue(f"the picture has fewer bytes than pixels: {len(self.data)}")
         return struct.unpack_from(channel, self.data, first)
 
+    def model_id(self, column: int, row: int) -> Optional[int]:
+        """Of a picture of a camera with `image "segmentation"`: the id of the model that the pixel shows, as client.models()
+        has it, up to 24 bits; None where it shows none. Raises InvalidValue as pixel(), and for other formats."""
+        channels = self.pixel(column, row)
+        if len(channels) != 3:
+            raise InvalidValue("which model a pixel shows is told by RGB888 alone")
+        red, green, blue = channels
+        number = red << 16 | green << 8 | blue
+        return number - 1 if number > 0 else None
+
 
 _CHANNELS = {camera.FORMAT_MONO8: ("<B", 1), camera.FORMAT_MONO16: ("<H", 2), camera.FORMAT_RGB888: ("<3B", 3)}
 

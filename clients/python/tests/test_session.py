@@ -183,6 +183,7 @@ class Reading(unittest.TestCase):
             camera.Data(1, 2, 16, camera.FORMAT_MONO16, 1, camera.COMPRESS_RAW, bytes([0x34, 0x12, 0, 0])),
             camera.Data(2, 1, 24, camera.FORMAT_RGB888, 1, camera.COMPRESS_JPEG, b"\xff\xd8"),
             camera.Data(2, 1, 24, camera.FORMAT_RGB888, 1, camera.COMPRESS_RAW, bytes([1, 2, 3, 4, 5])),
+            camera.Data(2, 1, 24, camera.FORMAT_RGB888, 1, camera.COMPRESS_RAW, bytes([0, 0, 0, 0, 0, 1])),
         ]
 
         def rounds(peer: Peer, message: Message) -> None:
@@ -195,10 +196,13 @@ class Reading(unittest.TestCase):
             client.read()
             self.assertEqual((eye.image.pixel(0, 0), eye.image.pixel(1, 0)), ((1, 2, 3), (4, 5, 6)))
             self.assertEqual(eye.image.time, 2.5)
+            self.assertEqual(eye.image.model_id(1, 0), 0x040505)
             with self.assertRaisesRegex(InvalidValue, "2, 0 is outside the 2 x 1 picture"):
                 eye.image.pixel(2, 0)
             client.read()
             self.assertEqual((eye.image.pixel(0, 0), eye.image.pixel(0, 1)), ((0x1234,), (0,)))
+            with self.assertRaisesRegex(InvalidValue, "RGB888 alone"):
+                eye.image.model_id(0, 0)
             client.read()
             self.assertTrue(eye.image.is_jpeg)
             with self.assertRaisesRegex(InvalidValue, "raw MONO8, MONO16 and RGB888 alone"):
@@ -207,6 +211,8 @@ class Reading(unittest.TestCase):
             self.assertEqual(eye.image.pixel(0, 0), (1, 2, 3))
             with self.assertRaisesRegex(InvalidValue, "fewer bytes than pixels: 5"):
                 eye.image.pixel(1, 0)
+            client.read()
+            self.assertEqual((eye.image.model_id(0, 0), eye.image.model_id(1, 0)), (None, 0), "none, and the first model")
 
     def test_a_bumper_tells_which_switches_are_pressed_and_where_they_are(self) -> None:
         front = bumper.Define(common.Pose3d(0.25, 0.0, 0.1, 0.0, 0.0, 0.5), 0.5, 0.0)
