@@ -82,7 +82,7 @@ def observe(house: House, program: str, count: int, seconds: float) -> dict:
     """Observers by UDP, as they count themselves, from when the world has come."""
     server = house.wait_for_line(r"^observers: (\S+)").group(1)
     cpu_then, then = cpu_seconds(house.process.pid), time.monotonic()
-    observers = [House("observe", server, "--rate", 1, "--name", "-", "--seconds", seconds, "--stats", program=program) for _ in range(count)]
+    observers = [House("observe", server, "--name", "-", "--seconds", seconds, "--stats", program=program) for _ in range(count)]
     figures = []
     for observer in observers:
         assert observer.wait() == 0, observer.log()
