@@ -1,11 +1,12 @@
 import { Driver } from './drive/driver';
+import { OwnBody } from './drive/own_body';
 import { Eyes } from './drive/eyes';
 import { HeldKeys, handsOfAxes, sum, velocityOf, type Hands, type Velocity } from './drive/hands';
 import { Link, type LinkState } from './link';
 import { PicturePage } from './picture_page';
 import type { Command } from './protocol/commands';
 import type { Replica } from './protocol/replica';
-import { wheelsOf, type People, type Scene } from './protocol/scene';
+import { wheelsOf, type Joined, type People, type PhysicsShapes, type Scene } from './protocol/scene';
 import { Ask } from './ui/ask';
 import { Clock } from './ui/clock';
 import { DevicePanel } from './ui/device_panel';
@@ -59,7 +60,8 @@ class Page {
   private hurry = false;
   private wheels: number | null = null; // of the selected robot
   private live = false;
-  private own: number | null = null; // id of the viewer's body
+  private own: OwnBody | null = null;
+  private physicsAsked = false; // and not come yet
   private rights: People = { people: [], you: 0, drives: true, joins: true, manages: true };
   private enters = false; // it is not known in the scene yet
   private awaited = 0; // models that were asked for and have not come yet
@@ -73,9 +75,12 @@ class Page {
     history: (history) => this.clock.follow(history),
     file: (world) => download(world.file, new Blob([world.text], { type: 'text/plain' })),
     people: (people) => this.showPeople(people),
-    joined: (model) => this.joined(model),
+    joined: (joined) => this.joined(joined),
+    driven: ({ input, tick }) => this.own?.counts(input, tick),
+    physics: (shapes) => this.showPhysics(shapes),
     notice: (text) => {
       this.awaited = 0; // it may tell why nobody comes
+      this.physicsAsked = false; // or why there are no shapes
       this.showNotice(text);
     },
     state: (state, why) => this.showLink(state, why),
@@ -122,6 +127,7 @@ class Page {
   constructor() {
     fillHelp(this.help);
     byId('robots').classList.add('desk');
+    this.view.lead = (now) => this.leadOwn(now);
     this.pointer = new Pointer(byId('picture'), this.view, {
       select: (row) => this.select(row),
       carry: (row, x, y, a) => this.manage({ do: 'drag', model: this.idOf(row), x, y, a }),
@@ -158,6 +164,10 @@ class Page {
       bubbles: [...view.spoken].map(([row, text]) => [scene?.models[row].name, text]),
       tokens: [...view.tokens].map(([row, count]) => [scene?.models[row].name, count]),
       robots: scene?.models.filter((model) => model.kind === 'position').map((model) => model.name) ?? [],
+      drawn: (name: string) => {
+        const row = rowOf(name);
+        return row < 0 || !view.motion ? null : { x: view.motion.x[row], y: view.motion.y[row], a: view.motion.a[row] };
+      },
       pose: (name: string) => {
         const row = rowOf(name);
         return row < 0 || !replica ? null : { x: replica.x[row] / 1000, y: replica.y[row] / 1000 };
@@ -193,6 +203,7 @@ class Page {
     this.replica = replica;
     this.looked = '';
     this.awaited = 0;
+    this.physicsAsked = false;
     this.leaveEyes();
     this.clock.follow({ ticks: [] });
     this.view.show(scene, replica);
@@ -219,8 +230,9 @@ class Page {
     this.robots.show(scene, replica);
     this.wheels = wheels === null ? null : now(wheels);
     if (this.enters) this.embody();
-    else if (this.own !== null && !replica.rows.has(this.own)) this.own = null;
+    else if (this.own !== null && !replica.rows.has(this.own.id)) this.own = null;
     this.showJoin();
+    this.askPhysics();
     const came = replica.rows.get(scene.models.filter(({ id, parent }) => parent < 0 && !before.rows.has(id)).at(-1)?.id ?? -1);
     if (this.awaited > 0 && came !== undefined) {
       --this.awaited;
@@ -240,6 +252,7 @@ class Page {
   private showPacket(): void {
     const { scene, replica } = this;
     if (!scene || !replica) return;
+    this.own?.correct(replica, performance.now());
     this.view.changed(performance.now());
     this.toolbar.showPaused(replica.paused);
     this.toolbar.showSpeed(this.speedWish.over(replica.speed, performance.now()));
@@ -290,7 +303,7 @@ class Page {
   /** What the keys drive: the wheels of the selected robot, if this viewer may. */
   private showWheels(): void {
     const { scene, view: { selected: row } } = this;
-    const may = this.rights.drives || (row !== null && this.own !== null && scene?.models[row].id === this.own);
+    const may = this.rights.drives || (row !== null && this.own !== null && scene?.models[row].id === this.own.id);
     this.wheels = row === null || !scene || !may ? null : wheelsOf(scene, this.view.roots, row);
     this.driveBar.show(this.wheels === null ? null : scene!.models[this.wheels]);
     this.stick.show(this.wheels !== null);
@@ -316,7 +329,8 @@ class Page {
     const hands = sum([this.heldKeys.hands(this.hurry), this.stick.hands(), ...pads.map((pad) => handsOfAxes(pad!.axes))]);
     const velocity = this.walking(hands) ?? velocityOf(hands);
     const wheels = this.live && this.wheels !== null ? this.idOf(this.wheels) : null;
-    for (const order of this.driver.next(wheels, velocity, performance.now())) this.link.send({ do: 'drive', ...order });
+    const now = performance.now();
+    for (const order of this.driver.next(wheels, velocity, now)) this.link.send({ do: 'drive', ...(this.own?.number(order, now) ?? order) });
     this.driveBar.showVelocity(velocity);
   }
 
@@ -366,7 +380,7 @@ class Page {
   /** Into the world as a person, in the middle of the picture; or out of it. */
   private join(): void {
     if (this.own !== null) {
-      this.link.send({ do: 'remove', model: this.own });
+      this.link.send({ do: 'remove', model: this.own.id });
       return this.leaveEyes();
     }
     const at = this.middle();
@@ -379,8 +393,9 @@ class Page {
   }
 
   /** The viewer's body is there. */
-  private joined(model: number): void {
-    this.own = model;
+  private joined(joined: Joined): void {
+    if (!this.scene) return;
+    this.own = new OwnBody(joined, this.scene.interval);
     this.enters = true;
     this.showJoin();
     this.embody();
@@ -388,12 +403,32 @@ class Page {
 
   /** Once both are known, the body and its row, in whichever order they come. */
   private embody(): void {
-    const row = this.own === null ? undefined : this.replica?.rows.get(this.own);
+    const row = this.own === null ? undefined : this.replica?.rows.get(this.own.id);
     if (row === undefined || !this.enters) return;
     this.enters = false;
+    this.askPhysics();
     this.leaveEyes();
     this.select(row);
     this.toggleEyes();
+  }
+
+  /** The own body, where what was told it takes it. */
+  private leadOwn(now: number): { row: number; x: number; y: number; a: number } | null {
+    const row = this.own === null ? undefined : this.replica?.rows.get(this.own.id);
+    const place = row === undefined || !this.live ? null : this.own!.at(now);
+    return place && { row: row!, ...place };
+  }
+
+  /** What physics takes bodies for, where that is of use here. */
+  private askPhysics(): void {
+    if (!this.live || this.physicsAsked || this.own === null) return;
+    this.physicsAsked = true;
+    this.link.send({ do: 'physics' });
+  }
+
+  private showPhysics(shapes: PhysicsShapes): void {
+    this.physicsAsked = false;
+    this.own?.meet(shapes);
   }
 
   private say(): void {

@@ -80,6 +80,8 @@ export class StageView {
   followed: number | null = null;
   /** Through whose eyes the world is seen, and where they look. */
   seenBy: { row: number; eyes: Eyes } | null = null;
+  /** Where a model is drawn before packets say so; asked for before each picture. */
+  lead: (now: number) => { row: number; x: number; y: number; a: number } | null = () => null;
   motion: Motion | null = null;
   roots: Int32Array = new Int32Array();
 
@@ -240,6 +242,7 @@ export class StageView {
     const seconds = Math.min((now - this.last) / 1000, 0.1);
     this.last = now;
     const resized = this.fitWindow();
+    this.motion?.lead(this.lead(now));
     const moved = this.motion?.update(now) ?? false;
     if (this.followed !== null && this.motion) {
       const centre = this.rig.centreFor(this.motion.x[this.followed], this.motion.y[this.followed], this.rig.scale, this.margins());
