@@ -185,6 +185,14 @@ export class CameraRig {
     return { x: ((p.x + 1) / 2) * this.width, y: ((1 - p.y) / 2) * this.height };
   }
 
+  /** Pixels per metre at a point, about. */
+  scaleAt(x: number, y: number, z: number): number {
+    if (this.camera === this.flat) return this.scale;
+    const camera = this.eye ? this.eyes : this.deep;
+    const far = Math.max(camera.position.distanceTo(new Vector3(x, y, z)), 0.1);
+    return this.height / 2 / far / Math.tan((camera.fov * Math.PI) / 360);
+  }
+
   /** The part of the floor that is on the screen; clipped where the view reaches the horizon. */
   view(): Box {
     if (this.eye) {

@@ -333,6 +333,7 @@ export class StageView {
       if (layers.trails) drawn.trails.draw();
       drawn.ground.adapt(this.rig.scale);
       drawn.bodies.adapt(this.rig.scale);
+      drawn.people.adapt(this.rig);
       this.placeRing(drawn);
       drawn.labels.draw([this.selected, this.hovered, this.followed]);
       drawn.bubbles.draw([this.selected, this.hovered, this.followed]);
