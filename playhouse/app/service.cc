@@ -271,13 +271,16 @@ Result<void> Service::open_page() {
     return Error{{}, "--guests is for the page, which --headless and --web off leave out, and --observers"};
   if (const Result<void> read = read_guests(); !read) return read;
   if (!serving_.web) return {};
+  std::function<world::PhysicsShapes()> physics_shapes;
+  if (!playback_) physics_shapes = [this] { return simulation().engine().physics_shapes(); };
   const web_server::WebOptions options{.bind = serving_.bind,
                                        .port = *serving_.web,
                                        .page = web_server::page_files(),
                                        .host_name = {},
                                        .further_names = serving_.web_hosts,
                                        .guests = guests_,
-                                       .viewers = serving_.viewers};
+                                       .viewers = serving_.viewers,
+                                       .physics_shapes = std::move(physics_shapes)};
   const auto device_names = [this](world::ModelId model) {
     if (playback_) return std::vector<std::string>();
     return drivers::device_names(simulation().directory(), model, player_ports_.front());

@@ -77,6 +77,16 @@ ArenaEngine::Body ArenaEngine::make_body(std::uint32_t tree) {
   return body;
 }
 
+world::PhysicsShapes ArenaEngine::physics_shapes() const {
+  world::PhysicsShapes shapes;
+  for (FixedSolid& solid : fixed_solids(world_, solids_)) shapes.fixed.push_back(std::move(solid.hull));
+  for (std::uint32_t tree = 0; tree < trees_.size(); ++tree)
+    if (bodies_[tree].number != Body::kNone)
+      shapes.bodies.push_back(
+          {world_.id({trees_.root[tree]}), hulls_of(world_, trees_, solids_, tree, bodies_[tree].part)});
+  return shapes;
+}
+
 std::span<const stage::Mover> ArenaEngine::movers_of(std::uint32_t tree) const {
   const std::uint32_t first = trees_.first_mover[tree];
   return {trees_.movers.data() + first, trees_.first_mover[tree + 1] - first};

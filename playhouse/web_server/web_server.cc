@@ -25,6 +25,7 @@
 #include "playhouse/base/log.h"
 #include "playhouse/net/fair_share.h"
 #include "playhouse/net/http.h"
+#include "playhouse/replicate/physics_text.h"
 #include "playhouse/replicate/snapshot_feed.h"
 #include "playhouse/web_server/driven_robots.h"
 #include "playhouse/web_server/web_viewer.h"
@@ -104,6 +105,7 @@ class WebServer::Impl final : public net::HttpService,
         host_name_(options_.host_name.empty() ? machine_name() : options_.host_name),
         control_(control),
         scene_(world.scene()),
+        engine_(world.engine),
         prototypes_(scene_),
         feed_(world, prototypes_, std::move(devices)),
         newest_(feed_.first_layout()),
@@ -249,6 +251,7 @@ class WebServer::Impl final : public net::HttpService,
     if (const auto* say = std::get_if<replicate::Say>(&command)) return this->say(*say, from);
     if (const auto* remove = std::get_if<replicate::Remove>(&command)) return this->remove(*remove);
     if (std::holds_alternative<replicate::Save>(command)) return save(from);
+    if (std::holds_alternative<replicate::ShowPhysics>(command)) return show_physics(from);
     if (std::holds_alternative<replicate::Select>(command) ||
         std::holds_alternative<replicate::Look>(command)) {
       interest_changed();
@@ -280,6 +283,7 @@ class WebServer::Impl final : public net::HttpService,
     const Rights rights = from.rights();
     if (std::holds_alternative<replicate::Select>(command) ||
         std::holds_alternative<replicate::Look>(command) ||
+        std::holds_alternative<replicate::ShowPhysics>(command) ||
         std::holds_alternative<replicate::Acknowledge>(command))
       return {};
     bool may = rights.manages;
@@ -439,8 +443,18 @@ class WebServer::Impl final : public net::HttpService,
       if (std::string why = control_.why_fixed(); !why.empty()) return Error{"", std::move(why)};
       if (!(newest_->traits[row] & replicate::kDrives)) return Error{"", "no such robot to drive"};
       driven_.drive(drive, &from);
+      if (drive.input != 0) tell_when_driven(drive, from);
       return {};
     });
+  }
+
+  /// From which tick on the command counts: who predicts what it makes of their body knows then how late it
+  /// came. Where the queue is full they hear of the next one.
+  void tell_when_driven(const replicate::Drive& drive, const WebViewer& from) {
+    const auto tell = [input = drive.input, reach = reacher(from)](const world::World& world) {
+      reach([input, tick = world.tick()](WebViewer& viewer) { viewer.driven(input, tick); });
+    };
+    if (!control_.post(tell, drive.model)) log::info("web: {} is not told of a command", from.peer());
   }
 
   bool may_be_moved(std::uint32_t row) const { return newest_->traits[row] & replicate::kMovable; }
@@ -483,6 +497,7 @@ class WebServer::Impl final : public net::HttpService,
                    "nobody can join this world: it has no position with drive \"walk\" (worlds/person.inc)"};
     leave_body(from);
     const auto body = bodies_[&from] = std::make_shared<Body>();
+    body->walk = walk_text(*scene_.models[person->desc].position);
     const std::string& known = from.guest().name;
     return post_change([join, wanted = known.empty() ? join.name : known, body, desc = person->desc,
                         tell = teller(from), weak = weak_from_this(), &loop = loop_](world::World& world) {
@@ -499,6 +514,7 @@ class WebServer::Impl final : public net::HttpService,
   /// The model that a viewer has joined the world as.
   struct Body {
     std::optional<world::ModelId> model;  // none: it has not come yet
+    std::string walk;                     // how it walks, for its viewer
     bool is_left = false;                 // the viewer has gone, or has another one
   };
 
@@ -506,12 +522,21 @@ class WebServer::Impl final : public net::HttpService,
     return model.position && model.position->drive == scene::Drive::kWalk;
   }
 
+  /// What a viewer needs to predict how its body walks.
+  std::string walk_text(const scene::PositionDesc& desc) const {
+    const auto bounds = [&desc](int axis) {
+      return fmt::format("[{},{}]", desc.velocity_bounds[axis].min, desc.velocity_bounds[axis].max);
+    };
+    return fmt::format(R"({{"engine":"{}","ahead":{},"aside":{},"turn":{}}})", engine_, bounds(0), bounds(1),
+                       bounds(3));
+  }
+
   void embody(Body& body, world::ModelId model) {
     body.model = model;
     if (body.is_left) return remove_body(body);
     for (const auto& viewer : viewers_) {
       const auto own = bodies_.find(viewer.get());
-      if (own != bodies_.end() && own->second.get() == &body) viewer->joined(model);
+      if (own != bodies_.end() && own->second.get() == &body) viewer->joined(model, body.walk);
     }
     tell_people();
   }
@@ -563,6 +588,24 @@ class WebServer::Impl final : public net::HttpService,
     });
     if (!posted) from.expect_no_text();
     return posted;
+  }
+
+  Result<void> show_physics(WebViewer& from) {
+    if (!options_.physics_shapes)
+      return Error{"", "a recording does not tell what its physics took bodies for"};
+    if (!from.await_text()) return Error{"", "a large text is on its way already"};
+    const bool posted =
+        control_.post([reach = reacher(from), shapes = options_.physics_shapes](world::World&) {
+          reach([now = std::make_shared<const world::PhysicsShapes>(shapes())](WebViewer& viewer) {
+            Result<std::string> text = replicate::physics_text(*now);
+            if (text) return viewer.send_text(std::make_shared<const std::string>(std::move(*text)));
+            viewer.expect_no_text();
+            viewer.notice(text.error().text);
+          });
+        });
+    if (posted) return {};
+    from.expect_no_text();
+    return Error{"", "the program is too busy to do that"};
   }
 
   static void send_world(const scene::SceneDesc& standing, double time, WebViewer& viewer) {
@@ -694,6 +737,7 @@ class WebServer::Impl final : public net::HttpService,
   const std::string host_name_;
   world::Control& control_;
   const scene::SceneDesc& scene_;
+  const std::string engine_;  // its name
   const replicate::Prototypes prototypes_;
   replicate::SnapshotFeed feed_;
 

@@ -37,8 +37,15 @@ void WebViewer::notice(std::string_view text) {
   socket_->send_text(std::make_shared<const std::string>(fmt::format("{{\"notice\":{}}}", quoted)));
 }
 
-void WebViewer::joined(world::ModelId body) {
-  socket_->send_text(std::make_shared<const std::string>(fmt::format("{{\"joined\":{}}}", body.value)));
+void WebViewer::joined(world::ModelId body, std::string_view walk) {
+  socket_->send_text(
+      std::make_shared<const std::string>(fmt::format(R"({{"joined":{},"walk":{}}})", body.value, walk)));
+}
+
+void WebViewer::driven(std::uint32_t input, std::uint64_t tick) {
+  if (socket_->messages_in_flight() >= limits::kViewerTextMessages) return;
+  socket_->send_text(std::make_shared<const std::string>(
+      fmt::format(R"({{"driven":{{"input":{},"tick":{}}}}})", input, tick)));
 }
 
 void WebViewer::send_text(std::shared_ptr<const std::string> text) {

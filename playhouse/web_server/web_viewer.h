@@ -66,8 +66,11 @@ class WebViewer final : public net::WebSocketEvents {
   /// A line for the person at the page; dropped when many wait already.
   void notice(std::string_view text);
 
-  /// This model is the viewer's own now.
-  void joined(world::ModelId body);
+  /// This model is the viewer's own now; `walk` is JSON text of how it walks.
+  void joined(world::ModelId body, std::string_view walk);
+
+  /// The viewer's command of this number counts in the ticks after this one. Dropped when many texts wait.
+  void driven(std::uint32_t input, std::uint64_t tick);
 
   /// Who watches, as a text of docs/viewer-protocol.md: the newest goes out with the next frame.
   void tell_people(std::string text) { people_ = std::make_shared<const std::string>(std::move(text)); }
