@@ -69,6 +69,8 @@ class Service final : private drivers::Surroundings {
   /// devices.
   Result<void> read_world(const std::string& path, scene::NamedBy by = scene::NamedBy::kPerson);
   Result<void> read_cfg(const std::string& path);
+  /// The configuration file that was read, if it has no world to serve: then it is for serve_devices().
+  const scene::CfgFile* file_without_world() const;
   /// A saved run: its world goes on where it was saved, with its seed.
   Result<void> read_saved(const std::string& path);
   /// Lets clients save the world into a file; before run(). Fails where nobody can write it.
@@ -96,6 +98,7 @@ class Service final : private drivers::Surroundings {
   Result<void> read_guests();
   Result<void> open_page();
 
+  const Serving& serving() const { return serving_; }
   /// Ports for Player clients, the default one first.
   const std::vector<std::uint16_t>& player_ports() const { return player_ports_; }
   /// Of the web page; 0 where there is none.
@@ -122,6 +125,7 @@ class Service final : private drivers::Surroundings {
   }
   void release(device::DeviceId device, device::Driver* holder) override { server_->release(device, holder); }
   void post(std::function<void()> task) override { loop_.post(std::move(task)); }
+  net::Network& network() override { return loop_; }
   Result<std::unique_ptr<drivers::Simulation>> open_world(const std::string& path) override;
 
   Result<void> open_playback();

@@ -17,6 +17,7 @@
 namespace playhouse::net {
 
 struct SimulatedLink;
+struct SimulatedEnd;
 
 /// The test's end of a connection. A handle: copies speak for the same peer.
 class SimulatedPeer {
@@ -63,6 +64,9 @@ class SimulatedNetwork final : public Network {
   [[nodiscard]] std::unique_ptr<Timer> after(double seconds, Task task) override;
   Result<std::unique_ptr<Listener>> listen(const std::string& bind, std::uint16_t port,
                                            Acceptor acceptor) override;
+  /// Whatever the host is called: it is this network's own port, or nobody is there.
+  [[nodiscard]] std::unique_ptr<Attempt> connect(const std::string& host, std::uint16_t port,
+                                                 Connected connected) override;
 
  private:
   struct Alarm {
@@ -71,6 +75,8 @@ class SimulatedNetwork final : public Network {
   };
   bool step();
   bool step_link(SimulatedLink& link);
+  bool step_end(SimulatedEnd& end);
+  void make_connection(const std::string& host, std::uint16_t port, const Connected& connected);
 
   Rng rng_;
   double now_ = 0;
@@ -80,6 +86,7 @@ class SimulatedNetwork final : public Network {
   std::multimap<double, Alarm> alarms_;
   std::map<std::uint16_t, std::shared_ptr<Acceptor>> ports_;
   std::vector<std::shared_ptr<SimulatedLink>> links_;
+  std::vector<std::shared_ptr<SimulatedEnd>> ends_;  // of those who connected
 };
 
 }  // namespace playhouse::net
