@@ -19,8 +19,8 @@ constexpr std::size_t kCircleShown = 8;  // devices of a circle that an error na
 
 Result<device::Address> Site::resolve(const scene::DeviceAddress& address) const {
   if (!address.host.empty() && address.host != "localhost" && address.host != "127.0.0.1") {
-    return Error{"",
-                 fmt::format("{}: devices of other hosts are not available yet", in_quotes(address.text()))};
+    return Error{"", fmt::format("{}: a device of another host is for the driver \"passthrough\" alone",
+                                 in_quotes(address.text()))};
   }
   const wire::InterfaceDef* interf = wire::find_interface(address.interf);
   if (interf == nullptr) {

@@ -60,8 +60,8 @@ class Connection {
   /// what it has not read. No more events.
   virtual void close_after_flush() = 0;
   /// From now on a peer that takes nothing of what is sent, or answers no probe, for kAliveSeconds is
-  /// lost: its cable was cut, or it stands still. Without it one that has much to read may take a quarter of an
-  /// hour, and one that reads slowly is never lost.
+  /// lost: its cable was cut, or it stands still. Without it one that has much to read may take a quarter of
+  /// an hour, and one that reads slowly is never lost.
   virtual void expect_alive() {}
   /// The other end as "address:port", for log lines.
   virtual const std::string& peer() const = 0;

@@ -327,8 +327,8 @@ TEST_F(Relay, files_that_make_no_sense_are_told_what) {
             "for each");
   EXPECT_EQ(wrong("provides [\"laser:0\"] requires [\"localhost:6665:laser:0\"]"),
             "test.cfg:1: \"laser:0\" would stand for itself");
-  EXPECT_EQ(wrong("provides [\"laser:0\"] requires [\"lab:6665:lasr:0\"]").substr(0, 18),
-            "test.cfg:1: error:");
+  EXPECT_NE(wrong("provides [\"laser:0\"] requires [\"lab:6665:lasr:0\"]").find("(did you mean \"laser\"?)"),
+            std::string::npos);
 }
 
 }  // namespace
