@@ -11,6 +11,7 @@ find_package(libjpeg-turbo REQUIRED)
 find_package(TBB REQUIRED)
 find_package(Boost 1.81 REQUIRED COMPONENTS json)
 find_package(CLI11 REQUIRED)
+find_path(TOMLPLUSPLUS toml++/toml.h REQUIRED)  # headers alone
 find_package(PkgConfig REQUIRED)
 find_package(embree 3 REQUIRED)
 find_package(assimp 5 REQUIRED)

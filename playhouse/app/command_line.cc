@@ -40,6 +40,7 @@ constexpr const char* kExamples = R"(Examples:
   playhouse export my.mcap --csv                     what it has, as tables
   playhouse verify my.world --ticks 100              whether it is the same run on any number of workers
   playhouse serve simple.cfg                         devices as a Player configuration file names them
+  playhouse robot my.toml --server lab               a robot of this machine in the world of another one
   playhouse devices 127.0.0.1:6665                   what a server offers
   playhouse watch 127.0.0.1 laser:0                  a device's data as JSON lines
   playhouse observe 127.0.0.1                        who is where, as JSON lines, by UDP (run --observers)
@@ -74,6 +75,9 @@ constexpr const char* kVerifyExamples = R"(Examples:
 constexpr const char* kServeExamples = R"(Examples:
   playhouse serve my.cfg
   playhouse serve my.cfg --bind 0.0.0.0 --paused)";
+constexpr const char* kRobotExamples = R"(Examples:
+  playhouse robot examples/robot.toml --server 127.0.0.1:6665 --port 7000
+  playhouse robot examples/robot.toml --server 127.0.0.1 --bind 0.0.0.0)";
 constexpr const char* kDevicesExamples = R"(Examples:
   playhouse devices
   playhouse devices 127.0.0.1:6665 --json)";
@@ -127,6 +131,7 @@ struct Raw {
   ReplayOptions replay;
   ExportOptions export_tables;
   ServeOptions serve;
+  RobotOptions robot;
   GymOptions gym;
   VerifyOptions verify;
   DevicesOptions devices;
@@ -476,6 +481,23 @@ void add_commands(CLI::App& app, Raw& raw) {
   add_serving(*serve, raw, raw.serve.serving);
   add_running(*serve, raw, raw.serve.running);
 
+  CLI::App* robot =
+      app.add_subcommand("robot", "bring robots into the world of a server, and serve them on this machine");
+  robot->footer(kRobotExamples);
+  robot->add_option("FILE", raw.robot.files, "a .toml file of one robot or several (docs/robot-client.md)")
+      ->required();
+  robot->add_option("--server", raw.robot.server, "the server of the world")
+      ->type_name("HOST[:PORT]")
+      ->required();
+  robot
+      ->add_option("--port", raw.robot.port,
+                   "port of the first robot whose file names none, and so on; 0: any free ones, printed")
+      ->check(check_port)
+      ->capture_default_str();
+  robot->add_option("--bind", raw.robot.bind, "address to listen on; 0.0.0.0: everybody's")
+      ->check(check_bind)
+      ->capture_default_str();
+
   CLI::App* gym =
       app.add_subcommand("gym", "let a learning program step all robots of a world (docs/gym.md)");
   gym->footer(kGymExamples);
@@ -718,6 +740,7 @@ CommandLine chosen(const CLI::App& app, Raw& raw) {
     if (!raw.view.empty()) raw.observe.view = view_in(raw.view);
     return raw.observe;
   }
+  if (name == "robot") return raw.robot;
   if (name == "drive") return raw.drive;
   if (name == "check") return raw.check;
   if (name == "convert") return raw.convert;

@@ -17,8 +17,9 @@ struct Answer {
 };
 
 using CommandLine =
-    std::variant<Answer, RunOptions, ReplayOptions, ExportOptions, ServeOptions, GymOptions, VerifyOptions,
-                 DevicesOptions, WatchOptions, ObserveOptions, DriveOptions, CheckOptions, ConvertOptions,
+    std::variant<Answer, RunOptions, ReplayOptions, ExportOptions, ServeOptions, RobotOptions, GymOptions,
+                 VerifyOptions, DevicesOptions, WatchOptions, ObserveOptions, DriveOptions, CheckOptions,
+                 ConvertOptions,
                  PictureOptions, FilmOptions, KindsOptions, BenchOptions>;
 
 /// The words after the program's name. Fails with one line for a person, with the nearest valid word.

@@ -35,6 +35,7 @@ struct Dispatch {
   int operator()(const ServeOptions& options) const { return serve(options); }
   int operator()(const GymOptions& options) const { return gym(options); }
   int operator()(const VerifyOptions& options) const { return verify(options); }
+  int operator()(const RobotOptions& options) const { return robot(options); }
   int operator()(const DevicesOptions& options) const { return devices(options); }
   int operator()(const WatchOptions& options) const { return watch(options); }
   int operator()(const ObserveOptions& options) const { return observe(options); }

@@ -95,6 +95,13 @@ struct ServeOptions {
   Running running;
 };
 
+struct RobotOptions {
+  std::vector<std::string> files;  // .toml
+  std::string server;              // "host" or "host:port" of the world
+  std::uint16_t port = kPlayerPort;
+  std::string bind = "127.0.0.1";
+};
+
 struct GymOptions {
   std::string world;
   int socket = -1;  // that the learning program has the other end of

@@ -14,6 +14,7 @@
 #include <thread>
 #include <utility>
 
+#include "playhouse/app/device_service.h"
 #include "playhouse/app/fail.h"
 #include "playhouse/app/interrupt.h"
 #include "playhouse/app/whole_file.h"
@@ -32,23 +33,6 @@ constexpr double kProgressSeconds = 0.5;
 
 bool is_world_file(const std::string& file) {
   return file.ends_with(".world");
-}
-
-/// An address as people type it into a client; a server on every interface is shown at the loopback one.
-std::string shown_host(const std::string& bind) {
-  if (bind == "0.0.0.0" || bind == "localhost") return "127.0.0.1";
-  if (bind == "::") return "[::1]";
-  return bind.find(':') == std::string::npos ? bind : "[" + bind + "]";
-}
-
-/// The ports of a configuration file; 0 stands for the default one where an address names none.
-std::set<std::uint16_t> ports_of(const scene::CfgFile& file) {
-  std::set<std::uint16_t> ports;
-  for (const scene::CfgSection& section : file.drivers) {
-    for (const scene::DeviceAddress& address : section.addresses("provides"))
-      ports.insert(address.port.value_or(0));
-  }
-  return ports;
 }
 
 }  // namespace
@@ -180,15 +164,15 @@ Result<void> Service::read_cfg(const std::string& path) {
   return {};
 }
 
+const scene::CfgFile* Service::file_without_world() const {
+  return cfg_ && !has_world(*cfg_) ? &*cfg_ : nullptr;
+}
+
 Result<void> Service::open_ports() {
   const std::set<std::uint16_t> wanted = cfg_ ? ports_of(*cfg_) : std::set<std::uint16_t>{0};
   for (const std::uint16_t port : wanted) {
     const Result<std::uint16_t> opened = server_->listen(port == 0 ? serving_.port : port);
-    if (!opened) {
-      return Error{opened.error().where,
-                   opened.error().text + (port == 0 ? "; " + serving_.port_option + " takes another port"
-                                                    : "; the configuration file names this port")};
-    }
+    if (!opened) return port_error(opened.error(), port == 0, serving_.port_option);
     if (port == 0) serving_.port = *opened;
     player_ports_.push_back(*opened);
   }

@@ -70,6 +70,8 @@ class Service final : private drivers::Surroundings {
   /// devices.
   Result<void> read_world(const std::string& path, scene::NamedBy by = scene::NamedBy::kPerson);
   Result<void> read_cfg(const std::string& path);
+  /// The configuration file that was read, if it has no world to serve: then it is for serve_devices().
+  const scene::CfgFile* file_without_world() const;
   /// A saved run: its world goes on where it was saved, with its seed.
   Result<void> read_saved(const std::string& path);
   /// Lets clients save the world into a file; before run(). Fails where nobody can write it.
@@ -99,6 +101,7 @@ class Service final : private drivers::Surroundings {
   /// Opens the port for observers, if one is wanted.
   Result<void> open_observers();
 
+  const Serving& serving() const { return serving_; }
   /// Ports for Player clients, the default one first.
   const std::vector<std::uint16_t>& player_ports() const { return player_ports_; }
   /// Of the web page; 0 where there is none.
@@ -125,6 +128,7 @@ class Service final : private drivers::Surroundings {
   }
   void release(device::DeviceId device, device::Driver* holder) override { server_->release(device, holder); }
   void post(std::function<void()> task) override { loop_.post(std::move(task)); }
+  net::Network& network() override { return loop_; }
   Result<std::unique_ptr<drivers::Simulation>> open_world(const std::string& path) override;
 
   Result<void> open_playback();

@@ -39,6 +39,8 @@ class IoLoop final : public Network {
   Result<std::unique_ptr<DatagramSocket>> open_datagrams(const std::string& bind, std::uint16_t port,
                                                          DatagramSocket::Receiver receiver) override;
   double now() const override;
+  [[nodiscard]] std::unique_ptr<Attempt> connect(const std::string& host, std::uint16_t port,
+                                                 Connected connected) override;
 
   struct Impl;  // defined in asio_loop.h
   Impl& impl() { return *impl_; }

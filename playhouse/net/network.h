@@ -22,6 +22,9 @@ namespace playhouse::net {
 /// connection that has not yet handed them to the system.
 using SharedBytes = std::shared_ptr<const std::vector<std::byte>>;
 
+inline constexpr int kConnectSeconds = 10;  // for a connection to be made
+inline constexpr int kAliveSeconds = 30;    // without a sign of life of a peer that is expected to be alive
+
 /// What a connection tells its owner.
 class ConnectionEvents {
  public:
@@ -57,6 +60,10 @@ class Connection {
   /// and closes when the peer has ended as well: it has a second for that, so that one that still sends gets
   /// what it has not read. No more events.
   virtual void close_after_flush() = 0;
+  /// From now on a peer that takes nothing of what is sent, or answers no probe, for kAliveSeconds is
+  /// lost: its cable was cut, or it stands still. Without it one that has much to read may take a quarter of
+  /// an hour, and one that reads slowly is never lost.
+  virtual void expect_alive() {}
   /// The other end as "address:port", for log lines.
   virtual const std::string& peer() const = 0;
 };
@@ -87,10 +94,18 @@ class Timer {
   virtual ~Timer() = default;
 };
 
+/// A connection that is being made. Destroying it gives up.
+class Attempt {
+ public:
+  virtual ~Attempt() = default;
+};
+
 class Network {
  public:
   using Task = std::function<void()>;
   using Acceptor = std::function<void(std::unique_ptr<Connection>)>;
+  /// A connection, or why there is none.
+  using Connected = std::function<void(Result<std::unique_ptr<Connection>>)>;
 
   virtual ~Network() = default;
   /// Runs the task on the io thread, in the order of the calls. Any thread.
@@ -106,6 +121,11 @@ class Network {
                                                                  DatagramSocket::Receiver receiver) = 0;
   /// The network's clock: seconds from some moment on.
   virtual double now() const = 0;
+  /// Connects to a TCP port of a host, by its name or numeric address. `connected` is called once, behind the
+  /// call of connect(), after kConnectSeconds at the latest; never once the attempt is destroyed, which
+  /// is allowed inside it.
+  [[nodiscard]] virtual std::unique_ptr<Attempt> connect(const std::string& host, std::uint16_t port,
+                                                         Connected connected) = 0;
 };
 
 }  // namespace playhouse::net

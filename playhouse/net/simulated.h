@@ -17,6 +17,7 @@
 namespace playhouse::net {
 
 struct SimulatedLink;
+struct SimulatedEnd;
 
 /// The test's end of a connection. A handle: copies speak for the same peer.
 class SimulatedPeer {
@@ -75,6 +76,9 @@ class SimulatedNetwork final : public Network {
   Result<std::unique_ptr<DatagramSocket>> open_datagrams(const std::string& bind, std::uint16_t port,
                                                          DatagramSocket::Receiver receiver) override;
   double now() const override { return now_; }
+  /// Whatever the host is called: it is this network's own port, or nobody is there.
+  [[nodiscard]] std::unique_ptr<Attempt> connect(const std::string& host, std::uint16_t port,
+                                                 Connected connected) override;
 
  private:
   struct Alarm {
@@ -85,6 +89,8 @@ class SimulatedNetwork final : public Network {
   bool step();
   void carry(const Endpoint& from, const Endpoint& to, std::span<const std::byte> bytes);
   bool step_link(SimulatedLink& link);
+  bool step_end(SimulatedEnd& end);
+  void make_connection(const std::string& host, std::uint16_t port, const Connected& connected);
 
   Rng rng_;
   double now_ = 0;
@@ -95,6 +101,7 @@ class SimulatedNetwork final : public Network {
   std::map<Endpoint, std::weak_ptr<DatagramSocket::Receiver>> datagram_ports_;
   std::map<std::uint16_t, std::shared_ptr<Acceptor>> ports_;
   std::vector<std::shared_ptr<SimulatedLink>> links_;
+  std::vector<std::shared_ptr<SimulatedEnd>> ends_;  // of those who connected
 };
 
 }  // namespace playhouse::net

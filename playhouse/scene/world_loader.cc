@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <deque>
 #include <map>
+#include <set>
 
 #include "playhouse/base/folders_of.h"
 #include "playhouse/base/in_quotes.h"
+#include "playhouse/base/nearest_word.h"
 #include "playhouse/scene/actuator.h"
 #include "playhouse/scene/bitmap.h"
 #include "playhouse/scene/body.h"
@@ -102,6 +105,9 @@ class WorldLoader {
   void load_window(const Instance& window, const Kind& kind);
   /// A section at top level.
   void load_section(const Section& section);
+  /// Descriptions of what robots that join are made of: prototypes of which the scene has no tree.
+  void load_robot_types();
+  void load_robot_type(const Value& word, SourceLine where);
   /// A section that says what one before said, but for what its instance has for itself. False, and nothing
   /// done, if there is none such or it has to be looked at word by word.
   bool repeat_tree(const Section& section);
@@ -150,6 +156,7 @@ class WorldLoader {
   SceneDesc scene_;
   TokenNames names_{scene_, state_};
   std::map<std::string, Loops> bitmaps_;
+  std::deque<std::string> type_names_;
   std::set<std::pair<std::uint32_t, std::uint32_t>> unknown_types_;  // files and lines told
   std::map<std::string, Repeat, std::less<>> repeats_;               // by repeat_key()
   std::map<std::string_view, std::uint32_t> latest_;  // row of the latest tree that a word made
@@ -178,6 +185,7 @@ Result<SceneDesc> WorldLoader::load() {
       load_section(statement.section);
     }
   }
+  if (!state_.over) load_robot_types();
   if (state_.error) return state_.warnings.with_slip(*state_.error);
   names_.check_follow_model(follow_where_);
   scene_.warnings = state_.warnings.take();
@@ -197,6 +205,30 @@ void WorldLoader::load_section(const Section& section) {
   } else {
     load_tree(section, *entity);
   }
+}
+
+void WorldLoader::load_robot_types() {
+  const Field* const types = FieldSet(document_.fields).find("robot_types");
+  if (types == nullptr) return;
+  if (scene_.trees.empty())
+    return state_.fail(types->where,
+                       "a world with robot_types has at least one model of its own, as a floorplan");
+  const std::size_t trees = scene_.trees.size();
+  std::set<std::string_view> done;
+  for (const Value& word : types->values)
+    if (!state_.over && done.insert(word.text).second) load_robot_type(word, types->where);
+  if (scene_.trees.size() > trees) scene_.trees.resize(trees);
+  std::erase_if(scene_.renamed, [trees](const auto& each) { return each.first.first >= trees; });
+}
+
+/// As a section of this word alone. Its name is one that no model has.
+void WorldLoader::load_robot_type(const Value& word, SourceLine where) {
+  const std::vector<std::string_view> known = macros_.names();
+  if (macros_.find(word.text) == nullptr)
+    return state_.fail(
+        where, "robot_types: there is no define " + in_quotes(word.text) + did_you_mean(word.text, known));
+  const std::string& name = type_names_.emplace_back(std::string(word.text) + " (type)");
+  load_section({word.text, where, {{"name", {{ValueKind::kString, name}}, where}}, {}});
 }
 
 bool WorldLoader::repeat_tree(const Section& section) {
