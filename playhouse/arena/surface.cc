@@ -3,6 +3,8 @@
 #include <array>
 #include <string_view>
 
+#include "playhouse/mesh/mesh.h"
+
 namespace playhouse::arena {
 namespace {
 
@@ -26,6 +28,10 @@ Surface surface_of(const scene::ModelDesc& desc) {
   Surface surface = kUnknown;
   for (const Material& material : kMaterials)
     if (material.name == desc.material) surface = material.surface;
+  if (desc.material.empty() && desc.mesh && desc.mesh->physics) {
+    surface.friction = desc.mesh->physics->friction.value_or(surface.friction);
+    surface.restitution = desc.mesh->physics->restitution.value_or(surface.restitution);
+  }
   if (desc.friction > 0) surface.friction = desc.friction;
   return surface;
 }
