@@ -28,6 +28,7 @@
 #include "playhouse/net/fair_share.h"
 #include "playhouse/net/http.h"
 #include "playhouse/web_server/driven_robots.h"
+#include "playhouse/web_server/mesh_files.h"
 #include "playhouse/web_server/web_viewer.h"
 #include "playhouse/world/as_scene.h"
 #include "playhouse/world/population.h"
@@ -43,10 +44,12 @@ constexpr std::string_view kNoPage =
     "the "
     "program again.\n";
 
-/// The page loads its own files alone, talks to this server alone, and is shown in nobody's frame, where a
-/// click meant for another site could drive a robot.
+/// The page loads its own files alone (textures of meshes are in files that it has, which is "blob:"), talks
+/// to this server alone, and is shown in nobody's frame, where a click meant for another site could drive a
+/// robot.
 constexpr std::string_view kPagePolicy =
-    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; connect-src 'self'; "
+    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; connect-src 'self' "
+    "blob:; "
     "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
 /// "host:port" or "host" to "host"; the brackets of an IPv6 address stay.
@@ -106,6 +109,7 @@ class WebServer::Impl final : public net::HttpService,
         control_(control),
         scene_(world.scene()),
         prototypes_(scene_),
+        mesh_files_(prototypes_.meshes()),
         newest_(std::make_shared<const replicate::Layout>(world, prototypes_, devices)),
         driven_(loop, control),
         ids_given_(newest_->ids_given),
@@ -206,6 +210,12 @@ class WebServer::Impl final : public net::HttpService,
       return reply;
     }
     const std::string_view path = request.path == "/" ? "/index.html" : std::string_view(request.path);
+    if (const MeshFiles::File* mesh = mesh_files_.find(path)) {
+      reply.content_type = "model/gltf-binary";
+      reply.etag = mesh->etag;
+      reply.text = mesh->bytes;
+      return reply;
+    }
     const auto file = std::ranges::find(options_.page, path, &PageFile::path);
     if (file == options_.page.end()) {
       reply.status = 404;
@@ -728,6 +738,7 @@ class WebServer::Impl final : public net::HttpService,
   world::Control& control_;
   const scene::SceneDesc& scene_;
   const replicate::Prototypes prototypes_;
+  MeshFiles mesh_files_;
 
   // web thread
   std::shared_ptr<const replicate::Layout> newest_;  // that viewers were told of
