@@ -65,7 +65,7 @@ ArenaEngine::Body ArenaEngine::make_body(std::uint32_t tree) {
   body.part = part_of(world_, trees_, solids_, tree);
   for (const stage::Mover& mover : movers_of(tree))
     body.has_joints = body.has_joints || mover.model != trees_.root[tree];
-  std::vector<Hull> hulls = hulls_of(world_, trees_, solids_, tree, body.part);
+  std::vector<Hull> hulls = hulls_of(world_, trees_, solids_, tree, body.part, mesh_hulls_);
   if (hulls.empty()) {
     body.part = Part::kGuided;  // an outline that encloses nothing
     return body;
@@ -154,7 +154,7 @@ void ArenaEngine::bend(std::uint32_t tree) {
     is_bent = true;
   }
   if (!is_bent) return;
-  const std::vector<Hull> hulls = hulls_of(world_, trees_, solids_, tree, body.part);
+  const std::vector<Hull> hulls = hulls_of(world_, trees_, solids_, tree, body.part, mesh_hulls_);
   if (!hulls.empty()) physics_.set_hulls(body.number, hulls);
 }
 

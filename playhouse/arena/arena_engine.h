@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "playhouse/arena/body_plan.h"
+#include "playhouse/arena/mesh_solids.h"
 #include "playhouse/arena/physics.h"
 #include "playhouse/stage/body_engine.h"
 
@@ -48,6 +49,7 @@ class ArenaEngine final : public stage::BodyEngine {
   bool is_driven(std::uint32_t tree) const;
 
   Physics physics_;
+  MeshHulls mesh_hulls_;
   std::vector<Body> bodies_;  // (trees)
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "playhouse/arena/mesh_solids.h"
 #include "playhouse/arena/solid_bodies.h"
 #include "playhouse/base/rng.h"
 #include "playhouse/stage/ranger_noise.h"
@@ -19,8 +20,11 @@ constexpr float kGroundReturn = 1;  // what beams report that met the ground
 constexpr float kEcho = 0.5f;
 
 /// Adds the bodies of a model that rangers see, rows [begin, end), in F.
-void add_bodies(Triangles& triangles, const stage::Solids& solids, std::size_t begin, std::size_t end,
-                const geom::Pose& X_FM) {
+void add_bodies(Triangles& triangles, const world::World& world, const stage::Solids& solids,
+                std::size_t begin, std::size_t end, const geom::Pose& X_FM) {
+  const std::uint32_t model = solids.model[begin];
+  if (const mesh::Mesh* mesh = mesh_of(world, model))
+    return add_surfaces(triangles, *mesh, body_in(world, model, X_FM));
   each_body(solids, begin, end, stage::Observer::kRanger, [&](std::size_t first, std::size_t last) {
     const std::vector<std::vector<geom::Vec2>> outlines = outlines_of(solids, first, last, X_FM);
     const std::vector<geom::Outline> all(outlines.begin(), outlines.end());
@@ -96,7 +100,7 @@ void LidarSense::populate_fixed(const world::World& world, const stage::Solids& 
   std::vector<Triangles> triangles;
   std::vector<Owner> owners;
   each_model(solids, 0, solids.fixed, [&](std::uint32_t model, std::size_t begin, std::size_t end) {
-    add_bodies(triangles.emplace_back(), solids, begin, end, models.X_WM[model]);
+    add_bodies(triangles.emplace_back(), world, solids, begin, end, models.X_WM[model]);
     owners.push_back({model, models.root[model]});
   });
   scene_.set_fixed(triangles, owners);
@@ -110,7 +114,7 @@ void LidarSense::populate_moving(const world::World& world, const stage::Solids&
                const auto [entry, is_new] = shape_of_.try_emplace(world.models.desc[model]);
                if (is_new) {
                  Triangles triangles;
-                 add_bodies(triangles, solids, begin, end, {});
+                 add_bodies(triangles, world, solids, begin, end, {});
                  entry->second = scene_.add_shape(triangles);
                }
                instances.push_back({entry->second, {model, world.models.root[model]}});

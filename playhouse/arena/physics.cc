@@ -91,6 +91,35 @@ class Solids {
   std::unique_ptr<btCompoundShape> compound_;  // of more than one
 };
 
+/// A surface of triangles that stands still.
+class Sheet {
+ public:
+  explicit Sheet(const Triangles& triangles) {
+    for (const Vec3& v : triangles.p) p_.insert(p_.end(), {v.x, v.y, v.z});
+    for (const auto& corner : triangles.corner)
+      for (const std::uint32_t row : corner) rows_.push_back(static_cast<int>(row));
+    btIndexedMesh part;
+    part.m_numTriangles = static_cast<int>(triangles.corner.size());
+    part.m_triangleIndexBase = reinterpret_cast<const unsigned char*>(rows_.data());
+    part.m_triangleIndexStride = 3 * sizeof(int);
+    part.m_numVertices = static_cast<int>(triangles.p.size());
+    part.m_vertexBase = reinterpret_cast<const unsigned char*>(p_.data());
+    part.m_vertexStride = 3 * sizeof(double);
+    part.m_indexType = PHY_INTEGER;
+    part.m_vertexType = PHY_DOUBLE;
+    mesh_.addIndexedMesh(part, PHY_INTEGER);
+    shape_ = std::make_unique<btBvhTriangleMeshShape>(&mesh_, true);
+    shape_->setMargin(kMargin);
+  }
+  btCollisionShape& shape() const { return *shape_; }
+
+ private:
+  std::vector<double> p_;
+  std::vector<int> rows_;
+  btTriangleIndexVertexArray mesh_;
+  std::unique_ptr<btBvhTriangleMeshShape> shape_;
+};
+
 std::unique_ptr<btRigidBody> make_body(double mass, btCollisionShape& shape, const Surface& surface) {
   btVector3 inertia(0, 0, 0);
   if (mass > 0) shape.calculateLocalInertia(mass, inertia);
@@ -214,11 +243,17 @@ struct Physics::Impl {
   std::unique_ptr<btRigidBody> ground;
   double gravity;  // m/s^2
   struct Fixed {
-    std::unique_ptr<Solids> solids;
+    std::unique_ptr<Solids> solids;  // or
+    std::unique_ptr<Sheet> sheet;
     std::unique_ptr<btRigidBody> body;
     double lowest_top = 0;  // m; a wheel further below stands on none of it
+    Vec3 low{-1e300, -1e300, 0}, high{1e300, 1e300, 0};  // no wheel beside stands on it
+
+    bool is_beside(const Vec3& p) const {
+      return p.x < low.x || p.x > high.x || p.y < low.y || p.y > high.y;
+    }
   };
-  std::vector<Fixed> fixed;  // of each surface
+  std::vector<Fixed> fixed;  // of each surface, and of each sheet
   std::vector<std::unique_ptr<Moving>> bodies;
   bool is_in = false;
 
@@ -304,7 +339,7 @@ void Physics::Impl::find_footing(Moving& moving, std::size_t i) const {
   footing.friction = ground->getFriction();
   const Ray ray{bullet(p + wheel.rise * up), bullet(p - kWheelDrop * up), wheel.rise};
   for (const Fixed& part : fixed)
-    if (ray.top.z() >= part.lowest_top) ray.meet(*part.body, footing);
+    if (ray.top.z() >= part.lowest_top && !part.is_beside(p)) ray.meet(*part.body, footing);
   moving.supports[i] = kNobody;
   for (const std::uint32_t below : moving.below) {
     if (!ray.meet(*bodies[below]->body, footing)) continue;
@@ -385,6 +420,7 @@ void Physics::set_fixed(std::span<const FixedSolid> solids) {
   };
   std::vector<Alike> parts;
   for (const FixedSolid& solid : solids) {
+    if (solid.hull.empty()) continue;
     const double heading = solid.surface.has_grain() ? solid.heading : 0;
     auto same = std::ranges::find_if(parts, [&](const Alike& part) {
       return part.surface == solid.surface && part.heading == heading;
@@ -393,10 +429,23 @@ void Physics::set_fixed(std::span<const FixedSolid> solids) {
     same->hulls.push_back(turned(solid.hull, -heading));
   }
   for (const Alike& alike : parts) {
-    Impl::Fixed part{std::make_unique<Solids>(alike.hulls, Vec3{}), nullptr, 1e300};
+    Impl::Fixed part{std::make_unique<Solids>(alike.hulls, Vec3{}), nullptr, nullptr, 1e300};
     part.body = make_body(0, part.solids->shape(), alike.surface);
     part.body->setWorldTransform(btTransform(bullet(geom::orientation(alike.heading, {}))));
     for (const Hull& hull : alike.hulls) part.lowest_top = std::min(part.lowest_top, highest(hull));
+    impl_->fixed.push_back(std::move(part));
+  }
+  for (const FixedSolid& solid : solids) {
+    if (solid.triangles.empty()) continue;
+    Impl::Fixed part{nullptr, std::make_unique<Sheet>(solid.triangles), nullptr, 1e300};
+    part.body = make_body(0, part.sheet->shape(), solid.surface);
+    part.low = {1e300, 1e300, 0};
+    part.high = {-1e300, -1e300, 0};
+    for (const Vec3& p : solid.triangles.p) {
+      part.lowest_top = std::min(part.lowest_top, p.z);
+      part.low = {std::min(part.low.x, p.x - kWheelDrop), std::min(part.low.y, p.y - kWheelDrop), 0};
+      part.high = {std::max(part.high.x, p.x + kWheelDrop), std::max(part.high.y, p.y + kWheelDrop), 0};
+    }
     impl_->fixed.push_back(std::move(part));
   }
 }

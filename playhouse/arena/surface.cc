@@ -6,6 +6,7 @@
 
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
+#include "playhouse/mesh/mesh.h"
 
 namespace playhouse::arena {
 namespace {
@@ -35,6 +36,10 @@ const Material* find(std::string_view name) {
 Surface surface_of(const scene::ModelDesc& desc) {
   const Material* material = find(desc.material);
   Surface surface = material ? material->surface : kUnknown;
+  if (desc.material.empty() && desc.mesh && desc.mesh->physics) {
+    surface.friction = desc.mesh->physics->friction.value_or(surface.friction);
+    surface.restitution = desc.mesh->physics->restitution.value_or(surface.restitution);
+  }
   if (desc.friction > 0) surface.friction = desc.friction;
   surface.share_x = desc.friction_x;
   surface.share_y = desc.friction_y;

@@ -8,7 +8,8 @@
 
 namespace playhouse::arena {
 
-/// How the faces of a model rub and bounce: as its material does, or as its word `friction` says. What is
+/// How the faces of a model rub and bounce: as its material does, or the file of its mesh says where it has
+/// none, or as its word `friction` says. What is
 /// made of nothing in particular is rubber on concrete with most others.
 Surface surface_of(const scene::ModelDesc& desc);
 

@@ -1,5 +1,7 @@
 #include "playhouse/stage/engine.h"
 
+#include <algorithm>
+
 #include "playhouse/base/log.h"
 #include "playhouse/stage/check_scene.h"
 #include "playhouse/stage/stage_engine.h"
@@ -49,11 +51,24 @@ void StageEngine::move() {
   if (motion_.move(world_, solids_, index_, walls_, workers_)) index();
 }
 
+namespace {
+
+void tell_of_meshes(const scene::SceneDesc& scene) {
+  const auto first =
+      std::ranges::find_if(scene.models, [](const scene::ModelDesc& model) { return model.mesh != nullptr; });
+  if (first == scene.models.end()) return;
+  log::info("{}: bodies in the plane are the outlines of meshes; --engine arena has the meshes themselves",
+            scene.at(first->where));
+}
+
+}  // namespace
+
 Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene,
                                                    const EngineOptions& options) {
   if (const Result<void> checked = check_scene(scene); !checked) return checked.error();
   tell_of_unseen_weather(scene);
   warn_of_arena_words(scene);
+  tell_of_meshes(scene);
   return std::unique_ptr<world::Engine>(std::make_unique<StageEngine>(scene, options.seed, options.workers));
 }
 

@@ -28,6 +28,7 @@
 #include "playhouse/replicate/physics_text.h"
 #include "playhouse/replicate/snapshot_feed.h"
 #include "playhouse/web_server/driven_robots.h"
+#include "playhouse/web_server/mesh_files.h"
 #include "playhouse/web_server/web_viewer.h"
 #include "playhouse/world/as_scene.h"
 #include "playhouse/world/population.h"
@@ -43,10 +44,12 @@ constexpr std::string_view kNoPage =
     "the "
     "program again.\n";
 
-/// The page loads its own files alone, talks to this server alone, and is shown in nobody's frame, where a
-/// click meant for another site could drive a robot.
+/// The page loads its own files alone (textures of meshes are in files that it has, which is "blob:"), talks
+/// to this server alone, and is shown in nobody's frame, where a click meant for another site could drive a
+/// robot.
 constexpr std::string_view kPagePolicy =
-    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; connect-src 'self'; "
+    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; connect-src 'self' "
+    "blob:; "
     "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
 /// "host:port" or "host" to "host"; the brackets of an IPv6 address stay.
@@ -107,6 +110,7 @@ class WebServer::Impl final : public net::HttpService,
         scene_(world.scene()),
         engine_(world.engine),
         prototypes_(scene_),
+        mesh_files_(prototypes_.meshes()),
         feed_(world, prototypes_, std::move(devices)),
         newest_(feed_.first_layout()),
         driven_(loop, control),
@@ -186,6 +190,12 @@ class WebServer::Impl final : public net::HttpService,
       return reply;
     }
     const std::string_view path = request.path == "/" ? "/index.html" : std::string_view(request.path);
+    if (const MeshFiles::File* mesh = mesh_files_.find(path)) {
+      reply.content_type = "model/gltf-binary";
+      reply.etag = mesh->etag;
+      reply.text = mesh->bytes;
+      return reply;
+    }
     const auto file = std::ranges::find(options_.page, path, &PageFile::path);
     if (file == options_.page.end()) {
       reply.status = 404;
@@ -739,6 +749,7 @@ class WebServer::Impl final : public net::HttpService,
   const scene::SceneDesc& scene_;
   const std::string engine_;  // its name
   const replicate::Prototypes prototypes_;
+  MeshFiles mesh_files_;
   replicate::SnapshotFeed feed_;
 
   // web thread

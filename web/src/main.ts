@@ -178,6 +178,7 @@ class Page {
       driven: this.driver.driven,
       hovered: view.hovered === null ? null : (scene?.models[view.hovered].name ?? null),
       labels: [...view.labelled].map((row) => scene?.models[row].name),
+      meshes: view.meshes,
       bubbles: [...view.spoken].map(([row, text]) => [scene?.models[row].name, text]),
       tokens: [...view.tokens].map(([row, count]) => [scene?.models[row].name, count]),
       robots: scene?.models.filter((model) => model.kind === 'position').map((model) => model.name) ?? [],

@@ -25,7 +25,7 @@ constexpr Meaning kOld_model_polygon{.how = Meaning::How::kNested, .part = "bloc
 constexpr Meaning kOld_model_blocks{.how = Meaning::How::kCount, .part = "block"};
 constexpr SaidWord kOld_model_block_part_words[] = {{"z", "0 1"}};
 constexpr Meaning kOld_model_block{.how = Meaning::How::kNested, .part = "block", .part_words = kOld_model_block_part_words};
-constexpr Word kWordsOfModel[60] = {
+constexpr Word kWordsOfModel[61] = {
     {.name = "name", .use = Use::kRead, .type = "text", .told = "the type and its number, as position:0", .doc = "What the model is called; inside a parent it is parent.name, with a leading / it stands as it is."},
     {.name = "pose", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .otherwise = "[0 0 0 0]", .doc = "Where the model is in its parent."},
     {.name = "origin", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .otherwise = "[0 0 0 0]", .doc = "Where body and sensors are, from the pose."},
@@ -33,7 +33,8 @@ constexpr Word kWordsOfModel[60] = {
     {.name = "color", .use = Use::kRead, .type = "color", .told = "the kind's own", .doc = "The name of an X11 color, or random, which is the same in each run."},
     {.name = "color_rgba", .use = Use::kRead, .type = "rgba", .form = "[red green blue alpha]", .told = "the kind's own", .doc = "The color as shares from 0 to 1; counts where there is no color."},
     {.name = "bitmap", .use = Use::kRead, .type = "text", .doc = "An image, PNG, PGM, PPM, PBM or BMP, whose dark pixels (first channel up to 127) are solid and fill the size."},
-    {.name = "noblocks", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "There is no box where there are neither blocks nor a bitmap."},
+    {.name = "mesh", .use = Use::kRead, .type = "text", .doc = "A file of a modelling program, COLLADA, glTF or OBJ: how the model looks, and its body. It fills the size where that is said, else it has its own. See docs/meshes.md."},
+    {.name = "noblocks", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "There is no box where there are neither blocks nor a bitmap nor a mesh."},
     {.name = "boundary", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "Four walls stand inside the edges of the size, beside a bitmap or blocks."},
     {.name = "stack_children", .use = Use::kRead, .type = "flag", .otherwise = "1", .doc = "Models inside this one stand on top of it."},
     {.name = "obstacle_return", .use = Use::kRead, .type = "flag", .otherwise = "1", .doc = "It collides."},

@@ -21,6 +21,7 @@ export interface Prototype extends KindStart {
   origin?: Pose;
   size: [number, number, number];
   shape?: number; // row of shapes
+  mesh?: string; // address of a binary glTF of the body, from that of the page
   moving?: number; // how many of its solids, the last, its kind draws
   movable?: boolean;
   nose?: boolean; // what it wants drawn beside its body

@@ -57,9 +57,10 @@ class Drawn {
     rig: CameraRig,
     canvas: HTMLCanvasElement,
     theme: Theme,
+    changed: () => void,
     before: Drawn | null = null,
   ) {
-    this.bodies = new Bodies(scene, replica, motion, theme);
+    this.bodies = new Bodies(scene, replica, motion, theme, changed);
     this.people = new People(scene, replica, motion, before?.people);
     const stage = { scene, replica, motion, theme };
     this.drawings = [new FloorMarks(stage), ...kKindPages.flatMap(({ drawings }) => drawings?.(stage) ?? [])];
@@ -122,6 +123,15 @@ export class StageView {
     this.applyTheme();
   }
 
+  /** How many files of meshes are drawn. */
+  get meshes(): number {
+    return this.drawn?.bodies.files ?? 0;
+  }
+
+  async filesThere(): Promise<void> {
+    await this.drawn?.bodies.filesThere();
+  }
+
   /** Shows another scene; the camera stays when it is the same world again. */
   show(scene: Scene, replica: Replica): void {
     const again = this.drawn?.scene.name === scene.name;
@@ -146,7 +156,7 @@ export class StageView {
   private draws(scene: Scene, replica: Replica, motion: Motion, before: Drawn | null): void {
     this.motion = motion;
     this.roots = rootsOf(scene);
-    this.drawn = new Drawn(scene, replica, motion, this.rig, this.overlay, this.theme, before);
+    this.drawn = new Drawn(scene, replica, motion, this.rig, this.overlay, this.theme, () => (this.dirty = true), before);
     this.picture.add(this.drawn.group);
     this.applyLayers();
   }
