@@ -100,7 +100,9 @@ void CameraSense::place_bodies(const world::World& world, double time) {
   figures_.clear();
   clouds_.clear();
   for (const Body& body : bodies_) {
-    const std::array<float, 4> tint = light_of(models.color[body.model]);
+    // A mesh has colors of its own.
+    const std::array<float, 4> tint = world.desc({body.model}).mesh ? std::array<float, 4>{1, 1, 1, 1}
+                                                                    : light_of(models.color[body.model]);
     if (!(tint[3] > 0)) continue;
     const Placed at = model_in_world(models, body.model);
     instances_.push_back(

@@ -70,8 +70,29 @@ Look look_of(const scene::ModelDesc& desc) {
   return walks && desc.size.z > 0 ? Look::kPerson : Look::kSolid;
 }
 
+namespace {
+
+/// The mesh of a file, from B to M.
+mesh::Mesh mesh_in_model(const mesh::Mesh& of_body, const geom::Pose& X_MB) {
+  mesh::Mesh mesh = of_body;
+  const geom::Quaternion q = geom::orientation(X_MB.a, {});
+  const geom::Vec3 p_MB{X_MB.x, X_MB.y, X_MB.z};
+  const auto moved = [&](std::array<float, 3>& v, const geom::Vec3& by) {
+    const geom::Vec3 p = q * geom::Vec3{v[0], v[1], v[2]} + by;
+    v = {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+  };
+  for (mesh::Surface& surface : mesh.surfaces) {
+    for (auto& p : surface.p) moved(p, p_MB);
+    for (auto& normal : surface.normal) moved(normal, {});
+  }
+  return mesh;
+}
+
+}  // namespace
+
 mesh::Mesh mesh_of(const scene::ModelDesc& desc, const stage::Solids& solids, std::size_t begin,
                    std::size_t end) {
+  if (desc.mesh) return mesh_in_model(*desc.mesh, desc.X_MB);
   Triangles triangles;
   each_body(solids, begin, end, stage::Observer::kImage, [&](std::size_t first, std::size_t last) {
     const std::vector<std::vector<geom::Vec2>> outlines = outlines_of(solids, first, last, {});

@@ -32,6 +32,15 @@ void warn_of_arena_words(const scene::SceneDesc& scene) {
     }
 }
 
+/// What a file says of shapes that are flat here: one line, for the first.
+void tell_of_meshes(const scene::SceneDesc& scene) {
+  const auto first =
+      std::ranges::find_if(scene.models, [](const scene::ModelDesc& model) { return model.mesh != nullptr; });
+  if (first == scene.models.end()) return;
+  log::info("{}: bodies in the plane are the outlines of meshes; --engine arena has the meshes themselves",
+            scene.at(first->where));
+}
+
 }  // namespace
 
 StageEngine::StageEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers)
@@ -50,18 +59,6 @@ void StageEngine::replaced(std::uint32_t tree) {
 void StageEngine::move() {
   if (motion_.move(world_, solids_, index_, walls_, workers_)) index();
 }
-
-namespace {
-
-void tell_of_meshes(const scene::SceneDesc& scene) {
-  const auto first =
-      std::ranges::find_if(scene.models, [](const scene::ModelDesc& model) { return model.mesh != nullptr; });
-  if (first == scene.models.end()) return;
-  log::info("{}: bodies in the plane are the outlines of meshes; --engine arena has the meshes themselves",
-            scene.at(first->where));
-}
-
-}  // namespace
 
 Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene,
                                                    const EngineOptions& options) {
