@@ -38,11 +38,11 @@ void expect_an_echo(const std::string& bind) {
   std::string heard;
   server = *loop.open_datagrams(bind, 0, [&](const Endpoint& from, std::span<const std::byte> bytes) {
     server->send(from, bytes_of(text_of(bytes) + ", " + std::to_string(from.port == client->port())));
-  }));
+  });
   client = *loop.open_datagrams(bind, 0, [&](const Endpoint&, std::span<const std::byte> bytes) {
     heard = text_of(bytes);
     loop.stop();
-  }));
+  });
   client->send(*parse_endpoint(bind == "::" ? "127.0.0.1" : bind, server->port()), bytes_of("hello"));
   const auto patience = loop.after(60, [&] { loop.stop(); });
   loop.run();
@@ -63,8 +63,8 @@ TEST(Datagrams, a_socket_may_be_closed_by_what_it_hears) {
     ++heard;
     server.reset();
     loop.stop();
-  }));
-  const auto client = *loop.open_datagrams("127.0.0.1", 0, [](const Endpoint&, auto) {}));
+  });
+  const auto client = *loop.open_datagrams("127.0.0.1", 0, [](const Endpoint&, auto) {});
   const Endpoint there = *parse_endpoint("127.0.0.1", server->port());
   client->send(there, bytes_of("one"));
   client->send(there, bytes_of("two"));
@@ -75,12 +75,12 @@ TEST(Datagrams, a_socket_may_be_closed_by_what_it_hears) {
 
 TEST(Datagrams, a_port_that_is_taken_and_an_address_that_is_none_are_told) {
   IoLoop loop;
-  const auto first = *loop.open_datagrams("127.0.0.1", 0, [](const Endpoint&, auto) {}));
+  const auto first = *loop.open_datagrams("127.0.0.1", 0, [](const Endpoint&, auto) {});
   const auto second = loop.open_datagrams("127.0.0.1", first->port(), [](const Endpoint&, auto) {});
   ASSERT_FALSE(second);
   EXPECT_NE(second.error().line().find("cannot listen for datagrams: Address already in use"),
             std::string::npos);
-  EXPECT_FALSE(loop.open_datagrams("nowhere", 0, [](const Endpoint&, auto) {}));
+  EXPECT_FALSE(loop.open_datagrams("nowhere", 0, [](const Endpoint&, auto) {});
 }
 
 /// Sends the numbers from 0 on, one a millisecond, and returns what comes in the order in which it comes.
