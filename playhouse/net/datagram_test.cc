@@ -80,7 +80,7 @@ TEST(Datagrams, a_port_that_is_taken_and_an_address_that_is_none_are_told) {
   ASSERT_FALSE(second);
   EXPECT_NE(second.error().line().find("cannot listen for datagrams: Address already in use"),
             std::string::npos);
-  EXPECT_FALSE(loop.open_datagrams("nowhere", 0, [](const Endpoint&, auto) {});
+  EXPECT_FALSE(loop.open_datagrams("nowhere", 0, [](const Endpoint&, auto) {}));
 }
 
 /// Sends the numbers from 0 on, one a millisecond, and returns what comes in the order in which it comes.
