@@ -79,11 +79,14 @@ ArenaEngine::Body ArenaEngine::make_body(std::uint32_t tree) {
 
 world::PhysicsShapes ArenaEngine::physics_shapes() const {
   world::PhysicsShapes shapes;
-  for (FixedSolid& solid : fixed_solids(world_, solids_)) shapes.fixed.push_back(std::move(solid.hull));
+  // Meshes that stand still are what they look like: their triangles.
+  for (FixedSolid& solid : fixed_solids(world_, solids_))
+    if (!solid.hull.empty()) shapes.fixed.push_back(std::move(solid.hull));
   for (std::uint32_t tree = 0; tree < trees_.size(); ++tree)
     if (bodies_[tree].number != Body::kNone)
       shapes.bodies.push_back(
-          {world_.id({trees_.root[tree]}), hulls_of(world_, trees_, solids_, tree, bodies_[tree].part)});
+          {world_.id({trees_.root[tree]}),
+           hulls_of(world_, trees_, solids_, tree, bodies_[tree].part, mesh_hulls_)});
   return shapes;
 }
 

@@ -49,7 +49,7 @@ class ArenaEngine final : public stage::BodyEngine {
   bool is_driven(std::uint32_t tree) const;
 
   Physics physics_;
-  MeshHulls mesh_hulls_;
+  mutable MeshHulls mesh_hulls_;
   std::vector<Body> bodies_;  // (trees)
 };
 
