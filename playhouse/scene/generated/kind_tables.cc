@@ -448,7 +448,7 @@ constexpr Word kWordsOfWorld[31] = {
     {.name = "name", .use = Use::kRead, .type = "text", .told = "the file's path", .doc = "The name of the world."},
     {.name = "interval_sim", .use = Use::kRead, .type = "number", .unit = "ms", .otherwise = "100", .limits = "above 0", .doc = "Simulated time of one tick, in whole microseconds."},
     {.name = "resolution", .use = Use::kRead, .type = "number", .unit = "m", .otherwise = "0.02", .limits = "above 0", .doc = "Told to clients as the resolution of ranges; geometry here is exact."},
-    {.name = "gravity", .use = Use::kRead, .type = "number", .unit = "m/s^2", .otherwise = "9.81", .limits = "from 0 to 100", .doc = "How fast what falls gets faster, in the arena, and what an imu feels that stands still; 1.62 is the moon's."},
+    {.name = "gravity", .use = Use::kRead, .type = "number", .unit = "m/s^2", .otherwise = "9.81", .limits = "not negative", .doc = "How fast what falls gets faster, in the arena, and what an imu feels that stands still; 1.62 is the moon's."},
     {.name = "ground", .use = Use::kRead, .type = "text", .otherwise = "\"concrete\"", .doc = "What the ground is made of, in the arena: a material, as of models (docs/arena.md)."},
     {.name = "quit_time", .use = Use::kRead, .type = "number", .unit = "s", .otherwise = "0", .limits = "not negative", .doc = "Simulated time after which the run ends; 0: never."},
     {.name = "robot_types", .use = Use::kRead, .type = "texts", .doc = "Words of defines, of robots and of sensors that these may carry: `playhouse robot` makes robots of them while the world runs (docs/robot-client.md). None of them stands in the world at the start."},

@@ -356,7 +356,7 @@ void read(const Properties& properties, WorldDesc& to) {
   to.resolution = properties.number("resolution", to.resolution);
   require(to.resolution > 0, properties, "resolution", "must be above 0 m");
   to.gravity = properties.number("gravity", to.gravity);
-  require(to.gravity >= 0 && to.gravity <= 100, properties, "gravity", "must be from 0 to 100");
+  to.gravity = at_least_zero(properties, "gravity", to.gravity, "no gravity is meant");
   to.ground = properties.text("ground", to.ground);
   to.quit_time = properties.number("quit_time", to.quit_time);
   to.quit_time = at_least_zero(properties, "quit_time", to.quit_time, "no end is meant");
