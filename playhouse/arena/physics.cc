@@ -308,8 +308,8 @@ void Physics::Impl::find_supports() {
 }
 
 /// What moves below a vehicle that rests wakes it, and a vehicle that moves what it stands on, unless nothing
-/// pushes that. One after the other, in the order of their numbers: a stack wakes from below within a step, from above in as many as it
-/// is high.
+/// pushes that. One after the other, in the order of their numbers, each in as many steps as its stack is
+/// high at most. Who is woken from above has no footings of this step yet.
 void Physics::Impl::wake() {
   for (const auto& moving : bodies) {
     if (moving->below.empty()) continue;
@@ -319,6 +319,7 @@ void Physics::Impl::wake() {
       if (sleeper.is_guided()) continue;
       sleeper.rests = false;
       sleeper.write();
+      if (&sleeper != moving.get()) find_footings(below);
     }
   }
 }

@@ -175,5 +175,26 @@ TEST_F(PhysicsTest, who_walks_steps_onto_what_is_loose_and_low) {
   EXPECT_NEAR(physics_.state(body).p.z, 0, 0.01) << "and down again";
 }
 
+TEST_F(PhysicsTest, a_vehicle_that_is_woken_from_above_goes_on_whatever_was_before) {
+  BodyDesc small = rover();
+  small.hulls = {box(0.2, 0.2, 0.05, 0.2)};
+  small.mass = 1;
+  for (Wheel& wheel : small.wheels) wheel.p_B = 0.4 * wheel.p_B;
+  const auto step_from = [&](double height_before) {
+    Physics physics;
+    const std::uint32_t below = physics.add(rover()), above = physics.add(small);
+    physics.put(below, {.p = {0, 0, height_before}}, false);
+    physics.put(above, {.p = {5, 0, 0}}, false);
+    physics.step(kStep, workers_);
+    physics.put(below, {}, true);
+    physics.put(above, {.p = {0, 0, 0.22}}, false);
+    physics.forget();
+    physics.step(kStep, workers_);
+    EXPECT_FALSE(physics.rests(below));
+    return physics.state(below).p.z;
+  };
+  EXPECT_EQ(step_from(0), step_from(2)) << "on the ground, or in the air";
+}
+
 }  // namespace
 }  // namespace playhouse::arena
