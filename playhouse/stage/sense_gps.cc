@@ -18,7 +18,7 @@
 namespace playhouse::stage {
 namespace {
 
-using geom::Size;
+using geom::Vec3;
 
 /// exp(-x) for x >= 0, from multiplications alone: the same bits everywhere. Error below 1e-12.
 double decay(double x) {
@@ -32,17 +32,10 @@ double decay(double x) {
   return sum;
 }
 
-Size gaussian(Rng& rng, double horizontal, double vertical) {
+Vec3 gaussian(Rng& rng, double horizontal, double vertical) {
   if (horizontal == 0 && vertical == 0) return {0, 0, 0};
   const double x = rng.gaussian(), y = rng.gaussian(), z = rng.gaussian();
   return {horizontal * x, horizontal * y, vertical * z};
-}
-
-Size plus(const Size& a, const Size& b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-Size times(double s, const Size& a) {
-  return {s * a.x, s * a.y, s * a.z};
 }
 
 class GpsSense final : public SensePhase {
@@ -71,17 +64,17 @@ void GpsSense::measure(world::World& world, std::uint32_t row, std::uint64_t tic
   const scene::GpsDesc& gps = *desc.gps;
   const geom::SpatialPose X_WB = geom::compose(
       {world.models.X_WM[model.index], world.models.tilt_WM[model.index]}, {desc.X_MB, geom::Tilt{}});
-  const Size p{X_WB.X.x, X_WB.X.y, X_WB.X.z};
+  const Vec3 p{X_WB.X.x, X_WB.X.y, X_WB.X.z};
   Rng rng(world.seed(), tick, {Purpose::kFix, world.id(model).value});
   const bool is_first = receivers.noted_tick[row] == 0;
   const double dt = static_cast<double>(tick - receivers.noted_tick[row]) * world.scene().interval;
   const double kept = is_first ? 0 : decay(dt / gps.drift_time), drawn = std::sqrt(1 - kept * kept);
-  receivers.drift[row] = plus(times(kept, receivers.drift[row]),
-                              gaussian(rng, drawn * gps.drift_horizontal, drawn * gps.drift_vertical));
+  receivers.drift[row] = kept * receivers.drift[row] +
+                         gaussian(rng, drawn * gps.drift_horizontal, drawn * gps.drift_vertical);
   receivers.position[row] =
-      plus(plus(p, receivers.drift[row]), gaussian(rng, gps.noise_horizontal, gps.noise_vertical));
-  const Size moved = is_first ? Size{0, 0, 0} : times(1 / dt, plus(p, times(-1, receivers.p_WB[row])));
-  receivers.velocity[row] = plus(moved, gaussian(rng, gps.velocity_noise, gps.velocity_noise));
+      p + receivers.drift[row] + gaussian(rng, gps.noise_horizontal, gps.noise_vertical);
+  const Vec3 moved = is_first ? Vec3{} : (1 / dt) * (p - receivers.p_WB[row]);
+  receivers.velocity[row] = moved + gaussian(rng, gps.velocity_noise, gps.velocity_noise);
   receivers.p_WB[row] = p;
   receivers.noted_tick[row] = tick;
 }

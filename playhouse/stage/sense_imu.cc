@@ -28,13 +28,6 @@ Quaternion inverse(const Quaternion& q) {
   return {q.w, -q.x, -q.y, -q.z};
 }
 
-Vec3 vec(const geom::Size& v) {
-  return {v.x, v.y, v.z};
-}
-geom::Size size(const Vec3& v) {
-  return {v.x, v.y, v.z};
-}
-
 /// The axis times the angle of the shorter turn.  [rad]
 Vec3 turn_of(const Quaternion& q) {
   const double sign = q.w < 0 ? -1 : 1, sine = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z);
@@ -102,7 +95,7 @@ void ImuSense::begin(world::World& world, std::uint32_t row, const geom::Spatial
   imus.X_WB[row] = {before.x, before.y, before.z, X_WB.X.a};
   imus.tilt_WB[row] = X_WB.tilt;
   imus.X_WE[row] = imus.X_WB[row];
-  imus.v_WB[row] = imus.v_WE[row] = size(v);
+  imus.v_WB[row] = imus.v_WE[row] = v;
   imus.bias[row] = {gaussian(rng, imu.acceleration_bias), gaussian(rng, imu.gyro_bias)};
   imus.heading_error[row] = 0;
 }
@@ -124,7 +117,7 @@ void ImuSense::measure(world::World& world, std::uint32_t row, std::uint64_t tic
                    q_WB = geom::orientation(X_WB.X.a, X_WB.tilt);
   const double gravity = world.scene().gravity;
   const Vec3 v = (1 / dt) * (Vec3{X_WB.X.x, X_WB.X.y, X_WB.X.z} - Vec3{before.x, before.y, before.z});
-  const Vec3 acceleration = (1 / dt) * (v - vec(imus.v_WB[row]));
+  const Vec3 acceleration = (1 / dt) * (v - imus.v_WB[row]);
   const Vec3 w = (1 / dt) * turn_of(inverse(q_WA) * q_WB);
   const Vec3 f = inverse(q_WA) * (acceleration + Vec3{0, 0, gravity});
 
@@ -139,7 +132,7 @@ void ImuSense::measure(world::World& world, std::uint32_t row, std::uint64_t tic
   believe(world, row, dt, q_WA, f_read, (q_WB * (w_read - w)).z);
   imus.X_WB[row] = X_WB.X;
   imus.tilt_WB[row] = X_WB.tilt;
-  imus.v_WB[row] = size(v);
+  imus.v_WB[row] = v;
   imus.noted_tick[row] = tick;
   // How it stands: its level is that of its accelerometers, where there is gravity, its heading that of its
   // gyroscopes.
@@ -155,8 +148,8 @@ void ImuSense::believe(world::World& world, std::uint32_t row, double dt, const 
                        double turn_error) {
   world::Imus& imus = world.imus;
   const Quaternion q_WE = about({0, 0, imus.heading_error[row]}) * q_WA;
-  const Vec3 v = vec(imus.v_WE[row]) + dt * (q_WE * f - Vec3{0, 0, world.scene().gravity});
-  imus.v_WE[row] = size(v);
+  const Vec3 v = imus.v_WE[row] + dt * (q_WE * f - Vec3{0, 0, world.scene().gravity});
+  imus.v_WE[row] = v;
   geom::Pose& X = imus.X_WE[row];
   X.x += dt * v.x;
   X.y += dt * v.y;

@@ -23,7 +23,7 @@ std::int32_t whole(double value) {
 }
 
 /// Clockwise from north, in [0, 2 pi).  [rad]
-double course_of(const geom::Size& velocity) {
+double course_of(const geom::Vec3& velocity) {
   const double course = std::atan2(velocity.x, velocity.y);
   return course < 0 ? course + geom::kTwoPi : course;
 }
@@ -59,7 +59,7 @@ gps::Data Gps::fix(const world::World& world, const scene::ModelDesc& desc, std:
   data.vdop = static_cast<std::uint32_t>(std::lround(10 * limits.vdop));
   if (limits.satellites < kLeastSatellites) return data;  // quality 0: no fix
   const scene::SceneDesc& scene = world.scene();
-  const geom::Size &p = world.receivers.position[receiver], &v = world.receivers.velocity[receiver];
+  const geom::Vec3 &p = world.receivers.position[receiver], &v = world.receivers.velocity[receiver];
   const Geodetic place = place_on_earth({scene.latitude, scene.longitude, scene.altitude}, p.x, p.y, p.z);
   const Utm utm = utm_of(place);
   data.latitude = whole(geom::degrees(place.latitude) * 1e7);

@@ -138,8 +138,7 @@ void Imu::emit(const world::World& world, std::vector<device::Publication>& out)
       return publish(world, imu::kDataEuler,
                      imu::DataEuler{calibrated(imus, row), {pose.proll, pose.ppitch, pose.pyaw}}, out);
     case imu::kDataFullstate: {
-      const geom::Size& speed = imus.v_WE[row];
-      const Vec3 v = inverse(attitude(imus, row)) * Vec3{speed.x, speed.y, speed.z};
+      const Vec3 v = inverse(attitude(imus, row)) * imus.v_WE[row];
       return publish(world, imu::kDataFullstate,
                      imu::DataFullstate{pose, {v.x, v.y, v.z, w.x, w.y, w.z}, {f.x, f.y, f.z, 0, 0, 0}}, out);
     }

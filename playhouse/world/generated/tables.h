@@ -348,10 +348,10 @@ struct Imus {
   std::vector<geom::SpatialVelocity> bias;  // Errors that wander. [m/s^2, m/s^2, m/s^2, rad/s, rad/s, rad/s]
   std::vector<geom::Pose> X_WB;  // Where it was when it measured. [m, m, m, rad]
   std::vector<geom::Tilt> tilt_WB;  // How it stood then. [rad]
-  std::vector<geom::Size> v_WB;  // How it moved then, along x, y and z. [m/s]
+  std::vector<geom::Vec3> v_WB;  // How it moved then, along x, y and z. [m/s]
   std::vector<geom::Pose> X_WE;  // Where it believes to be: its reading integrated twice, from where it measured first. [m, m, m, rad]
   std::vector<geom::Tilt> tilt_WE;  // How it believes to stand. [rad]
-  std::vector<geom::Size> v_WE;  // How it believes to move, along x, y and z. [m/s]
+  std::vector<geom::Vec3> v_WE;  // How it believes to move, along x, y and z. [m/s]
   std::vector<double> heading_error;  // By how much its heading has drifted: the errors of its turn rate, integrated. [rad]
   std::vector<double> reference_heading;  // The heading that is 0 for it, as a client has it. [rad]
   std::vector<geom::Tilt> reference_tilt;  // The tilt that is none for it, as a client has it. [rad]
@@ -364,10 +364,10 @@ struct Imus {
 /// it.
 struct Receivers {
   std::vector<ModelRow> model;  // The model that receives.
-  std::vector<geom::Size> position;  // Where it believes to be, x, y and z. [m]
-  std::vector<geom::Size> velocity;  // How fast it believes to move along x, y and z, a mean since the fix before. [m/s]
-  std::vector<geom::Size> drift;  // The part of its error that varies slowly, along x, y and z. [m]
-  std::vector<geom::Size> p_WB;  // Where it was when it measured, x, y and z. [m]
+  std::vector<geom::Vec3> position;  // Where it believes to be, x, y and z. [m]
+  std::vector<geom::Vec3> velocity;  // How fast it believes to move along x, y and z, a mean since the fix before. [m/s]
+  std::vector<geom::Vec3> drift;  // The part of its error that varies slowly, along x, y and z. [m]
+  std::vector<geom::Vec3> p_WB;  // Where it was when it measured, x, y and z. [m]
   std::vector<std::uint64_t> noted_tick;  // Tick at which it was there; 0: it never measured.
   std::vector<std::uint64_t> measured_tick;  // Tick of the newest fix; 0: none yet.
   std::size_t size() const { return model.size(); }
