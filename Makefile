@@ -58,10 +58,10 @@ demo: build
 
 fuzzers: setup-test
 	@echo "== building the fuzzers"
-	@tools/configure.sh ci
-	@cmake --build --preset ci --target fuzzers
+	@tools/configure.sh fuzz
+	@cmake --build --preset fuzz --target fuzzers
 
-test: setup-test web
+test: setup-test build fuzzers
 	@tools/test.sh
 
 tsan: setup-test
