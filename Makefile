@@ -61,7 +61,7 @@ fuzzers: setup-test
 	@tools/configure.sh fuzz
 	@cmake --build --preset fuzz --target fuzzers
 
-test: setup-test build fuzzers
+test: setup-test web fuzzers
 	@tools/test.sh
 
 tsan: setup-test

@@ -13,6 +13,9 @@ add_compile_options(-Wall -Wextra -Wconversion -Wno-sign-conversion)
 if(PLAYHOUSE_WERROR)
   add_compile_options(-Werror)
 endif()
+if(PLAYHOUSE_SANITIZE)
+  add_compile_options(-O1)
+endif()
 
 # What whoever links one of our libraries needs as well.
 add_library(playhouse_flags INTERFACE)
@@ -22,7 +25,7 @@ target_compile_features(playhouse_flags INTERFACE cxx_std_20)  # for projects th
 target_compile_options(playhouse_flags INTERFACE -ffp-contract=off)
 target_compile_definitions(playhouse_flags INTERFACE PLAYHOUSE_VERSION="${PROJECT_VERSION}")
 if(PLAYHOUSE_SANITIZE)
-  target_compile_options(playhouse_flags INTERFACE -fsanitize=${PLAYHOUSE_SANITIZE} -fno-omit-frame-pointer -O1)
+  target_compile_options(playhouse_flags INTERFACE -fsanitize=${PLAYHOUSE_SANITIZE} -fno-omit-frame-pointer)
   target_link_options(playhouse_flags INTERFACE -fsanitize=${PLAYHOUSE_SANITIZE})
   if(PLAYHOUSE_SANITIZE MATCHES undefined)
     target_compile_options(playhouse_flags INTERFACE -fno-sanitize-recover=undefined)
@@ -65,6 +68,9 @@ function(playhouse_module NAME)
     add_executable(${TARGET}_test ${TESTS})
     target_link_libraries(${TARGET}_test PRIVATE ${TARGET} rapidcheck rapidcheck_gtest GTest::gtest GTest::gmock GTest::gtest_main)
     target_compile_definitions(${TARGET}_test PRIVATE PLAYHOUSE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    if(PLAYHOUSE_SANITIZE)  # a file of tests takes the optimiser and the sanitizers twice the time, and runs once
+      target_compile_options(${TARGET}_test PRIVATE -O0)
+    endif()
     gtest_discover_tests(${TARGET}_test TEST_PREFIX "${NAME}." DISCOVERY_TIMEOUT 120
       PROPERTIES TIMEOUT 300 ENVIRONMENT RC_PARAMS=seed=1)  # laws draw the same cases in every run: a red one can be repeated
   endif()

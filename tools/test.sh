@@ -1,15 +1,16 @@
 #!/bin/sh
-# Builds the tests with warnings as errors and the sanitizers on, and runs everything through ctest. Before that the tests of
-# what is computed, compiled as the program is: the optimiser makes vectors only there. After it the tests of engine, server and
-# drivers with the thread sanitizer.
-# Called by `make test` after the release program, the page and the fuzzers are built.
+# Every test, in three builds. The program as people run it, with the tests of what is computed: the optimiser makes vectors only
+# there. Then all tests, with warnings as errors and the address and undefined-behaviour sanitizers. Then the tests of engine,
+# server and drivers with the thread sanitizer.
+# Called by `make test` after the page and the fuzzers are built.
 set -eu
 cd "$(dirname "$0")/.."
 
-echo "== building and running the tests of what is computed, as the program is compiled"
+echo "== building the program and the tests of what is computed"
 tools/configure.sh release-test
 cmake --build --preset release-test
-ctest --test-dir build/release-test --output-on-failure -j "$(nproc)" -R '^(base|geom|stage|wire|replicate|drivers)\.'
+echo "== running the tests of what is computed, as the program is compiled"
+ctest --test-dir build/release --output-on-failure -j "$(nproc)" -R '^(base|geom|stage|wire|replicate|drivers)\.'
 
 echo "== building the tests (address and undefined sanitizers)"
 tools/configure.sh ci
