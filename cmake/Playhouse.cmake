@@ -36,12 +36,13 @@ if(PLAYHOUSE_FUZZ)
   add_custom_target(fuzzers)
 endif()
 
-# playhouse_module(NAME DEPS a b c EXCEPT x.cc)
+# playhouse_module(NAME DEPS a b c EXCEPT x.cc OPTIMISED_TESTS)
 # Declares the library playhouse_NAME from the folder's *.cc (and generated/*.cc, and one level of folders below it).
 # Beside a foo.cc: foo_test.cc goes into the test program, foo_bench.cc into the bench program and
 # each foo_fuzz.cc becomes a libFuzzer program of its own. main.cc and what EXCEPT names are left to the caller.
+# OPTIMISED_TESTS: its tests compute a lot, and are optimised under sanitizers too.
 function(playhouse_module NAME)
-  cmake_parse_arguments(ARG "" "" "DEPS;EXCEPT" ${ARGN})
+  cmake_parse_arguments(ARG "OPTIMISED_TESTS" "" "DEPS;EXCEPT" ${ARGN})
   file(GLOB SOURCES CONFIGURE_DEPENDS *.cc */*.cc)
   set(TESTS ${SOURCES})
   set(BENCHES ${SOURCES})
@@ -68,7 +69,7 @@ function(playhouse_module NAME)
     add_executable(${TARGET}_test ${TESTS})
     target_link_libraries(${TARGET}_test PRIVATE ${TARGET} rapidcheck rapidcheck_gtest GTest::gtest GTest::gmock GTest::gtest_main)
     target_compile_definitions(${TARGET}_test PRIVATE PLAYHOUSE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-    if(PLAYHOUSE_SANITIZE)  # a file of tests takes the optimiser and the sanitizers twice the time, and runs once
+    if(PLAYHOUSE_SANITIZE AND NOT ARG_OPTIMISED_TESTS)  # which takes the compiler twice as long
       target_compile_options(${TARGET}_test PRIVATE -O0)
     endif()
     gtest_discover_tests(${TARGET}_test TEST_PREFIX "${NAME}." DISCOVERY_TIMEOUT 120

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "playhouse/base/rng.h"
 #include "playhouse/stage/ray_edge.h"
@@ -76,11 +77,14 @@ void expect_every_post_met(std::size_t count) {
       rays.range[k] = range;
       rays.solid[k] = kNoSolid;
     }
+    std::vector<double> expected;
+    for (std::size_t k = 0; k < rays.count; ++k)
+      expected.push_back(nearest(solids, rays.p(k), rays.d(k), range));
     testing::with_every_instruction_set([&] {
       Rays marched = rays;
       march(walls, bit(Observer::kRanger), marched);
       for (std::size_t k = 0; k < marched.count; ++k) {
-        EXPECT_EQ(marched.range[k], nearest(solids, rays.p(k), rays.d(k), range));
+        EXPECT_EQ(marched.range[k], expected[k]);
         far += marched.solid[k] != kNoSolid && marched.range[k] > 4000 * cell;
       }
     });
