@@ -58,10 +58,10 @@ demo: build
 
 fuzzers: setup-test
 	@echo "== building the fuzzers"
-	@tools/configure.sh fuzz
-	@cmake --build --preset fuzz --target fuzzers
+	@tools/configure.sh ci
+	@cmake --build --preset ci --target fuzzers
 
-test: setup-test web fuzzers
+test: setup-test web
 	@tools/test.sh
 
 tsan: setup-test

@@ -32,7 +32,7 @@ if(PLAYHOUSE_SANITIZE)
   endif()
 endif()
 if(PLAYHOUSE_FUZZ)
-  target_compile_options(playhouse_flags INTERFACE -fsanitize=fuzzer-no-link)
+  add_compile_options(-fsanitize=fuzzer-no-link)
   add_custom_target(fuzzers)
 endif()
 
@@ -71,6 +71,9 @@ function(playhouse_module NAME)
     target_compile_definitions(${TARGET}_test PRIVATE PLAYHOUSE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     if(PLAYHOUSE_SANITIZE AND NOT ARG_OPTIMISED_TESTS)  # which takes the compiler twice as long
       target_compile_options(${TARGET}_test PRIVATE -O0)
+    endif()
+    if(PLAYHOUSE_FUZZ)  # what fuzzers cover is the libraries
+      target_compile_options(${TARGET}_test PRIVATE -fno-sanitize=fuzzer-no-link)
     endif()
     gtest_discover_tests(${TARGET}_test TEST_PREFIX "${NAME}." DISCOVERY_TIMEOUT 120
       PROPERTIES TIMEOUT 300 ENVIRONMENT RC_PARAMS=seed=1)  # laws draw the same cases in every run: a red one can be repeated

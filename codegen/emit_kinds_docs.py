@@ -13,7 +13,7 @@ INDICES = {
     "robot": "that of the robot; of further ones, and where no robot carries it, from behind all robots on",
     "count": "all are counted, over all robots",
 }
-NEEDS = {"scanner": "a sensor with several samples", "several sensors": "several sensors", "robot": "a model at the top level that drives"}
+NEEDS = {"scanner": "a sensor with several samples", "several sensors": "several sensors", "rings": "a sensor with several rings", "robot": "a model at the top level that drives"}
 VALUES = {
     "flag": "0 or 1", "integer": "a whole number; a fraction is cut off", "count": "a whole number that is not negative",
     "number": "a number, in the unit that is told whatever the file's", "length": "a number, in the file's unit of length",

@@ -11,7 +11,7 @@ FOLDER = "playhouse/world/generated"
 TYPES = {
     "flag": "std::uint8_t", "uint8": "std::uint8_t", "int32": "std::int32_t", "uint32": "std::uint32_t", "uint64": "std::uint64_t", "float32": "float",
     "float64": "double", "text": "std::string", "color": "scene::Color", "size": "geom::Size", "pose": "geom::Pose",
-    "twist": "geom::Twist", "tilt": "geom::Tilt", "velocity6": "geom::SpatialVelocity", "ModelKind": "scene::ModelKind",
+    "vector3": "geom::Vec3", "twist": "geom::Twist", "tilt": "geom::Tilt", "velocity6": "geom::SpatialVelocity", "ModelKind": "scene::ModelKind",
 }
 ZERO = {"flag", "uint8", "int32", "uint32", "uint64", "float32", "float64"}
 

@@ -13,13 +13,13 @@ from codegen.model import FRAME, FRAME_LETTERS
 TYPES = {
     "flag": (0, ()), "uint8": (1, ()), "int32": (1, ()), "uint32": (1, ()), "uint64": (1, ()), "float32": (1, ()), "float64": (1, ()),
     "text": (0, ()), "row": (0, ()), "color": (0, ()), "size": (3, ("x", "y", "z")),
-    "pose": (4, ("x", "y", "z", "a")), "twist": (4, ("x", "y", "z", "a")), "tilt": (2, ("x", "y")), "velocity6": (6, ("v.x", "v.y", "v.z", "w.x", "w.y", "w.z")),
+    "vector3": (3, ("x", "y", "z")), "pose": (4, ("x", "y", "z", "a")), "twist": (4, ("x", "y", "z", "a")), "tilt": (2, ("x", "y")), "velocity6": (6, ("v.x", "v.y", "v.z", "w.x", "w.y", "w.z")),
     "ModelKind": (0, ()), "ControlMode": (0, ()), "ModelId": (0, ()), "Mobility": (0, ()),
 }
 # Type of a column -> types of the words that may say what it begins with.
 WORDED = {"flag": ("flag",), "float64": ("number", "length", "angle")}
 # A number of these has a unit, "1" where it is none.
-MEASURED = {"float32", "float64", "size", "pose", "twist", "tilt", "velocity6"}
+MEASURED = {"float32", "float64", "size", "vector3", "pose", "twist", "tilt", "velocity6"}
 
 # What a column is to a run (playhouse/world/columns.h).
 ROLES = ("population", "motion", "mark", "sensed", "use", "derived")

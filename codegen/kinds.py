@@ -25,7 +25,7 @@ BASE = "model"  # the type whose words every model has
 # devices, and those of models that no robot carries, come behind all robots; all are counted, over all robots.
 INDICES = ("one", "robot", "count")
 # What a model must have for an interface.
-NEEDS = ("scanner", "several sensors", "robot")
+NEEDS = ("scanner", "several sensors", "robot", "rings")
 
 KEY_TYPES = {key: str for key in ("name", "entity", "doc", "kind", "inside", "table", "not_in_stage", "index", "when", "listed_when", "form")}
 KEY_TYPES |= {"number": int, "watts": (int, float), "body": dict, "old": dict, "old_types": dict, "silent_why": dict, "size": list, "color": list, "solid": bool, "shared": bool, "watchable": bool}

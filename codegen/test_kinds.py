@@ -332,10 +332,10 @@ class Checked(unittest.TestCase):
     def setUpClass(cls):
         cls.kinds = load_kinds(ROOT / "kinds", SCHEMA)
 
-    def test_the_kinds_of_the_tree_are_those_of_stage_radios_detectors_and_those_of_libraries(self):
+    def test_the_kinds_of_the_tree_are_those_of_stage_and_our_own(self):
         self.assertEqual(sorted(k.name for k in self.kinds.models()),
                          ["actuator", "blinkenlight", "blobfinder", "bumper", "camera", "custom", "detector", "fiducial",
-                          "gripper", "lightindicator", "model", "position", "ranger", "wifi"])
+                          "gps", "gripper", "imu", "lightindicator", "model", "position", "ranger", "wifi"])
         self.assertEqual([k.name for k in self.kinds.all if k.entity != "model"], ["block", "sensor", "pack", "window", "world"])
 
     def test_columns_of_all_models_are_those_of_the_world(self):

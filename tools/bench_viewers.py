@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""What viewers of the arena cost: bytes a second of one who watches 200 robots that drive, processor time of 50 of them, and the time
-from a command of a Player client to the first picture that shows it. On loopback, in real time; prints a line of JSON each.
+"""What viewers of the arena cost: bytes a second of one who watches 200 robots that drive, processor time of 50 of them, the same of observers
+by UDP, and the time from a command of a Player client to the first picture that shows it. On loopback, in real time; prints a line of JSON each.
 
     tools/bench_viewers.py [--program build/playhouse] [--seconds 10]
 """
@@ -75,7 +75,24 @@ class Watching:
 
 
 def run(program: str, world: pathlib.Path) -> House:
-    return House("run", world, "--engine", "arena", "--port", 0, "--web", 0, program=program)
+    return House("run", world, "--engine", "arena", "--port", 0, "--web", 0, "--observers", 0, program=program)
+
+
+def observe(house: House, program: str, count: int, seconds: float) -> dict:
+    """Observers by UDP, as they count themselves, from when the world has come."""
+    server = house.wait_for_line(r"^observers: (\S+)").group(1)
+    cpu_then, then = cpu_seconds(house.process.pid), time.monotonic()
+    observers = [House("observe", server, "--name", "-", "--seconds", seconds, "--stats", program=program) for _ in range(count)]
+    figures = []
+    for observer in observers:
+        assert observer.wait() == 0, observer.log()
+        figures.append(json.loads(observer.output().splitlines()[-1]))
+    return {
+        "observers": count, "cpu": round((cpu_seconds(house.process.pid) - cpu_then) / (time.monotonic() - then), 3),
+        "kB_per_s_each": round(statistics.mean(each["bytes_per_second"] for each in figures) / 1000, 1),
+        "kB_per_s_with_heads": round(statistics.mean((each["bytes"] + 28 * each["datagrams"]) / each["seconds"] for each in figures) / 1000, 1),
+        "packets_per_s_each": round(statistics.mean(each["packets"] / each["seconds"] for each in figures), 1),
+    }
 
 
 def web_port(house: House) -> int:
@@ -141,6 +158,8 @@ def main() -> None:
         with run(chosen.program, world) as house:
             for viewers in (0, 1, 50):
                 print(json.dumps({"robots": chosen.robots, **measure(house, viewers, chosen.seconds)}), flush=True)
+            for observers in (1, 50):
+                print(json.dumps({"robots": chosen.robots, **observe(house, chosen.program, observers, chosen.seconds)}), flush=True)
         print(json.dumps({"command_to_picture": latency(chosen.program, folder)}))
 
 

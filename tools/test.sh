@@ -1,8 +1,8 @@
 #!/bin/sh
 # Every test, in three builds. The program as people run it, with the tests of what is computed: the optimiser makes vectors only
-# there. Then all tests, with warnings as errors and the address and undefined-behaviour sanitizers. Then the tests of engine,
-# server and drivers with the thread sanitizer.
-# Called by `make test` after the page and the fuzzers are built.
+# there. Then all tests and fuzzers, with warnings as errors and the address and undefined-behaviour sanitizers. Then the tests of
+# engine, server and drivers with the thread sanitizer.
+# Called by `make test` after the page is built.
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -12,7 +12,7 @@ cmake --build --preset release-test
 echo "== running the tests of what is computed, as the program is compiled"
 ctest --test-dir build/release --output-on-failure -j "$(nproc)" -R '^(base|geom|stage|wire|replicate|drivers)\.'
 
-echo "== building the tests (address and undefined sanitizers)"
+echo "== building the tests and fuzzers (address and undefined sanitizers)"
 tools/configure.sh ci
 cmake --build --preset ci
 

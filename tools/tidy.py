@@ -16,19 +16,20 @@ SOURCE = ROOT / "playhouse"
 
 # A module may include itself and every module of a lower rank (ARCHITECTURE.md).
 RANKS = [
-    {"base"}, {"geom"}, {"wire", "net", "scene"}, {"device", "world"}, {"libraries"}, {"replicate", "controllers", "behaviour"}, {"record", "stage"}, {"arena"},
-    {"scenarios"}, {"drivers", "server", "web_server"}, {"app"},
+    {"base"}, {"geom"}, {"mesh"}, {"wire", "net", "scene", "render"}, {"device", "world"}, {"libraries"}, {"replicate", "controllers", "behaviour"}, {"record", "stage"}, {"arena"},
+    {"scenarios"}, {"drivers", "server", "web_server"}, {"observers"}, {"app"},
 ]
 RANK = {module: rank for rank, modules in enumerate(RANKS) for module in modules}
 # Engines and what they stand on know nothing of devices and sockets, the device server nothing of robots, and the web
 # server nothing of devices, although the rank would allow it.
 FORBIDDEN = {
     "world": {"wire", "net"}, "behaviour": {"wire", "net", "device"}, "stage": {"wire", "net", "device"}, "arena": {"wire", "net", "device"}, "controllers": {"wire", "net", "device"},
-    "scenarios": {"wire", "net", "device"}, "libraries": {"wire", "net", "device"}, "record": {"wire", "net", "device"}, "wire": {"geom"}, "net": {"geom"}, "device": {"net", "scene"},
+    "scenarios": {"wire", "net", "device"}, "libraries": {"wire", "net", "device"}, "record": {"wire", "net", "device"}, "wire": {"geom", "mesh"}, "net": {"geom", "mesh"}, "device": {"net", "scene"},
     "server": {"scene", "world", "replicate", "controllers", "behaviour", "stage", "arena", "scenarios"},
     "web_server": {"wire", "device", "controllers", "behaviour", "stage", "arena", "scenarios"},
+    "observers": {"wire", "device", "controllers", "behaviour", "stage", "arena", "scenarios", "drivers", "server"},
 }
-REPRODUCIBLE = {"geom", "scene", "world", "behaviour", "stage", "arena", "controllers", "scenarios"}
+REPRODUCIBLE = {"geom", "mesh", "scene", "world", "behaviour", "stage", "arena", "controllers", "scenarios"}
 UNREPRODUCIBLE = re.compile(
     r"std::(sin|cos|tan|atan2?|asin|acos|exp|log|pow|hypot|rand)\(|\brand\(|random_device|unordered_|"
     r"system_clock|steady_clock|\btime\(nullptr")

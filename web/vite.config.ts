@@ -26,7 +26,7 @@ function compress(): Plugin {
 export default defineConfig({
   base: './',
   plugins: [compress()],
-  server: { proxy: { '/live': { target: `ws://${program}`, ws: true } } },
+  server: { proxy: { '/live': { target: `ws://${program}`, ws: true }, '/meshes': { target: `http://${program}` } } },
   build: { target: 'es2022', chunkSizeWarningLimit: 1500 },
   test: { include: ['src/**/*.test.ts'] },
 });

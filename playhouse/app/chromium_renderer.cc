@@ -94,6 +94,7 @@ ChromiumRenderer::ChromiumRenderer(std::string program, const world::World& worl
       browser_(interrupt),
       tools_(browser_),
       prototypes_(world.scene()),
+      mesh_files_(prototypes_.meshes()),
       layout_(layout_of(world, prototypes_)),
       scene_(replicate::scene_text(world.scene(), prototypes_, *layout_)),
       viewer_(layout_) {}
@@ -138,22 +139,28 @@ Result<void> ChromiumRenderer::open_page() {
   return tools_.wait([this] { return loaded_; }, kStart);
 }
 
-/// A file of the page; there is nothing else.
+/// A file of the page, or a mesh; there is nothing else.
 void ChromiumRenderer::answer_request(const json::object& about) {
   const json::value* const id = about.if_contains("requestId");
   const json::value* const request = about.if_contains("request");
   const json::value* const url =
       request == nullptr || !request->is_object() ? nullptr : request->get_object().if_contains("url");
   if (id == nullptr || url == nullptr || !url->is_string()) return;
+  const auto answer = [&](std::string_view type, std::string_view bytes) {
+    tools_.tell("Fetch.fulfillRequest",
+                {{"requestId", *id},
+                 {"responseCode", 200},
+                 {"responseHeaders", list_of({{"name", "Content-Type"}, {"value", type}})},
+                 {"body", base64_of(bytes.data(), bytes.size())}});
+  };
+  const std::string_view path = path_of(url->get_string());
+  if (const web_server::MeshFiles::File* mesh = mesh_files_.find(path))
+    return answer("model/gltf-binary", *mesh->bytes);
   const std::span<const PageFile> files = web_server::page_files();
-  const auto file = std::ranges::find(files, path_of(url->get_string()), &PageFile::path);
+  const auto file = std::ranges::find(files, path, &PageFile::path);
   if (file == files.end())
     return tools_.tell("Fetch.fulfillRequest", {{"requestId", *id}, {"responseCode", 404}});
-  tools_.tell("Fetch.fulfillRequest",
-              {{"requestId", *id},
-               {"responseCode", 200},
-               {"responseHeaders", list_of({{"name", "Content-Type"}, {"value", file->content_type}})},
-               {"body", base64_of(file->bytes.data(), file->bytes.size())}});
+  answer(file->content_type, file->bytes);
 }
 
 /// Calls a function of the page's PicturePage (web/src/picture_page.ts).

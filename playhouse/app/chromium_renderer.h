@@ -16,6 +16,7 @@
 #include "playhouse/app/renderer.h"
 #include "playhouse/app/sensor_shapes.h"
 #include "playhouse/replicate/viewer.h"
+#include "playhouse/web_server/mesh_files.h"
 
 namespace playhouse::app {
 
@@ -49,6 +50,7 @@ class ChromiumRenderer final : public Renderer {
 
   // What the page holds of the world, and what it is told.
   replicate::Prototypes prototypes_;
+  web_server::MeshFiles mesh_files_;
   std::shared_ptr<const replicate::Layout> layout_;
   std::string scene_;  // the text of layout_
   replicate::Viewer viewer_;

@@ -40,8 +40,10 @@ constexpr const char* kExamples = R"(Examples:
   playhouse export my.mcap --csv                     what it has, as tables
   playhouse verify my.world --ticks 100              whether it is the same run on any number of workers
   playhouse serve simple.cfg                         devices as a Player configuration file names them
+  playhouse robot my.toml --server lab               a robot of this machine in the world of another one
   playhouse devices 127.0.0.1:6665                   what a server offers
   playhouse watch 127.0.0.1 laser:0                  a device's data as JSON lines
+  playhouse observe 127.0.0.1                        who is where, as JSON lines, by UDP (run --observers)
   playhouse drive 127.0.0.1 guest                    a robot by the keyboard
   playhouse check my.world                           what is wrong with a file
   playhouse convert old.world -o new.world           a world for older versions of Stage in today's words
@@ -73,12 +75,19 @@ constexpr const char* kVerifyExamples = R"(Examples:
 constexpr const char* kServeExamples = R"(Examples:
   playhouse serve my.cfg
   playhouse serve my.cfg --bind 0.0.0.0 --paused)";
+constexpr const char* kRobotExamples = R"(Examples:
+  playhouse robot examples/robot.toml --server 127.0.0.1:6665 --port 7000
+  playhouse robot examples/robot.toml --server 127.0.0.1 --bind 0.0.0.0)";
 constexpr const char* kDevicesExamples = R"(Examples:
   playhouse devices
   playhouse devices 127.0.0.1:6665 --json)";
 constexpr const char* kWatchExamples = R"(Examples:
   playhouse watch 127.0.0.1 laser:0 --count 3
   playhouse watch 127.0.0.1 guest --count 3)";
+constexpr const char* kObserveExamples = R"(Examples:
+  playhouse observe 127.0.0.1 --seconds 1 --stats
+  playhouse observe 127.0.0.1 --name guest --rate 2 --seconds 1
+  playhouse observe 127.0.0.1 --view 0,0,5 --bytes-per-second 8000 --seconds 1)";
 constexpr const char* kDriveExamples = R"(Examples:
   playhouse drive 127.0.0.1 guest
   playhouse drive 127.0.0.1:6665 position2d:0)";
@@ -122,10 +131,12 @@ struct Raw {
   ReplayOptions replay;
   ExportOptions export_tables;
   ServeOptions serve;
+  RobotOptions robot;
   GymOptions gym;
   VerifyOptions verify;
   DevicesOptions devices;
   WatchOptions watch;
+  ObserveOptions observe;
   DriveOptions drive;
   CheckOptions check;
   ConvertOptions convert;
@@ -135,7 +146,7 @@ struct Raw {
   BenchOptions bench;
   std::string web, gym_web = "off", replay_web = std::to_string(kWebPort);
   std::vector<std::pair<double, std::string>> saves;
-  std::string lock_step;
+  std::string lock_step, view;
   bool headless = false, fast = false;
 };
 
@@ -199,6 +210,31 @@ std::string check_positive(const std::string& text) {
   return "a number above 0 is wanted, not " + in_quotes(text);
 }
 
+/// "X,Y,RADIUS".
+std::optional<ViewSquare> view_in(const std::string& text) {
+  std::vector<double> numbers;
+  for (const std::string& word : CLI::detail::split(text, ',')) {
+    double value = 0;
+    if (!CLI::detail::lexical_cast(word, value) || !(std::abs(value) <= 1e6)) return std::nullopt;
+    numbers.push_back(value);
+  }
+  if (numbers.size() != 3 || numbers[2] <= 0) return std::nullopt;
+  return ViewSquare{numbers[0], numbers[1], numbers[2]};
+}
+
+std::string check_view(const std::string& text) {
+  if (view_in(text)) return {};
+  return "X,Y,RADIUS in metres is wanted, the radius above 0, not " + in_quotes(text);
+}
+
+constexpr auto check_observer_bytes =
+    check_count<std::uint32_t, limits::kObserverBytesLeast, limits::kObserverBytesMost>;
+
+std::string check_token(const std::string& text) {
+  const bool good = !text.empty() && text.size() <= limits::kTokenBytes;
+  return good ? "" : fmt::format("a token of 1 to {} letters is wanted", limits::kTokenBytes);
+}
+
 std::string check_selection(const std::string& text) {
   const Result<record::Selection> selection = record::Selection::parse(text);
   return selection ? "" : selection.error().text;
@@ -242,9 +278,19 @@ void add_hosts(CLI::App& app, Serving& serving) {
   app.add_option("--guests", serving.guests,
                  "who may open the page, as observer, driver, human or admin (docs/guests.md)")
       ->type_name("FILE");
-  app.add_option("--viewers", serving.viewers, "pages at once")
+  app.add_option("--viewers", serving.viewers, "pages at once, and observers")
       ->check(check_count<std::size_t, 1, limits::kViewers>)
       ->capture_default_str();
+  auto* observers =
+      app.add_option("--observers", serving.observers,
+                     "UDP port of playhouse observe; 0: any free one, printed (none; docs/observers.md)")
+          ->type_name("PORT")
+          ->check(check_port);
+  app.add_option("--observer-bytes", serving.observer_bytes, "a second, to each observer at most")
+      ->type_name("N")
+      ->check(check_observer_bytes)
+      ->capture_default_str()
+      ->needs(observers);
 }
 
 void add_serving(CLI::App& app, Raw& raw, Serving& serving) {
@@ -435,6 +481,23 @@ void add_commands(CLI::App& app, Raw& raw) {
   add_serving(*serve, raw, raw.serve.serving);
   add_running(*serve, raw, raw.serve.running);
 
+  CLI::App* robot =
+      app.add_subcommand("robot", "bring robots into the world of a server, and serve them on this machine");
+  robot->footer(kRobotExamples);
+  robot->add_option("FILE", raw.robot.files, "a .toml file of one robot or several (docs/robot-client.md)")
+      ->required();
+  robot->add_option("--server", raw.robot.server, "the server of the world")
+      ->type_name("HOST[:PORT]")
+      ->required();
+  robot
+      ->add_option("--port", raw.robot.port,
+                   "port of the first robot whose file names none, and so on; 0: any free ones, printed")
+      ->check(check_port)
+      ->capture_default_str();
+  robot->add_option("--bind", raw.robot.bind, "address to listen on; 0.0.0.0: everybody's")
+      ->check(check_bind)
+      ->capture_default_str();
+
   CLI::App* gym =
       app.add_subcommand("gym", "let a learning program step all robots of a world (docs/gym.md)");
   gym->footer(kGymExamples);
@@ -483,6 +546,32 @@ void add_commands(CLI::App& app, Raw& raw) {
       ->required();
   watch->add_option("--count", raw.watch.count, "end after so many messages")
       ->check(check_count<std::uint64_t, 1>);
+
+  CLI::App* observe =
+      app.add_subcommand("observe", "print who is where and what they say, of a run with --observers");
+  observe->footer(kObserveExamples);
+  observe->add_option("SERVER", raw.observe.server, "HOST or HOST:PORT (6670)")->required();
+  observe->add_option("--token", raw.observe.token, "of a guest, where the run has --guests")
+      ->check(check_token);
+  observe
+      ->add_option("--name", raw.observe.names,
+                   "of a model to print, and no others; may be given again (those that stand for themselves)")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  observe
+      ->add_option("--view", raw.view,
+                   "a square of the world: what is in it comes first, the rest once a second (everything)")
+      ->type_name("X,Y,RADIUS")
+      ->check(check_view);
+  observe->add_option("--rate", raw.observe.rate, "lines a second of each model (when it changes)")
+      ->check(check_positive);
+  observe->add_option("--seconds", raw.observe.seconds, "until the end (never)")->check(check_positive);
+  observe
+      ->add_option("--bytes-per-second", raw.observe.bytes_per_second,
+                   "to ask for, at most what the run gives (that)")
+      ->type_name("N")
+      ->check(check_observer_bytes);
+  observe->add_flag("--stats", raw.observe.stats, "a last line of figures: bytes, packets, losses");
 
   CLI::App* drive = app.add_subcommand("drive", "drive a robot by the keyboard");
   drive->add_option("HOST[:PORT]", raw.drive.server, "the server")->required();
@@ -647,6 +736,11 @@ CommandLine chosen(const CLI::App& app, Raw& raw) {
   if (name == "verify") return raw.verify;
   if (name == "devices") return raw.devices;
   if (name == "watch") return raw.watch;
+  if (name == "observe") {
+    if (!raw.view.empty()) raw.observe.view = view_in(raw.view);
+    return raw.observe;
+  }
+  if (name == "robot") return raw.robot;
   if (name == "drive") return raw.drive;
   if (name == "check") return raw.check;
   if (name == "convert") return raw.convert;

@@ -16,9 +16,11 @@ struct Answer {
   std::string text;
 };
 
-using CommandLine = std::variant<Answer, RunOptions, ReplayOptions, ExportOptions, ServeOptions, GymOptions,
-                                 VerifyOptions, DevicesOptions, WatchOptions, DriveOptions, CheckOptions,
-                                 ConvertOptions, PictureOptions, FilmOptions, KindsOptions, BenchOptions>;
+using CommandLine =
+    std::variant<Answer, RunOptions, ReplayOptions, ExportOptions, ServeOptions, RobotOptions, GymOptions,
+                 VerifyOptions, DevicesOptions, WatchOptions, ObserveOptions, DriveOptions, CheckOptions,
+                 ConvertOptions,
+                 PictureOptions, FilmOptions, KindsOptions, BenchOptions>;
 
 /// The words after the program's name. Fails with one line for a person, with the nearest valid word.
 Result<CommandLine> parse_command_line(std::span<const char* const> words);

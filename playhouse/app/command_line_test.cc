@@ -259,5 +259,32 @@ TEST(CommandLine, watch_needs_a_server_and_a_device) {
   EXPECT_THAT(fault({"watch", "localhost"}), HasSubstr("DEVICE"));
 }
 
+TEST(CommandLine, observers_have_a_port_where_one_is_given_and_a_budget) {
+  EXPECT_FALSE(parsed<RunOptions>({"run", "w"}).serving.observers);
+  const auto run = parsed<RunOptions>({"run", "w", "--observers", "6670", "--observer-bytes", "8000"});
+  EXPECT_EQ(run.serving.observers, 6670);
+  EXPECT_EQ(run.serving.observer_bytes, 8000u);
+  EXPECT_EQ(parsed<ReplayOptions>({"replay", "a.mcap", "--observers", "0"}).serving.observers, 0);
+  EXPECT_THAT(fault({"run", "w", "--observers", "65536"}), HasSubstr("a port from 0 to 65535"));
+  EXPECT_THAT(fault({"run", "w", "--observers", "1", "--observer-bytes", "1"}), HasSubstr("from 4000 to"));
+  EXPECT_THAT(fault({"run", "w", "--observer-bytes", "8000"}), HasSubstr("--observers"));
+}
+
+TEST(CommandLine, observe_looks_at_what_it_is_told) {
+  const auto all = parsed<ObserveOptions>({"observe", "host"});
+  EXPECT_EQ(all.server, "host");
+  EXPECT_FALSE(all.view);
+  EXPECT_EQ(all.rate, 0);
+  const auto some = parsed<ObserveOptions>({"observe", "host:7", "--name", "a", "--name", "b.c:0", "--view",
+                                            "-1,2.5,3", "--rate", "2", "--token", "blue-chair-7", "--stats"});
+  EXPECT_THAT(some.names, ElementsAre("a", "b.c:0"));
+  EXPECT_EQ(some.view->x, -1);
+  EXPECT_EQ(some.view->y, 2.5);
+  EXPECT_EQ(some.view->radius, 3);
+  EXPECT_TRUE(some.stats);
+  for (const char* const view : {"1,2", "1,2,3,4", "1,2,0", "a,b,c", "1,2,nan", ""})
+    EXPECT_THAT(fault({"observe", "h", "--view", view}), HasSubstr("X,Y,RADIUS")) << view;
+}
+
 }  // namespace
 }  // namespace playhouse::app

@@ -56,9 +56,13 @@ Result<DeviceName> find_device(client::Client& client, const WantedDevice& wante
                                   " has no device for this; playhouse devices lists what there is"};
 }
 
-Result<client::Address> parse_server(const std::string& text) {
+Result<client::Address> parse_server(const std::string& text, std::uint16_t port) {
   const bool is_port = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-  return client::parse_address(is_port ? ":" + text : text);
+  const std::size_t host_end = text.starts_with('[') ? text.find(']') : 0;
+  const bool has_port = is_port || text.find(':', host_end) != std::string::npos;
+  Result<client::Address> address = client::parse_address(is_port ? ":" + text : text);
+  if (address && !has_port) address->port = port;
+  return address;
 }
 
 }  // namespace playhouse::app

@@ -36,7 +36,7 @@ Result<DeviceName> find_device(client::Client& client, const WantedDevice& wante
                                bool (*fits)(std::uint16_t interf));
 
 /// "HOST", "HOST:PORT", "" for this machine; a number alone is a port of this machine, for no host has such a
-/// name.
-Result<client::Address> parse_server(const std::string& text);
+/// name. `port` is that of a host alone.
+Result<client::Address> parse_server(const std::string& text, std::uint16_t port = client::kDefaultPort);
 
 }  // namespace playhouse::app

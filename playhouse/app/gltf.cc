@@ -2,19 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstring>
-#include <iterator>
-#include <limits>
+#include <cstdint>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "playhouse/app/prisms.h"
 #include "playhouse/base/limits.h"
+#include "playhouse/mesh/color.h"
+#include "playhouse/mesh/glb_writer.h"
 #include "playhouse/wire/json.h"
 
 namespace playhouse::app {
@@ -22,18 +21,10 @@ namespace {
 
 using geom::Vec2;
 
-static_assert(std::endian::native == std::endian::little, "glTF is little-endian");
-
-/// Numbers of the glTF 2.0 specification.
-constexpr std::uint32_t kMagic = 0x46546C67, kVersion = 2, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
-constexpr int kFloat = 5126, kUnsignedInt = 5125, kVertices = 34962, kIndices = 34963;
-
-struct Vec3 {
-  float x, y, z;
-};
+using Vec3 = std::array<float, 3>;
 
 /// Triangles, counter-clockwise seen from outside.
-struct Mesh {
+struct Triangles {
   std::vector<Vec3> points, normals;
   std::vector<std::uint32_t> corners;
 
@@ -49,7 +40,7 @@ Vec3 at(double x, double y, double z) {
   return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
 }
 
-void add_side(Mesh& mesh, Vec2 a, Vec2 b, const Prism& prism) {
+void add_side(Triangles& mesh, Vec2 a, Vec2 b, const Prism& prism) {
   const double length = std::sqrt(geom::dot(b - a, b - a));
   if (length == 0) return;
   mesh.add_quad({at(a.x, a.y, prism.z_min), at(b.x, b.y, prism.z_min), at(b.x, b.y, prism.z_max),
@@ -57,8 +48,8 @@ void add_side(Mesh& mesh, Vec2 a, Vec2 b, const Prism& prism) {
                 at((b.y - a.y) / length, (a.x - b.x) / length, 0));
 }
 
-Mesh mesh_of(const scene::ModelDesc& desc) {
-  Mesh mesh;
+Triangles triangles_of(const scene::ModelDesc& desc) {
+  Triangles mesh;
   for (const Prism& prism : prisms_of(desc)) {
     for (const std::vector<Vec2>& loop : prism.loops)
       for (std::size_t i = 0; i < loop.size(); ++i)
@@ -76,28 +67,6 @@ Mesh mesh_of(const scene::ModelDesc& desc) {
   return mesh;
 }
 
-/// From what screens show to what light does (IEC 61966-2-1).
-double linear(float channel) {
-  return channel <= 0.04045f ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
-}
-
-/// Joins the elements of a JSON array.
-class List {
- public:
-  template <typename... Arguments>
-  std::size_t add(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-    if (count_ > 0) text_ += ',';
-    fmt::format_to(std::back_inserter(text_), format, std::forward<Arguments>(arguments)...);
-    return count_++;
-  }
-  std::size_t size() const { return count_; }
-  const std::string& text() const { return text_; }
-
- private:
-  std::string text_;
-  std::size_t count_ = 0;
-};
-
 class Writer {
  public:
   explicit Writer(const world::World& world) : world_(world) {}
@@ -105,9 +74,10 @@ class Writer {
   Result<std::string> write();
 
  private:
-  /// What of a mesh does not depend on its color; none where a description has no body.
+  /// What of a body does not depend on its color; none where a description has no body.
   struct Accessors {
     std::size_t points = 0, normals = 0, corners = 0;
+    std::optional<std::size_t> mesh;  // one that has colors of its own
     bool any = false;
   };
 
@@ -115,65 +85,53 @@ class Writer {
   const Accessors& accessors_of(std::uint32_t desc);
   std::size_t mesh_of_model(std::uint32_t row, const Accessors& accessors);
   std::size_t material_of(const scene::Color& color);
-  template <typename Element>
-  std::size_t add_view(const std::vector<Element>& elements, int target);
-  std::string json() const;
+  std::string scene() const;
 
   const world::World& world_;
-  std::string binary_;
-  List nodes_, meshes_, materials_, accessors_, views_, tops_;
+  mesh::GlbWriter glb_;
+  mesh::JsonList nodes_, tops_;
   std::map<std::uint32_t, Accessors> by_desc_;
   std::map<std::pair<std::uint32_t, std::size_t>, std::size_t> mesh_by_look_;  // by description and material
   std::map<std::array<float, 4>, std::size_t> material_by_color_;
 };
 
-template <typename Element>
-std::size_t Writer::add_view(const std::vector<Element>& elements, int target) {
-  const std::size_t bytes = elements.size() * sizeof(Element), offset = binary_.size();
-  binary_.append(reinterpret_cast<const char*>(elements.data()), bytes);
-  return views_.add(R"({{"buffer":0,"byteOffset":{},"byteLength":{},"target":{}}})", offset, bytes, target);
-}
-
 const Writer::Accessors& Writer::accessors_of(std::uint32_t desc) {
   const auto [entry, is_new] = by_desc_.try_emplace(desc);
   Accessors& made = entry->second;
   if (!is_new) return made;
-  const Mesh mesh = mesh_of(world_.scene().models[desc]);
-  if (mesh.points.empty()) return made;
-  constexpr float kFar = std::numeric_limits<float>::max();
-  Vec3 low{kFar, kFar, kFar}, high{-kFar, -kFar, -kFar};
-  for (const Vec3& p : mesh.points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  const scene::ModelDesc& model = world_.scene().models[desc];
+  if (model.mesh) {
+    made.any = true;
+    made.mesh = glb_.add_mesh(*model.mesh, model.X_MB);
+    return made;
   }
+  const Triangles triangles = triangles_of(model);
+  if (triangles.points.empty()) return made;
   made.any = true;
-  made.points = accessors_.add(
-      R"({{"bufferView":{},"componentType":{},"count":{},"type":"VEC3","min":[{},{},{}],"max":[{},{},{}]}})",
-      add_view(mesh.points, kVertices), kFloat, mesh.points.size(), low.x, low.y, low.z, high.x, high.y,
-      high.z);
-  made.normals = accessors_.add(R"({{"bufferView":{},"componentType":{},"count":{},"type":"VEC3"}})",
-                                add_view(mesh.normals, kVertices), kFloat, mesh.normals.size());
-  made.corners = accessors_.add(R"({{"bufferView":{},"componentType":{},"count":{},"type":"SCALAR"}})",
-                                add_view(mesh.corners, kIndices), kUnsignedInt, mesh.corners.size());
+  made.points = glb_.add_points(triangles.points);
+  made.normals = glb_.add_normals(triangles.normals);
+  made.corners = glb_.add_corners(triangles.corners);
   return made;
 }
 
 std::size_t Writer::material_of(const scene::Color& color) {
   const auto [entry, is_new] =
-      material_by_color_.try_emplace({color.r, color.g, color.b, color.a}, materials_.size());
+      material_by_color_.try_emplace({color.r, color.g, color.b, color.a}, glb_.materials.size());
   if (is_new)
-    materials_.add(
+    glb_.materials.add(
         R"({{"pbrMetallicRoughness":{{"baseColorFactor":[{:.6g},{:.6g},{:.6g},{:.6g}],"metallicFactor":0,"roughnessFactor":0.8}}{}}})",
-        linear(color.r), linear(color.g), linear(color.b), color.a,
+        mesh::linear_of_srgb(color.r), mesh::linear_of_srgb(color.g), mesh::linear_of_srgb(color.b), color.a,
         color.a < 1 ? R"(,"alphaMode":"BLEND")" : "");
   return entry->second;
 }
 
 std::size_t Writer::mesh_of_model(std::uint32_t row, const Accessors& accessors) {
+  if (accessors.mesh) return *accessors.mesh;
   const std::size_t material = material_of(world_.models.color[row]);
-  const auto [entry, is_new] = mesh_by_look_.try_emplace({world_.models.desc[row], material}, meshes_.size());
+  const auto [entry, is_new] =
+      mesh_by_look_.try_emplace({world_.models.desc[row], material}, glb_.meshes.size());
   if (is_new)
-    meshes_.add(
+    glb_.meshes.add(
         R"({{"primitives":[{{"attributes":{{"POSITION":{},"NORMAL":{}}},"indices":{},"material":{}}}]}})",
         accessors.points, accessors.normals, accessors.corners, material);
   return entry->second;
@@ -186,7 +144,7 @@ void Writer::add_node(std::uint32_t row) {
   wire::json_text(name, world_.name({row}));
   const Accessors& accessors = accessors_of(world_.models.desc[row]);
   if (accessors.any) rest = fmt::format(R"(,"mesh":{})", mesh_of_model(row, accessors));
-  List children;
+  mesh::JsonList children;
   for (const std::uint32_t child : world_.children({row})) children.add("{}", child);
   if (children.size() > 0) rest += fmt::format(R"(,"children":[{}])", children.text());
   const geom::SinCos half = geom::sincos(X_PM.a / 2);
@@ -195,50 +153,23 @@ void Writer::add_node(std::uint32_t row) {
   if (world_.models.parent[row] == world::ModelRow::kNone) tops_.add("{}", row);
 }
 
-std::string Writer::json() const {
+std::string Writer::scene() const {
   std::string name;
   wire::json_text(name, world_.scene().name.empty() ? "world" : world_.scene().name);
-  const auto array = [](std::string_view key, const List& list) {  // none may be empty
-    return list.size() == 0 ? "" : fmt::format(R"(,"{}":[{}])", key, list.text());
-  };
-  const std::string buffer =
-      binary_.empty() ? "" : fmt::format(R"(,"buffers":[{{"byteLength":{}}}])", binary_.size());
-  return fmt::format(
-      R"({{"asset":{{"version":"2.0","generator":"playhouse"}},"scene":0,"scenes":[{{"nodes":[{}]}}])"
-      R"(,"nodes":[{}{}{{"name":{},"rotation":[-0.7071067811865475,0,0,0.7071067811865476]{}}}]{}{}{}{}{}}})",
-      nodes_.size(), nodes_.text(), nodes_.size() > 0 ? "," : "", name, array("children", tops_),
-      array("meshes", meshes_), array("materials", materials_), array("accessors", accessors_),
-      array("bufferViews", views_), buffer);
-}
-
-void append(std::string& out, std::uint32_t number) {
-  char bytes[sizeof number];
-  std::memcpy(bytes, &number, sizeof number);
-  out.append(bytes, sizeof number);
-}
-
-/// A chunk ends at a multiple of four bytes.
-void append_chunk(std::string& out, std::uint32_t type, std::string chunk, char fill) {
-  chunk.resize((chunk.size() + 3) / 4 * 4, fill);
-  append(out, static_cast<std::uint32_t>(chunk.size()));
-  append(out, type);
-  out += chunk;
+  const std::string children =
+      tops_.size() == 0 ? "" : fmt::format(R"(,"children":[{}])", tops_.text());  // none may be empty
+  return fmt::format(R"("scene":0,"scenes":[{{"nodes":[{}]}}],"nodes":[{}{}{{"name":{},)"
+                     R"("rotation":[-0.7071067811865475,0,0,0.7071067811865476]{}}}])",
+                     nodes_.size(), nodes_.text(), nodes_.size() > 0 ? "," : "", name, children);
 }
 
 Result<std::string> Writer::write() {
   for (std::uint32_t row = 0; row < world_.models.size(); ++row) {
     add_node(row);
-    if (binary_.size() + nodes_.text().size() > limits::kGlbBytes)
+    if (glb_.bytes() + nodes_.text().size() > limits::kGlbBytes)
       return Error{"", fmt::format("would be more than {} MiB as glTF", limits::kGlbBytes >> 20)};
   }
-  std::string chunks;
-  append_chunk(chunks, kJsonChunk, json(), ' ');
-  if (!binary_.empty()) append_chunk(chunks, kBinaryChunk, std::move(binary_), '\0');
-  constexpr std::uint32_t kHeader = 12;
-  std::string file;
-  for (const std::uint32_t number : {kMagic, kVersion, kHeader + static_cast<std::uint32_t>(chunks.size())})
-    append(file, number);
-  return file + chunks;
+  return glb_.file(scene());
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ int gym(const GymOptions& options) {
   Result<void> linked;
   const int code = run_service(
       service, [&] { return service.read_world(options.world); }, options.running,
-      [&] {
+      [&](const std::vector<std::uint16_t>&) {
         link = std::make_unique<drivers::gym::Link>(service.simulation(), options.socket);
         linked = link->start();
         if (linked) return;

@@ -29,10 +29,11 @@ constexpr std::size_t kRobots = 2;
 constexpr const char* kWorld = R"(
 define scanner ranger( sensor( samples 9 ) )
 define ring ranger( sensor( ) sensor( ) )
+define lidar ranger( sensor( rings 4 samples 9 ) )
 define robot position( scanner( ) ring( ) ranger( sensor( ) ) ranger( ) fiducial( ) position( ) )
 model( scanner( ) fiducial( ) )
 robot( ) robot( scanner( ) )
-gripper( ) actuator( ) ring( )
+gripper( ) actuator( ) ring( ) lidar( )
 )";
 
 scene::SceneDesc scene_of_every_kind() {
@@ -45,8 +46,10 @@ scene::SceneDesc scene_of_every_kind() {
 bool has(const scene::ModelDesc& model, Need need) {
   if (need == Need::kRobot) return model.parent < 0 && model.type == "position";
   if (need == Need::kSeveralSensors) return model.sensors.size() > 1;
-  const auto scans = [](const scene::RangerSensorDesc& sensor) { return sensor.samples > 1; };
-  return need == Need::kNothing || std::ranges::any_of(model.sensors, scans);
+  if (need == Need::kNothing) return true;
+  return std::ranges::any_of(model.sensors, [need](const scene::RangerSensorDesc& sensor) {
+    return (need == Need::kRings ? sensor.rings : sensor.samples) > 1;
+  });
 }
 
 /// What is told of the kind of a model, if it is simulated, and of every kind.

@@ -35,8 +35,10 @@ struct Dispatch {
   int operator()(const ServeOptions& options) const { return serve(options); }
   int operator()(const GymOptions& options) const { return gym(options); }
   int operator()(const VerifyOptions& options) const { return verify(options); }
+  int operator()(const RobotOptions& options) const { return robot(options); }
   int operator()(const DevicesOptions& options) const { return devices(options); }
   int operator()(const WatchOptions& options) const { return watch(options); }
+  int operator()(const ObserveOptions& options) const { return observe(options); }
   int operator()(const DriveOptions& options) const { return drive(options); }
   int operator()(const CheckOptions& options) const { return check(options); }
   int operator()(const ConvertOptions& options) const { return convert(options); }

@@ -19,6 +19,7 @@ enum Exit : int { kDone = 0, kFailed = 1, kUsage = 2 };
 
 inline constexpr std::uint16_t kPlayerPort = 6665;
 inline constexpr std::uint16_t kWebPort = 8080;
+inline constexpr std::uint16_t kObserverPort = 6670;  // UDP
 
 /// Where and how a world is offered to others.
 struct Serving {
@@ -28,7 +29,9 @@ struct Serving {
   std::string port_option = "--port";       // that sets `port`, for errors
   std::vector<std::string> web_hosts = {};  // names of the page besides the machine's
   std::string guests = {};                  // the file that says who may open the page; empty: everybody may
-  std::size_t viewers = limits::kViewers;   // pages at once
+  std::size_t viewers = limits::kViewers;   // pages at once, and observers
+  std::optional<std::uint16_t> observers = {};  // the UDP port for them; none: none; 0: any free one
+  std::uint32_t observer_bytes = limits::kObserverBytesPerSecond;  // a second, to each at most
 };
 
 /// The engines: the one of robots in the plane, and the one of bodies with mass.
@@ -92,6 +95,13 @@ struct ServeOptions {
   Running running;
 };
 
+struct RobotOptions {
+  std::vector<std::string> files;  // .toml
+  std::string server;              // "host" or "host:port" of the world
+  std::uint16_t port = kPlayerPort;
+  std::string bind = "127.0.0.1";
+};
+
 struct GymOptions {
   std::string world;
   int socket = -1;  // that the learning program has the other end of
@@ -115,6 +125,22 @@ struct WatchOptions {
   std::string server;
   std::string device;       // "laser:0", or the name of a model
   std::uint64_t count = 0;  // messages until the end; 0: for ever
+};
+
+/// A square of the world. [m, W]
+struct ViewSquare {
+  double x = 0, y = 0, radius = 0;
+};
+
+struct ObserveOptions {
+  std::string server;
+  std::string token;                   // of a guest; empty: none
+  std::vector<std::string> names;      // of models; none: all that stand for themselves
+  std::optional<ViewSquare> view;      // what is in it comes first
+  double rate = 0;                     // of each model's lines, a second; 0: when it changes
+  double seconds = 0;                  // until the end, once the world is there; 0: for ever
+  std::uint32_t bytes_per_second = 0;  // to ask for; 0: as many as the program gives
+  bool stats = false;
 };
 
 struct DriveOptions {

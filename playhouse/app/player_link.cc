@@ -112,8 +112,8 @@ int player_link(std::span<const char* const> words) {
                   QuitTime::kIgnored);
   const int code = run_service(
       service, [&] { return service.read_cfg(options->file); }, {},
-      [&service] {
-        fmt::print("Listening on ports: {} \n", fmt::join(service.player_ports(), " "));
+      [](const std::vector<std::uint16_t>& ports) {
+        fmt::print("Listening on ports: {} \n", fmt::join(ports, " "));
         std::fflush(stdout);
       });
   fmt::print("Quitting.\n");

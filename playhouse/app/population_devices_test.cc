@@ -42,13 +42,13 @@ position( name "r" size [0.4 0.4 0.3]
   ranger( sensor( pose [0 0 0 0] ) sensor( pose [0 0 0 90] ) )
   fiducial( ) )
 )";
-constexpr std::size_t kDevicesOfRobot = 7;
+constexpr std::size_t kDevicesOfRobot = 8;
 
 /// A world with its server. The test is both threads.
 class Town final : public drivers::Surroundings {
  public:
   explicit Town(std::size_t indices = drivers::AutoMap::kIndices)
-      : scene_(drivers::testing::scene_of(kWorld)), site_(*this, kPort), server_(network) {
+      : scene_(drivers::testing::scene_of(kWorld)), site_(*this, kPort), server_(simulated) {
     EXPECT_EQ(*server_.listen(kPort), kPort);
     EXPECT_TRUE(site_.open_world("some.world"));
     site_.data_flow().pass_to(server_);
@@ -87,14 +87,15 @@ class Town final : public drivers::Surroundings {
     return server_.hold(device, holder);
   }
   void release(device::DeviceId device, device::Driver* holder) override { server_.release(device, holder); }
-  void post(std::function<void()> task) override { network.post(std::move(task)); }
+  void post(std::function<void()> task) override { simulated.post(std::move(task)); }
+  net::Network& network() override { return simulated; }
   Result<std::unique_ptr<drivers::Simulation>> open_world(const std::string&) override {
     return std::make_unique<drivers::Simulation>(
         std::make_unique<drivers::testing::StillEngine>(scene_),
         drivers::Simulation::Options{.speed = 0, .paused = false, .duration = 0});
   }
 
-  net::SimulatedNetwork network{11};
+  net::SimulatedNetwork simulated{11};
 
  private:
   scene::SceneDesc scene_;
@@ -106,7 +107,7 @@ class Town final : public drivers::Surroundings {
 /// A client that counts what it hears.
 class Listener {
  public:
-  Listener(Town& town, bool pull) : client_(town.network, kPort), pull_(pull) {
+  Listener(Town& town, bool pull) : client_(town.simulated, kPort), pull_(pull) {
     if (pull) client_.ask(server::mode_request(kPull));
   }
   void open(std::uint16_t interf, std::uint16_t index) { client_.send(server::open_request(interf, index)); }
@@ -156,9 +157,9 @@ TEST(PopulationDevices, of_a_thousand_robots_that_come_and_go_are_lost_to_nobody
     each(pulled);
   };
   both([](Listener& client) { client.open(kWheels, 0); });
-  town.network.run();
+  town.simulated.run();
   town.tick();
-  town.network.run();
+  town.simulated.run();
   const Town::Sizes before = town.sizes();
   ASSERT_EQ(before.table, kDevicesOfRobot + 1);
 
@@ -167,7 +168,7 @@ TEST(PopulationDevices, of_a_thousand_robots_that_come_and_go_are_lost_to_nobody
   for (std::uint16_t robot = 1; robot <= kRobots + kLiving; ++robot) {
     if (robot <= kRobots) town.post([&](world::World& world) { living.push_back(*spawn(world, 0, {})); });
     town.tick();
-    town.network.run();
+    town.simulated.run();
     both([&](Listener& client) {
       for (const std::uint16_t interf : {kWheels, kLaser, kRanger}) {
         const auto index = static_cast<std::uint16_t>(interf == kRanger ? 2 * robot : robot);
@@ -176,7 +177,7 @@ TEST(PopulationDevices, of_a_thousand_robots_that_come_and_go_are_lost_to_nobody
       client.drive(robot);
       client.switch_motors_on(robot);
     });
-    town.network.run();
+    town.simulated.run();
     town.tick();
     both([](Listener& client) { client.hear(); });
     ticks += 2;
@@ -191,7 +192,7 @@ TEST(PopulationDevices, of_a_thousand_robots_that_come_and_go_are_lost_to_nobody
       client.switch_motors_on(going);
       client.open(kWheels, going);
     });
-    if (robot % 2 == 0) town.network.run();  // before the tick, or after it beside the retirement
+    if (robot % 2 == 0) town.simulated.run();  // before the tick, or after it beside the retirement
     town.tick();
     ++ticks;
     both([](Listener& client) { client.hear(); });
@@ -227,16 +228,16 @@ TEST(PopulationDevices, with_the_number_of_another_say_nothing_to_who_had_that_o
   const auto come = [&] {
     town.post([&](world::World& world) { newest = *spawn(world, 0, {}); });
     town.tick();
-    town.network.run();
+    town.simulated.run();
   };
   const auto go = [&] {
     town.post([&](world::World& world) { EXPECT_TRUE(despawn(world, newest)); });
     town.tick();
-    town.network.run();
+    town.simulated.run();
   };
   come();
   for (Listener* client : {&pushed, &pulled}) client->open(kWheels, 1);
-  town.network.run();
+  town.simulated.run();
   town.tick();
   town.tick();
   for (Listener* client : {&pushed, &pulled}) client->hear();
@@ -252,14 +253,14 @@ TEST(PopulationDevices, with_the_number_of_another_say_nothing_to_who_had_that_o
   const std::size_t told = (pushed.data[{kWheels, 1}]), pulled_told = (pulled.data[{kWheels, 1}]);
   pulled.drive(1);
   pulled.switch_motors_on(1);
-  town.network.run();
+  town.simulated.run();
   for (int tick = 0; tick < 10; ++tick) town.tick();
   const world::World& world = town.simulation().world();
   EXPECT_EQ(world.positions.command[world.position(newest).index], geom::Twist{}) << "it means the first";
   EXPECT_EQ(town.status().commands_dropped, 1u);
   for (Listener* client : {&pushed, &pulled}) {
     client->hear();
-    town.network.run();
+    town.simulated.run();
     client->hear();
     EXPECT_EQ(client->gone, 1u);
   }
@@ -268,7 +269,7 @@ TEST(PopulationDevices, with_the_number_of_another_say_nothing_to_who_had_that_o
   EXPECT_EQ(pulled.answered, pulled.asked);
 
   pulled.drive(1);
-  town.network.run();
+  town.simulated.run();
   town.tick();
   EXPECT_NE(world.positions.command[world.position(newest).index], geom::Twist{}) << "now it means this one";
 }

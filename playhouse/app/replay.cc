@@ -17,6 +17,7 @@ int replay(const ReplayOptions& options) {
   service.play(**opened);
   if (const Result<void> step = service.make_devices(); !step) return fail(step.error());
   if (const Result<void> step = service.open_page(); !step) return fail(step.error());
+  if (const Result<void> step = service.open_observers(); !step) return fail(step.error());
   for (const std::string& place : service.places()) log::say(place);
   const Outcome outcome = service.run();
   return outcome.signal != 0 ? 128 + outcome.signal : kDone;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "playhouse/app/device_service.h"
 #include "playhouse/app/fail.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/log_output.h"
@@ -9,8 +10,14 @@
 namespace playhouse::app {
 
 int run_service(Service& service, const std::function<Result<void>()>& read, const Running& running,
-                const std::function<void()>& opened, const std::vector<SaveAt>& saves) {
+                const std::function<void(const std::vector<std::uint16_t>& ports)>& opened,
+                const std::vector<SaveAt>& saves) {
   if (const Result<void> step = read(); !step) return fail_in_file(step.error(), service.other_errors());
+  if (const scene::CfgFile* const file = service.file_without_world())
+    return serve_devices(*file, service.serving().bind, service.serving().port, service.serving().port_option,
+                         [&](const std::vector<std::uint16_t>& ports) {
+                           if (opened) opened(ports);
+                         });
   if (const Result<void> step = service.open_ports(); !step) return fail(step.error());
   if (const Result<void> step = service.make_devices(); !step)
     return fail_in_file(step.error(), service.other_errors());
@@ -20,12 +27,13 @@ int run_service(Service& service, const std::function<Result<void>()>& read, con
   for (const SaveAt& save : saves)
     if (const Result<void> step = service.save_at(save); !step) return fail(step.error());
   if (const Result<void> step = service.open_page(); !step) return fail(step.error());
+  if (const Result<void> step = service.open_observers(); !step) return fail(step.error());
   if (!running.record.empty())
     if (const Result<void> step = service.record(running.record, running.record_only); !step)
       return fail(step.error());
 
   for (const std::string& place : service.places()) log::say(place);
-  if (opened) opened();
+  if (opened) opened(service.player_ports());
   const Outcome outcome = service.run();
   log::info("simulated {:.1f} s in {:.2f} s, {:.2f} times real time", outcome.sim_time, outcome.wall_time,
             outcome.real_time_factor);

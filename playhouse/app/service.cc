@@ -14,6 +14,7 @@
 #include <thread>
 #include <utility>
 
+#include "playhouse/app/device_service.h"
 #include "playhouse/app/fail.h"
 #include "playhouse/app/interrupt.h"
 #include "playhouse/app/whole_file.h"
@@ -32,23 +33,6 @@ constexpr double kProgressSeconds = 0.5;
 
 bool is_world_file(const std::string& file) {
   return file.ends_with(".world");
-}
-
-/// An address as people type it into a client; a server on every interface is shown at the loopback one.
-std::string shown_host(const std::string& bind) {
-  if (bind == "0.0.0.0" || bind == "localhost") return "127.0.0.1";
-  if (bind == "::") return "[::1]";
-  return bind.find(':') == std::string::npos ? bind : "[" + bind + "]";
-}
-
-/// The ports of a configuration file; 0 stands for the default one where an address names none.
-std::set<std::uint16_t> ports_of(const scene::CfgFile& file) {
-  std::set<std::uint16_t> ports;
-  for (const scene::CfgSection& section : file.drivers) {
-    for (const scene::DeviceAddress& address : section.addresses("provides"))
-      ports.insert(address.port.value_or(0));
-  }
-  return ports;
 }
 
 }  // namespace
@@ -180,15 +164,15 @@ Result<void> Service::read_cfg(const std::string& path) {
   return {};
 }
 
+const scene::CfgFile* Service::file_without_world() const {
+  return cfg_ && !has_world(*cfg_) ? &*cfg_ : nullptr;
+}
+
 Result<void> Service::open_ports() {
   const std::set<std::uint16_t> wanted = cfg_ ? ports_of(*cfg_) : std::set<std::uint16_t>{0};
   for (const std::uint16_t port : wanted) {
     const Result<std::uint16_t> opened = server_->listen(port == 0 ? serving_.port : port);
-    if (!opened) {
-      return Error{opened.error().where,
-                   opened.error().text + (port == 0 ? "; " + serving_.port_option + " takes another port"
-                                                    : "; the configuration file names this port")};
-    }
+    if (!opened) return port_error(opened.error(), port == 0, serving_.port_option);
     if (port == 0) serving_.port = *opened;
     player_ports_.push_back(*opened);
   }
@@ -262,22 +246,25 @@ Result<void> Service::read_guests() {
   if (!text) return text.error();
   Result<std::vector<web_server::Guest>> guests = web_server::parse_guests(*text, serving_.guests);
   if (!guests) return guests.error();
-  guests_ = std::move(*guests);
+  guests_ = web_server::GuestBook(std::move(*guests));
   return {};
 }
 
 Result<void> Service::open_page() {
-  if (!serving_.web && !serving_.guests.empty())
-    return Error{{}, "--guests is for the page, which --headless and --web off leave out"};
-  if (!serving_.web) return {};
+  if (!serving_.web && !serving_.observers && !serving_.guests.empty())
+    return Error{{}, "--guests is for the page, which --headless and --web off leave out, and --observers"};
   if (const Result<void> read = read_guests(); !read) return read;
+  if (!serving_.web) return {};
+  std::function<world::PhysicsShapes()> physics_shapes;
+  if (!playback_) physics_shapes = [this] { return simulation().engine().physics_shapes(); };
   const web_server::WebOptions options{.bind = serving_.bind,
                                        .port = *serving_.web,
                                        .page = web_server::page_files(),
                                        .host_name = {},
                                        .further_names = serving_.web_hosts,
                                        .guests = guests_,
-                                       .viewers = serving_.viewers};
+                                       .viewers = serving_.viewers,
+                                       .physics_shapes = std::move(physics_shapes)};
   const auto device_names = [this](world::ModelId model) {
     if (playback_) return std::vector<std::string>();
     return drivers::device_names(simulation().directory(), model, player_ports_.front());
@@ -294,20 +281,43 @@ Result<void> Service::open_page() {
   return {};
 }
 
+Result<void> Service::open_observers() {
+  if (!serving_.observers) return {};
+  observers::ObserverOptions options{.bind = serving_.bind,
+                                     .port = *serving_.observers,
+                                     .guests = guests_,
+                                     .observers = serving_.viewers,
+                                     .bytes_per_second = serving_.observer_bytes};
+  observers_ = std::make_unique<observers::ObserverServer>(web_loop_, std::move(options),
+                                                           simulation().world(), replicate::DeviceNames());
+  const Result<std::uint16_t> port = observers_->listen();
+  if (!port) return Error{port.error().where, port.error().text + "; --observers takes another port"};
+  observer_port_ = *port;
+  simulation().add_watcher(
+      {[this] { return observers_->wants_show(); },
+       [this](const world::World& world, const world::Pace& pace) { observers_->show(world, pace); }});
+  return {};
+}
+
 std::vector<std::string> Service::places() const {
   std::vector<std::string> lines;
   const std::string host = shown_host(serving_.bind);
   for (const std::uint16_t port : player_ports_)
     lines.push_back(fmt::format("Player clients: {}:{}", host, port));
   if (web_) lines.push_back(fmt::format("web page: http://{}:{}/", host, web_port_));
-  for (const web_server::Guest& guest : guests_) {
+  for (const web_server::Guest& guest : guests_.guests()) {
     const bool has_token = guest.token != "*";
-    lines.push_back(fmt::format("  {}: http://{}:{}/{}{}",
-                                has_token && !guest.name.empty()
-                                    ? fmt::format("{} ({})", guest.name, name_of(guest.role))
-                                    : std::string(name_of(guest.role)),
-                                host, web_port_, has_token ? "#" : "", has_token ? guest.token : ""));
+    const std::string who = has_token && !guest.name.empty()
+                                ? fmt::format("{} ({})", guest.name, name_of(guest.role))
+                                : std::string(name_of(guest.role));
+    if (web_) {
+      lines.push_back(fmt::format("  {}: http://{}:{}/{}{}", who, host, web_port_, has_token ? "#" : "",
+                                  has_token ? guest.token : ""));
+    } else {
+      lines.push_back(fmt::format("  {}: {}", who, has_token ? "--token " + guest.token : "no token"));
+    }
   }
+  if (observers_) lines.push_back(fmt::format("observers: {}:{}", host, observer_port_));
   return lines;
 }
 
@@ -347,6 +357,7 @@ Outcome Service::run(const std::function<void(int signal)>& ended) {
   if (ended) ended(signal_.load());
   simulation().discard();  // nobody would answer what is asked from now on
   loop_.post([this] { server_->finish([this] { loop_.finish(); }); });
+  if (observers_) web_loop_.post([this] { observers_->say_goodbye("the run has ended"); });
   web_loop_.stop();
   io.join();
   web.join();

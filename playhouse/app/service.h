@@ -22,6 +22,7 @@
 #include "playhouse/drivers/simulated/auto_devices.h"
 #include "playhouse/drivers/site.h"
 #include "playhouse/net/io_loop.h"
+#include "playhouse/observers/observer_server.h"
 #include "playhouse/record/recorder.h"
 #include "playhouse/scene/cfg.h"
 #include "playhouse/scene/scene_desc.h"
@@ -69,6 +70,8 @@ class Service final : private drivers::Surroundings {
   /// devices.
   Result<void> read_world(const std::string& path, scene::NamedBy by = scene::NamedBy::kPerson);
   Result<void> read_cfg(const std::string& path);
+  /// The configuration file that was read, if it has no world to serve: then it is for serve_devices().
+  const scene::CfgFile* file_without_world() const;
   /// A saved run: its world goes on where it was saved, with its seed.
   Result<void> read_saved(const std::string& path);
   /// Lets clients save the world into a file; before run(). Fails where nobody can write it.
@@ -95,12 +98,15 @@ class Service final : private drivers::Surroundings {
   /// Opens the web page, if one is wanted.
   Result<void> read_guests();
   Result<void> open_page();
+  /// Opens the port for observers, if one is wanted.
+  Result<void> open_observers();
 
+  const Serving& serving() const { return serving_; }
   /// Ports for Player clients, the default one first.
   const std::vector<std::uint16_t>& player_ports() const { return player_ports_; }
   /// Of the web page; 0 where there is none.
   std::uint16_t web_port() const { return web_port_; }
-  /// "Player clients: ..." and "web page: ...", one line each.
+  /// "Player clients: ...", "web page: ..." and "observers: ...", one line each.
   std::vector<std::string> places() const;
 
   /// Until the duration is over, the file says so, or a signal comes. `ended` is called with that signal, or
@@ -122,6 +128,7 @@ class Service final : private drivers::Surroundings {
   }
   void release(device::DeviceId device, device::Driver* holder) override { server_->release(device, holder); }
   void post(std::function<void()> task) override { loop_.post(std::move(task)); }
+  net::Network& network() override { return loop_; }
   Result<std::unique_ptr<drivers::Simulation>> open_world(const std::string& path) override;
 
   Result<void> open_playback();
@@ -160,12 +167,13 @@ class Service final : private drivers::Surroundings {
   std::vector<std::unique_ptr<device::Driver>> drivers_;  // of the configuration file
   std::unique_ptr<drivers::AutoDevices> robots_;          // without one
   std::unique_ptr<server::Server> server_;
-  std::vector<web_server::Guest> guests_;
+  web_server::GuestBook guests_;
   std::unique_ptr<web_server::WebServer> web_;
+  std::unique_ptr<observers::ObserverServer> observers_;
   std::unique_ptr<net::Timer> progress_;
 
   std::vector<std::uint16_t> player_ports_;
-  std::uint16_t web_port_ = 0;
+  std::uint16_t web_port_ = 0, observer_port_ = 0;
   std::atomic<int> signal_ = 0;
 };
 

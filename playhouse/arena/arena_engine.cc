@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "playhouse/arena/camera_sense.h"
 #include "playhouse/arena/lidar_sense.h"
 #include "playhouse/stage/generated/moves.h"
 
@@ -43,8 +44,10 @@ Pose moved_by(const world::World& world, const stage::Mover& mover) {
 
 }  // namespace
 
-ArenaEngine::ArenaEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers)
-    : BodyEngine(scene, seed, workers, {.ranger = make_lidar_sense}) {
+ArenaEngine::ArenaEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers,
+                         const Surface& ground)
+    : BodyEngine(scene, seed, workers, {.ranger = make_lidar_sense, .camera = make_camera_sense}),
+      physics_(ground, scene.gravity) {
   world_.engine = "arena";
   world_.upright = false;
   populate(true);
@@ -62,7 +65,7 @@ ArenaEngine::Body ArenaEngine::make_body(std::uint32_t tree) {
   body.part = part_of(world_, trees_, solids_, tree);
   for (const stage::Mover& mover : movers_of(tree))
     body.has_joints = body.has_joints || mover.model != trees_.root[tree];
-  std::vector<Hull> hulls = hulls_of(world_, trees_, solids_, tree, body.part);
+  std::vector<Hull> hulls = hulls_of(world_, trees_, solids_, tree, body.part, mesh_hulls_);
   if (hulls.empty()) {
     body.part = Part::kGuided;  // an outline that encloses nothing
     return body;
@@ -72,6 +75,19 @@ ArenaEngine::Body ArenaEngine::make_body(std::uint32_t tree) {
   body.number = physics_.add(plan_body(world_, trees_, tree, body.part, std::move(hulls)));
   for (const stage::Mover& mover : movers_of(tree)) body.joints.push_back(world_.models.X_PM[mover.model]);
   return body;
+}
+
+world::PhysicsShapes ArenaEngine::physics_shapes() const {
+  world::PhysicsShapes shapes;
+  // Meshes that stand still are what they look like: their triangles.
+  for (FixedSolid& solid : fixed_solids(world_, solids_))
+    if (!solid.hull.empty()) shapes.fixed.push_back(std::move(solid.hull));
+  for (std::uint32_t tree = 0; tree < trees_.size(); ++tree)
+    if (bodies_[tree].number != Body::kNone)
+      shapes.bodies.push_back(
+          {world_.id({trees_.root[tree]}),
+           hulls_of(world_, trees_, solids_, tree, bodies_[tree].part, mesh_hulls_)});
+  return shapes;
 }
 
 std::span<const stage::Mover> ArenaEngine::movers_of(std::uint32_t tree) const {
@@ -141,7 +157,7 @@ void ArenaEngine::bend(std::uint32_t tree) {
     is_bent = true;
   }
   if (!is_bent) return;
-  const std::vector<Hull> hulls = hulls_of(world_, trees_, solids_, tree, body.part);
+  const std::vector<Hull> hulls = hulls_of(world_, trees_, solids_, tree, body.part, mesh_hulls_);
   if (!hulls.empty()) physics_.set_hulls(body.number, hulls);
 }
 

@@ -1,12 +1,13 @@
 #pragma once
 
-/// ArenaEngine: bodies with mass, which fall, slide, push and are pushed, and robots on wheels. Rangers see
-/// them in space (lidar_sense.h), other senses as those of the stage engine do: extruded outlines, at
-/// heights. Thread: the tick thread.
+/// ArenaEngine: bodies with mass, which fall, slide, push and are pushed, and robots on wheels. Rangers and
+/// cameras see them in space (lidar_sense.h, camera_sense.h), other senses as those of the stage engine do:
+/// extruded outlines, at heights. Thread: the tick thread.
 
 #include <vector>
 
 #include "playhouse/arena/body_plan.h"
+#include "playhouse/arena/mesh_solids.h"
 #include "playhouse/arena/physics.h"
 #include "playhouse/stage/body_engine.h"
 
@@ -14,7 +15,10 @@ namespace playhouse::arena {
 
 class ArenaEngine final : public stage::BodyEngine {
  public:
-  ArenaEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers);
+  ArenaEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers, const Surface& ground);
+
+  /// The hulls that Physics has, without the margin by which Bullet rounds them.
+  world::PhysicsShapes physics_shapes() const override;
 
  private:
   /// A tree of models as a body.
@@ -45,6 +49,7 @@ class ArenaEngine final : public stage::BodyEngine {
   bool is_driven(std::uint32_t tree) const;
 
   Physics physics_;
+  mutable MeshHulls mesh_hulls_;
   std::vector<Body> bodies_;  // (trees)
 };
 

@@ -54,6 +54,43 @@ class ArenaTest : public testing::Test {
   std::unique_ptr<world::Engine> engine_;
 };
 
+TEST_F(ArenaTest, what_physics_takes_bodies_for_can_be_told) {
+  start(kWorld);
+  const world::PhysicsShapes shapes = engine_->physics_shapes();
+  ASSERT_EQ(shapes.fixed.size(), 1u);
+  EXPECT_EQ(shapes.fixed[0].size(), 8u);
+  for (const geom::Vec3& p : shapes.fixed[0]) {
+    EXPECT_NEAR(std::fabs(p.x - 3), 0.05, 1e-9) << "the wall, in the world";
+    EXPECT_NEAR(std::fabs(p.y), 2, 1e-9);
+  }
+  ASSERT_EQ(shapes.bodies.size(), 4u);
+  const auto& rover = shapes.bodies[1];
+  EXPECT_EQ(rover.model, world().id(world().find("b")));
+  ASSERT_EQ(rover.solids.size(), 1u);
+  for (const geom::Vec3& p : rover.solids[0]) {
+    EXPECT_NEAR(std::fabs(p.y), 0.2, 1e-9) << "in its own frame";
+    EXPECT_GT(p.z, 0.02) << "above the clearance of its wheels";
+  }
+}
+
+TEST_F(ArenaTest, both_engines_tell_the_same_outlines) {
+  start(kWorld);
+  auto flat = stage::make_engine(*scene_, {});
+  ASSERT_TRUE(flat);
+  const world::PhysicsShapes shapes = engine_->physics_shapes(), outlines = (*flat)->physics_shapes();
+  ASSERT_EQ(outlines.fixed, shapes.fixed);
+  ASSERT_EQ(outlines.bodies.size(), shapes.bodies.size());
+  for (std::size_t k = 0; k < shapes.bodies.size(); ++k) {
+    EXPECT_EQ(outlines.bodies[k].model, shapes.bodies[k].model);
+    ASSERT_EQ(outlines.bodies[k].solids.size(), shapes.bodies[k].solids.size());
+    ASSERT_EQ(outlines.bodies[k].solids[0].size(), shapes.bodies[k].solids[0].size());
+    for (std::size_t i = 0; i < shapes.bodies[k].solids[0].size(); ++i) {
+      EXPECT_EQ(outlines.bodies[k].solids[0][i].x, shapes.bodies[k].solids[0][i].x);
+      EXPECT_EQ(outlines.bodies[k].solids[0][i].y, shapes.bodies[k].solids[0][i].y);
+    }
+  }
+}
+
 TEST_F(ArenaTest, robots_push_boxes_until_a_wall_stops_them_both) {
   start(kWorld);
   drive("a", {0.5, 0, 0, 0});

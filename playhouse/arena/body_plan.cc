@@ -8,6 +8,7 @@
 #include "playhouse/arena/solid_bodies.h"
 #include "playhouse/arena/surface.h"
 #include "playhouse/geom/trapezoids.h"
+#include "playhouse/mesh/mesh.h"
 
 namespace playhouse::arena {
 namespace {
@@ -69,6 +70,18 @@ void add_body(std::vector<Hull>& hulls, const stage::Solids& solids, std::size_t
   add_prisms(hulls, all, z_low, z_high);
 }
 
+/// Hulls of a body, where X has it.
+void add_hulls(std::vector<Hull>& hulls, const std::vector<Hull>& of_body, const Pose& X_FB) {
+  const geom::Rotation turn = geom::Rotation::of(X_FB.a);
+  for (Hull hull : of_body) {
+    for (Vec3& p : hull) {
+      const Vec2 q = X_FB.xy() + turn * Vec2{p.x, p.y};
+      p = {q.x, q.y, X_FB.z + p.z};
+    }
+    hulls.push_back(std::move(hull));
+  }
+}
+
 /// Poses of the models of a tree in its top, where joints have them.
 std::map<std::uint32_t, Pose> poses_in_top(const world::Models& models, const stage::Trees& trees,
                                            std::uint32_t tree) {
@@ -94,10 +107,26 @@ struct Content {
   Vec3 center;        // m
 };
 
-/// Of upright prisms: the corners of their bottoms come first.
+/// An upright prism: the corners of its bottom come first.
+bool is_prism(const Hull& hull) {
+  const std::size_t n = hull.size() / 2;
+  if (n < 3 || hull.size() % 2 != 0) return false;
+  for (std::size_t i = 0; i < n; ++i)
+    if (hull[i].z != hull[0].z || hull[n + i].z != hull[n].z || hull[i].x != hull[n + i].x ||
+        hull[i].y != hull[n + i].y)
+      return false;
+  return true;
+}
+
 Content content_of(std::span<const Hull> hulls) {
   Content all;
   for (const Hull& hull : hulls) {
+    if (!is_prism(hull)) {
+      const HullContent content = hull_content(hull);
+      all.volume += content.volume;
+      all.center = all.center + content.volume * content.center;
+      continue;
+    }
     const std::size_t n = hull.size() / 2;
     const double height = hull[n].z - hull[0].z;
     double area = 0;
@@ -117,7 +146,11 @@ Content content_of(std::span<const Hull> hulls) {
 
 double mass_of(const world::World& world, const stage::Trees& trees, std::uint32_t tree) {
   double mass = 0;
-  for (const std::uint32_t row : trees.models_of(tree)) mass += world.desc({row}).mass;
+  for (const std::uint32_t row : trees.models_of(tree)) {
+    const scene::ModelDesc& desc = world.desc({row});
+    const bool is_said = desc.mass > 0 || !desc.mesh || !desc.mesh->physics;
+    mass += is_said ? desc.mass : desc.mesh->physics->mass.value_or(0);
+  }
   return mass;
 }
 
@@ -159,12 +192,18 @@ Part part_of(const world::World& world, const stage::Trees& trees, const stage::
 }
 
 std::vector<Hull> hulls_of(const world::World& world, const stage::Trees& trees, const stage::Solids& solids,
-                           std::uint32_t tree, Part part) {
+                           std::uint32_t tree, Part part, MeshHulls& meshes) {
   const std::map<std::uint32_t, Pose> X_BM = poses_in_top(world.models, trees, tree);
   std::vector<Hull> hulls;
+  std::uint32_t latest = world::ModelRow::kNone;  // of which there is the mesh
   each_body(solids, trees.first_solid[tree], trees.first_solid[tree + 1], stage::Observer::kMotion,
             [&](std::size_t begin, std::size_t end) {
-              add_body(hulls, solids, begin, end, X_BM.at(solids.model[begin]));
+              const std::uint32_t model = solids.model[begin];
+              const Pose& X_TM = X_BM.at(model);
+              const mesh::Mesh* mesh = mesh_of(world, model);
+              if (mesh == nullptr) return add_body(hulls, solids, begin, end, X_TM);
+              if (std::exchange(latest, model) != model)  // its outlines are for the plane
+                add_hulls(hulls, meshes.of(*mesh), body_in(world, model, X_TM));
             });
   if (part != Part::kVehicle) return hulls;
   const Extent extent = extent_of(hulls);
@@ -201,11 +240,22 @@ BodyDesc plan_body(const world::World& world, const stage::Trees& trees, std::ui
 std::vector<FixedSolid> fixed_solids(const world::World& world, const stage::Solids& solids) {
   std::vector<FixedSolid> fixed;
   std::vector<Hull> hulls;
+  std::uint32_t latest = world::ModelRow::kNone;  // of which there is the mesh
   each_body(solids, 0, solids.fixed, stage::Observer::kMotion, [&](std::size_t begin, std::size_t end) {
     const std::uint32_t model = solids.model[begin];
+    if (const mesh::Mesh* mesh = mesh_of(world, model)) {
+      if (std::exchange(latest, model) == model) return;
+      const Surface surface = surface_of(world.desc({model}));
+      const double heading = world.models.X_WM[model].a;
+      FixedParts parts = fixed_parts(*mesh, body_in(world, model, world.models.X_WM[model]));
+      for (Hull& hull : parts.hulls) fixed.push_back({std::move(hull), surface, heading, {}});
+      if (!parts.triangles.empty()) fixed.push_back({{}, surface, heading, std::move(parts.triangles)});
+      return;
+    }
     hulls.clear();
     add_body(hulls, solids, begin, end, world.models.X_WM[model]);
-    for (Hull& hull : hulls) fixed.push_back({std::move(hull), surface_of(world.desc({model}))});
+    for (Hull& hull : hulls)
+      fixed.push_back({std::move(hull), surface_of(world.desc({model})), world.models.X_WM[model].a, {}});
   });
   return fixed;
 }

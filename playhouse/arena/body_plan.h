@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "playhouse/arena/mesh_solids.h"
 #include "playhouse/arena/physics.h"
 #include "playhouse/stage/bodies.h"
 
@@ -23,9 +24,9 @@ Part part_of(const world::World& world, const stage::Trees& trees, const stage::
              std::uint32_t tree);
 
 /// The obstacles of a tree as convex hulls in B, where its joints have them; of a vehicle above the clearance
-/// of its wheels.
+/// of its wheels. Models with a mesh have those of the mesh.
 std::vector<Hull> hulls_of(const world::World& world, const stage::Trees& trees, const stage::Solids& solids,
-                           std::uint32_t tree, Part part);
+                           std::uint32_t tree, Part part, MeshHulls& meshes);
 
 /// The body of a tree of which hulls_of() are not empty.
 BodyDesc plan_body(const world::World& world, const stage::Trees& trees, std::uint32_t tree, Part part,

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "playhouse/stage/ranger_noise.h"
+#include "playhouse/arena/optics.h"
+#include "playhouse/scene/sensor_rays.h"
 
 namespace playhouse::arena {
 namespace {
@@ -19,6 +20,11 @@ Vec3 direction(double bearing, double off, double around) {
   return o.cos * ahead + o.sin * (r.cos * up + r.sin * left);
 }
 
+/// What comes back of a surface that returns a tenth of the light, from as far as it is still seen.
+double weakest_of(const scene::RangerSensorDesc& sensor) {
+  return echo_power(0.1, sensor.range_dark);
+}
+
 void add_sensor(LidarBeams& all, const scene::RangerSensorDesc& sensor, const geom::Pose& X_MB,
                 std::uint32_t number) {
   const geom::Pose X_MS = geom::compose(X_MB, sensor.X_BS);
@@ -28,21 +34,27 @@ void add_sensor(LidarBeams& all, const scene::RangerSensorDesc& sensor, const ge
                       .range_max = static_cast<float>(sensor.range_max),
                       .is_turned = sensor.noise_angular > 0,
                       .sensor = number};
-  for (std::uint32_t sample = 0; sample < sensor.samples; ++sample) {
-    ray.beam = first + sample;
-    ray.sample = sample;
-    ray.d = direction(X_MS.a + stage::bearing_of(sensor, sample), 0, 0);
-    all.rays.push_back(ray);
-  }
-  if (sensor.samples == 1 && sensor.fov > 0) {
+  for (std::uint32_t ring = 0; ring < sensor.rings; ++ring)
+    for (std::uint32_t sample = 0; sample < sensor.samples; ++sample) {
+      ray.sample = ring * sensor.samples + sample;
+      ray.beam = first + ray.sample;
+      ray.d = direction(X_MS.a + scene::bearing_of(sensor, sample), scene::elevation_of(sensor, ring), 0);
+      all.rays.push_back(ray);
+    }
+  if (sensor.samples == 1 && sensor.rings == 1 && sensor.fov > 0) {
     ray.is_off_axis = true;
     for (std::uint32_t i = 0; i < kConeRays; ++i) {
       ray.d = direction(X_MS.a, std::min(0.5 * sensor.fov, 0.5 * geom::kPi), i * 2 * geom::kPi / kConeRays);
       all.rays.push_back(ray);
     }
   }
-  all.range_min.insert(all.range_min.end(), sensor.samples, std::min(sensor.range_min, sensor.range_max));
-  all.range_max.insert(all.range_max.end(), sensor.samples, sensor.range_max);
+  const std::size_t beams = std::size_t{sensor.samples} * sensor.rings;
+  all.range_min.insert(all.range_min.end(), beams, std::min(sensor.range_min, sensor.range_max));
+  all.range_max.insert(all.range_max.end(), beams, sensor.range_max);
+  const bool is_light = sensor.errors == scene::RangerErrors::kLidar;
+  all.sensors.push_back({first, sensor.samples, sensor.rings, scene::level_ring(sensor),
+                         is_light ? weakest_of(sensor) : 0, sensor.noise_weak});
+  all.is_light = all.is_light || is_light;
   if (sensor.samples == 1 || sensor.fov / (sensor.samples - 1) > kNarrow) all.is_narrow = false;
   all.is_noisy = all.is_noisy || sensor.noise_constant > 0 || sensor.noise_proportional > 0;
 }

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "playhouse/arena/mesh_solids.h"
 #include "playhouse/arena/solid_bodies.h"
+#include "playhouse/base/rng.h"
 #include "playhouse/stage/ranger_noise.h"
 
 namespace playhouse::arena {
@@ -18,8 +20,11 @@ constexpr float kGroundReturn = 1;  // what beams report that met the ground
 constexpr float kEcho = 0.5f;
 
 /// Adds the bodies of a model that rangers see, rows [begin, end), in F.
-void add_bodies(Triangles& triangles, const stage::Solids& solids, std::size_t begin, std::size_t end,
-                const geom::Pose& X_FM) {
+void add_bodies(Triangles& triangles, const world::World& world, const stage::Solids& solids,
+                std::size_t begin, std::size_t end, const geom::Pose& X_FM) {
+  const std::uint32_t model = solids.model[begin];
+  if (const mesh::Mesh* mesh = mesh_of(world, model))
+    return add_surfaces(triangles, *mesh, body_in(world, model, X_FM));
   each_body(solids, begin, end, stage::Observer::kRanger, [&](std::size_t first, std::size_t last) {
     const std::vector<std::vector<geom::Vec2>> outlines = outlines_of(solids, first, last, X_FM);
     const std::vector<geom::Outline> all(outlines.begin(), outlines.end());
@@ -50,8 +55,11 @@ void LidarSense::populate(const world::World& world, const stage::Space& space) 
   populate_fixed(world, space.solids);
   populate_moving(world, space.solids);
   returns_.clear();
-  for (std::uint32_t row = 0; row < world.models.size(); ++row)
+  optics_.clear();
+  for (std::uint32_t row = 0; row < world.models.size(); ++row) {
     returns_.push_back(static_cast<float>(world.desc({row}).ranger_return));
+    optics_.push_back(optics_of(world.desc({row}).material));
+  }
   populate_rangers(world, space.solids);
 }
 
@@ -92,7 +100,7 @@ void LidarSense::populate_fixed(const world::World& world, const stage::Solids& 
   std::vector<Triangles> triangles;
   std::vector<Owner> owners;
   each_model(solids, 0, solids.fixed, [&](std::uint32_t model, std::size_t begin, std::size_t end) {
-    add_bodies(triangles.emplace_back(), solids, begin, end, models.X_WM[model]);
+    add_bodies(triangles.emplace_back(), world, solids, begin, end, models.X_WM[model]);
     owners.push_back({model, models.root[model]});
   });
   scene_.set_fixed(triangles, owners);
@@ -106,7 +114,7 @@ void LidarSense::populate_moving(const world::World& world, const stage::Solids&
                const auto [entry, is_new] = shape_of_.try_emplace(world.models.desc[model]);
                if (is_new) {
                  Triangles triangles;
-                 add_bodies(triangles, solids, begin, end, {});
+                 add_bodies(triangles, world, solids, begin, end, {});
                  entry->second = scene_.add_shape(triangles);
                }
                instances.push_back({entry->second, {model, world.models.root[model]}});
@@ -149,7 +157,10 @@ void LidarSense::measure(world::World& world, std::uint32_t ranger, std::uint64_
   std::fill_n(scratch.intensity.begin(), beams.beams(), 0.0f);
   const std::span<const float> inside = inside_[ranger];
   RayBatch& batch = scratch.rays;
+  const Look look{world, model, tick, beams};
   batch.group = world.models.root[model.index];
+  batch.is_narrow = beams.is_narrow;
+  batch.wants_normals = beams.is_light;
   batch.count = 0;
   for (std::size_t i = 0; i < beams.rays.size(); ++i) {
     const LidarBeams::Ray& ray = beams.rays[i];
@@ -169,46 +180,87 @@ void LidarSense::measure(world::World& world, std::uint32_t ranger, std::uint64_
     batch.inside[k] = inside.empty() ? 0 : inside[i];
     batch.range[k] = ray.range_max;
     scratch.ray[k] = i;
-    if (batch.count == RayBatch::kMost) cast(beams, scratch);
+    if (batch.count == RayBatch::kMost) cast(look, scratch);
   }
-  cast(beams, scratch);
-  if (beams.is_noisy) stage::add_range_noise(world, ranger, tick, scratch.range.data());
+  cast(look, scratch);
+  if (beams.is_noisy) stage::add_range_noise(world, ranger, tick, scratch.range.data(), stage::Rings::kAll);
   store(world, beams, ranger, scratch);
 }
 
 /// Casts the rays of the batch, and keeps for each beam the nearest that they met.
-void LidarSense::cast(const LidarBeams& beams, Scratch& scratch) const {
+void LidarSense::cast(const Look& look, Scratch& scratch) const {
   RayBatch& batch = scratch.rays;
   if (batch.count == 0) return;
-  batch.is_narrow = beams.is_narrow;
   scene_.cast(batch);
   for (std::size_t k = 0; k < batch.count; ++k) {
-    const LidarBeams::Ray& ray = beams.rays[scratch.ray[k]];
-    float range = batch.range[k], facing = batch.facing[k];
-    float intensity = batch.met[k] == RayBatch::kNobody ? 0 : returns_[batch.met[k]];
-    bool met = batch.met[k] != RayBatch::kNobody;
-    const float down = -batch.dz[k];
-    if (down > 0 && batch.pz[k] >= 0 && batch.pz[k] < range * down) {
-      range = batch.pz[k] / down;
-      facing = down;
-      intensity = kGroundReturn;
-      met = true;
+    const LidarBeams::Ray& ray = look.beams.rays[scratch.ray[k]];
+    if (look.beams.sensors[ray.sensor].weakest > 0) {
+      keep_echo(look, k, scratch);
+    } else {
+      keep_nearest(look.beams, k, scratch);
     }
-    if (!met || (ray.is_off_axis && facing < kEcho) || range >= scratch.range[ray.beam]) continue;
-    scratch.range[ray.beam] = range;
-    scratch.intensity[ray.beam] = intensity;
   }
   batch.count = 0;
 }
 
+void LidarSense::keep_nearest(const LidarBeams& beams, std::size_t k, Scratch& scratch) const {
+  const RayBatch& batch = scratch.rays;
+  const LidarBeams::Ray& ray = beams.rays[scratch.ray[k]];
+  float range = batch.range[k], facing = batch.facing[k];
+  float intensity = batch.met[k] == RayBatch::kNobody ? 0 : returns_[batch.met[k]];
+  bool met = batch.met[k] != RayBatch::kNobody;
+  const float down = -batch.dz[k];
+  if (down > 0 && batch.pz[k] >= 0 && batch.pz[k] < range * down) {
+    range = batch.pz[k] / down;
+    facing = down;
+    intensity = kGroundReturn;
+    met = true;
+  }
+  if (!met || (ray.is_off_axis && facing < kEcho) || range >= scratch.range[ray.beam]) return;
+  scratch.range[ray.beam] = range;
+  scratch.intensity[ray.beam] = intensity;
+}
+
+/// Of a sensor with the errors of a lidar; intensities are percent of what a white sheet returns.
+void LidarSense::keep_echo(const Look& look, std::size_t k, Scratch& scratch) const {
+  const RayBatch& batch = scratch.rays;
+  const LidarBeams::Ray& ray = look.beams.rays[scratch.ray[k]];
+  const LidarBeams::Sensor& sensor = look.beams.sensors[ray.sensor];
+  const Beam beam{{batch.px[k], batch.py[k], batch.pz[k]},
+                  {batch.dx[k], batch.dy[k], batch.dz[k]},
+                  ray.range_max,
+                  batch.group};
+  Met met{batch.range[k], batch.met[k], batch.facing[k], {batch.nx[k], batch.ny[k], batch.nz[k]}};
+  if (const Met ground = ground_met(beam); ground.range < met.range) met = ground;
+  const LightEcho echo = echo_of(scene_, {look.world, optics_}, beam, met, sensor.weakest);
+  if (!echo.is_noticed) return;
+  Rng rng(look.world.seed(), look.tick,
+          {Purpose::kLidarEcho, look.world.id(look.model).value, ray.sensor, ray.sample});
+  const double range = echo.range + sensor.noise_weak * sensor.weakest / echo.power * rng.gaussian();
+  if (range >= scratch.range[ray.beam]) return;
+  scratch.range[ray.beam] = range;
+  scratch.intensity[ray.beam] = static_cast<float>(100 * echo.returned);
+}
+
 void LidarSense::store(world::World& world, const LidarBeams& beams, std::uint32_t ranger, Scratch& scratch) {
-  if (beams.beams() == 0) return;
-  // The beams of a ranger's sensors are consecutive.
-  const std::uint32_t first = world.sensors.first_beam[world.rangers.first_sensor[ranger]];
   for (std::size_t k = 0; k < beams.beams(); ++k) {
     const double range = std::max(scratch.range[k], beams.range_min[k]);
-    world.sensors.ranges[first + k] = static_cast<float>(std::min(range, beams.range_max[k]));
-    world.sensors.intensities[first + k] = scratch.intensity[k];
+    scratch.range[k] = std::min(range, beams.range_max[k]);
+  }
+  world::Sensors& sensors = world.sensors;
+  for (std::uint32_t i = 0; i < beams.sensors.size(); ++i) {
+    const LidarBeams::Sensor& sensor = beams.sensors[i];
+    const std::uint32_t row = world.rangers.first_sensor[ranger] + i, to = sensors.first_beam[row];
+    const std::size_t level = sensor.first + std::size_t{sensor.level} * sensor.samples;
+    for (std::uint32_t k = 0; k < sensor.samples; ++k) {
+      sensors.ranges[to + k] = static_cast<float>(scratch.range[level + k]);
+      sensors.intensities[to + k] = scratch.intensity[level + k];
+    }
+    if (sensor.rings == 1) continue;
+    const auto begin = static_cast<std::ptrdiff_t>(sensor.first);
+    const auto end = begin + static_cast<std::ptrdiff_t>(std::size_t{sensor.samples} * sensor.rings);
+    sensors.ring_ranges[row].assign(scratch.range.begin() + begin, scratch.range.begin() + end);
+    sensors.ring_intensities[row].assign(scratch.intensity.begin() + begin, scratch.intensity.begin() + end);
   }
 }
 

@@ -1,13 +1,15 @@
 #pragma once
 
-/// LidarSense: rangers among bodies in space. Their rays go where the ranger is tilted to, and meet bodies as
-/// they lie and the ground. A transducer of a single beam sees a cone: the nearest of what its axis meets and
-/// what faces it of that beside the axis. Errors are those of the stage engine.
+/// LidarSense: rangers among bodies in space. Their rays go where the ranger is tilted to, in as many rings
+/// as it has, and meet bodies as they lie and the ground. A transducer of a single beam sees a cone: the
+/// nearest of what its axis meets and what faces it of that beside the axis. Errors are those of the stage
+/// engine, and those of light (lidar_echo.h).
 
 #include <map>
 #include <vector>
 
 #include "playhouse/arena/lidar_beams.h"
+#include "playhouse/arena/lidar_echo.h"
 #include "playhouse/arena/own_solids.h"
 #include "playhouse/arena/ray_scene.h"
 #include "playhouse/stage/sense_phase.h"
@@ -43,7 +45,16 @@ class LidarSense final : public stage::SensePhase {
   void place(const world::Models& models);
   const LidarBeams& beams(const world::World& world, std::uint32_t ranger) const;
   void measure(world::World& world, std::uint32_t ranger, std::uint64_t tick, Scratch& scratch) const;
-  void cast(const LidarBeams& beams, Scratch& scratch) const;
+  /// Who measures.
+  struct Look {
+    const world::World& world;
+    world::ModelRow model;
+    std::uint64_t tick;
+    const LidarBeams& beams;
+  };
+  void cast(const Look& look, Scratch& scratch) const;
+  void keep_nearest(const LidarBeams& beams, std::size_t k, Scratch& scratch) const;
+  void keep_echo(const Look& look, std::size_t k, Scratch& scratch) const;
   static void store(world::World& world, const LidarBeams& beams, std::uint32_t ranger, Scratch& scratch);
 
   RayScene scene_;
@@ -54,6 +65,7 @@ class LidarSense final : public stage::SensePhase {
   OwnSolids own_solids_;
   std::vector<std::span<const float>> inside_;  // of the rays of each, as own_solids_ says (rangers)
   std::vector<float> returns_;                  // what beams report that met a model (models)
+  std::vector<Optics> optics_;                  // (models)
   std::vector<Scratch> scratch_;                // one per worker
 };
 

@@ -143,5 +143,102 @@ TEST(LidarSense, follows_a_population_that_changes_and_any_number_of_workers) {
     EXPECT_NEAR(one.range(beam), stage.range(beam), 1e-3) << beam;
 }
 
+/// What a ray meets of an upright box on the ground or of the ground, in double precision, slab by slab.
+double oracle(const geom::Vec3& p, const geom::Vec3& d, const scene::ModelDesc& box) {
+  const geom::Rotation turn = geom::Rotation::of(box.X_PM.a);
+  const geom::Vec2 q = turn.inverse({p.x - box.X_PM.x, p.y - box.X_PM.y}), e = turn.inverse({d.x, d.y});
+  const double from[3] = {q.x, q.y, p.z - box.X_PM.z}, along[3] = {e.x, e.y, d.z};
+  const double low[3] = {-box.size.x / 2, -box.size.y / 2, 0},
+               high[3] = {box.size.x / 2, box.size.y / 2, box.size.z};
+  double enter = 0, leave = 1e9;
+  for (int axis = 0; axis < 3; ++axis) {
+    double a = (low[axis] - from[axis]) / along[axis], b = (high[axis] - from[axis]) / along[axis];
+    if (a > b) std::swap(a, b);
+    enter = std::max(enter, a);
+    leave = std::min(leave, b);
+  }
+  return enter < leave ? enter : 1e9;
+}
+
+TEST(LidarSense, every_ring_sees_what_a_slow_oracle_sees) {
+  constexpr const char* kRings = R"(
+interval_sim 100
+model( name "a" pose [3 1 0 20] size [0.5 1 0.4] )
+model( name "b" pose [-2 2 0 70] size [1 0.3 2] )
+model( name "c" pose [1 -4 0.8 -30] size [2 0.5 0.3] )
+model( name "d" pose [6 0 0 5] size [0.4 6 3] )
+position( name "r" pose [0.3 -0.2 0 33] size [0.4 0.4 0.4] obstacle_return 0
+  ranger( pose [0.05 0 0.1 0] size [0.1 0.1 0.1]
+    sensor( samples 61 fov 300 range [0.2 12] rings 16 ring_fov [-15 15] ) ) )
+)";
+  Session run(kRings, true);
+  run.step();
+  const world::World& world = run.world();
+  const world::ModelRow ranger = world.rangers.model[0];
+  const scene::RangerSensorDesc& sensor = world.desc(ranger).sensors[0];
+  const geom::Pose& X = world.models.X_WM[ranger.index];
+  ASSERT_EQ(world.sensors.ring_ranges[0].size(), 16 * 61u);
+  const geom::Vec3 p{X.x, X.y, X.z + 0.5 * sensor.size.z};
+  int met = 0, on_ground = 0;
+  for (std::uint32_t ring = 0; ring < 16; ++ring)
+    for (std::uint32_t sample = 0; sample < 61; ++sample) {
+      const double elevation = geom::radians(-15 + 2.0 * ring),
+                   bearing = X.a + geom::radians(-150 + 5.0 * sample);
+      const geom::Vec3 d{std::cos(elevation) * std::cos(bearing), std::cos(elevation) * std::sin(bearing),
+                         std::sin(elevation)};
+      double wanted = 12;
+      const double ground = d.z < 0 ? p.z / -d.z : 1e9;
+      for (const scene::ModelDesc& model : world.scene().models)
+        if (model.kind == scene::ModelKind::kPlain) wanted = std::min(wanted, oracle(p, d, model));
+      on_ground += ground < wanted;
+      wanted = std::min(wanted, ground);
+      EXPECT_NEAR(world.sensors.ring_ranges[0][ring * 61 + sample], wanted, 2e-4) << ring << " " << sample;
+      met += wanted < 12;
+    }
+  EXPECT_GT(met, 300);
+  EXPECT_GT(on_ground, 100);
+}
+
+TEST(LidarSense, the_ring_nearest_to_level_is_what_all_see_of_it) {
+  const std::string text = R"(
+interval_sim 100
+model( name "wall" pose [3 0 0 0] size [0.2 8 1.5] )
+model( name "post" pose [0 0 0 0] size [0.2 0.2 0.5]
+  ranger( size [0.02 0.02 0.02] sensor( samples 5 fov 40 range [0 8] RINGS ) ) )
+)";
+  const auto with = [&](const char* rings) {
+    std::string changed = text;
+    changed.replace(changed.find("RINGS"), 5, rings);
+    return changed;
+  };
+  Session rings(with("rings 4 ring_fov [-30 30]").c_str(), true);  // at -30, -10, 10 and 30 degrees
+  rings.step();
+  EXPECT_NEAR(rings.range(2), 2.9 / std::cos(geom::radians(10)), 1e-4) << "of two the upper one";
+  EXPECT_EQ(rings.world().sensors.ring_ranges[0][2 * 5 + 2], rings.range(2));
+  EXPECT_EQ(rings.world().sensors.ring_ranges[0][3 * 5 + 2], 8) << "over the wall";
+  EXPECT_LT(rings.world().sensors.ring_ranges[0][2], 1.1) << "the ground";
+  Session stage(with("rings 4 ring_fov [-30 30]").c_str(), false);
+  stage.step();
+  EXPECT_NEAR(stage.range(2), 2.9, 1e-6) << "level";
+  EXPECT_TRUE(stage.world().sensors.ring_ranges[0].empty());
+}
+
+TEST(LidarSense, rings_have_noise_of_their_own_and_are_the_same_for_any_number_of_workers) {
+  constexpr const char* kNoisy = R"(
+interval_sim 100
+define lidar ranger( size [0.1 0.1 0.1]
+  sensor( samples 31 fov 200 range [0 12] rings 4 ring_fov [-10 10] noise [0.02 0 0] error "lidar" noise_weak 0.1 ) )
+model( name "wall" pose [5 0 0 0] size [0.2 20 4] )
+position( name "r" pose [0 0 0 0] size [0.4 0.4 0.4] lidar() )
+position( name "s" pose [0 2 0 0] size [0.4 0.4 0.4] lidar() )
+)";
+  Session one(kNoisy, true, 1), three(kNoisy, true, 3);
+  one.step(3);
+  three.step(3);
+  EXPECT_EQ(one.world().sensed_hash(), three.world().sensed_hash());
+  const std::vector<float>& ranges = one.world().sensors.ring_ranges[0];
+  EXPECT_NE(ranges[15], ranges[3 * 31 + 15]) << "symmetric but for their noise";
+}
+
 }  // namespace
 }  // namespace playhouse::arena

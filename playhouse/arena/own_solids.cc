@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 
+#include "playhouse/arena/mesh_solids.h"
 #include "playhouse/arena/solid_bodies.h"
 
 namespace playhouse::arena {
@@ -105,7 +106,7 @@ std::span<const float> OwnSolids::inside(const world::World& world, const stage:
   add(key, models.desc[model], *X_BM);
   for (std::size_t row = first; row < last; ++row) {
     const std::optional<Pose> X_BS = pose_in_top(models, solids.model[row]);
-    if (!X_BS) return {};
+    if (!X_BS || mesh_of(world, solids.model[row]) != nullptr) return {};  // a mesh may be hollow
     if (row == first || solids.model[row] != solids.model[row - 1])
       add(key, models.desc[solids.model[row]], *X_BS);
   }

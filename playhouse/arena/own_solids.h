@@ -25,8 +25,8 @@ double inside_of(std::span<const OwnSolid> solids, const geom::Vec3& p, const ge
 class OwnSolids {
  public:
   /// Of the ranger that is row `model`, whose tree has the solids [first, last); valid as long as this.
-  /// Nothing where parts of the tree move against each other. Cost: a test for each ray and edge, the first
-  /// time. [m]
+  /// Nothing where parts of the tree move against each other or are meshes. Cost: a test for each ray and
+  /// edge, the first time. [m]
   std::span<const float> inside(const world::World& world, const stage::Solids& solids, std::uint32_t model,
                                 const LidarBeams& beams, std::size_t first, std::size_t last);
 

@@ -11,7 +11,6 @@
 namespace playhouse::arena {
 namespace {
 
-constexpr double kGravity = 9.81;   // m/s^2
 constexpr double kMargin = 1e-3;    // m by which Bullet rounds convex solids
 constexpr double kWheelDrop = 0.1;  // m below a wheel to where the ground is looked for
 constexpr double kForesight = 0.1;  // s between two calls of forget(), about
@@ -37,6 +36,15 @@ btQuaternion bullet(const Quaternion& q) {
 
 double highest(const Hull& hull) {
   return std::ranges::max(hull, {}, &Vec3::z).z;
+}
+
+/// About the z axis.
+Hull turned(const Hull& hull, double angle) {
+  if (angle == 0) return hull;
+  const Quaternion q = geom::orientation(angle, {});
+  Hull out;
+  for (const Vec3& p : hull) out.push_back(q * p);
+  return out;
 }
 
 /// Its corners are moved inwards by the margin where that leaves a solid, so that faces are where they were.
@@ -83,6 +91,35 @@ class Solids {
   std::unique_ptr<btCompoundShape> compound_;  // of more than one
 };
 
+/// A surface of triangles that stands still.
+class Sheet {
+ public:
+  explicit Sheet(const Triangles& triangles) {
+    for (const Vec3& v : triangles.p) p_.insert(p_.end(), {v.x, v.y, v.z});
+    for (const auto& corner : triangles.corner)
+      for (const std::uint32_t row : corner) rows_.push_back(static_cast<int>(row));
+    btIndexedMesh part;
+    part.m_numTriangles = static_cast<int>(triangles.corner.size());
+    part.m_triangleIndexBase = reinterpret_cast<const unsigned char*>(rows_.data());
+    part.m_triangleIndexStride = 3 * sizeof(int);
+    part.m_numVertices = static_cast<int>(triangles.p.size());
+    part.m_vertexBase = reinterpret_cast<const unsigned char*>(p_.data());
+    part.m_vertexStride = 3 * sizeof(double);
+    part.m_indexType = PHY_INTEGER;
+    part.m_vertexType = PHY_DOUBLE;
+    mesh_.addIndexedMesh(part, PHY_INTEGER);
+    shape_ = std::make_unique<btBvhTriangleMeshShape>(&mesh_, true);
+    shape_->setMargin(kMargin);
+  }
+  btCollisionShape& shape() const { return *shape_; }
+
+ private:
+  std::vector<double> p_;
+  std::vector<int> rows_;
+  btTriangleIndexVertexArray mesh_;
+  std::unique_ptr<btBvhTriangleMeshShape> shape_;
+};
+
 std::unique_ptr<btRigidBody> make_body(double mass, btCollisionShape& shape, const Surface& surface) {
   btVector3 inertia(0, 0, 0);
   if (mass > 0) shape.calculateLocalInertia(mass, inertia);
@@ -90,6 +127,7 @@ std::unique_ptr<btRigidBody> make_body(double mass, btCollisionShape& shape, con
   info.m_friction = surface.friction;
   info.m_restitution = surface.restitution;
   auto body = std::make_unique<btRigidBody>(info);
+  if (surface.has_grain()) body->setAnisotropicFriction({surface.share_x, surface.share_y, 1});
   body->setActivationState(DISABLE_DEACTIVATION);
   return body;
 }
@@ -202,18 +240,25 @@ struct Physics::Impl {
   btSequentialImpulseConstraintSolver solver;
   btDiscreteDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
   btStaticPlaneShape plane{btVector3(0, 0, 1), 0};
-  std::unique_ptr<btRigidBody> ground = make_body(0, plane, {});
+  std::unique_ptr<btRigidBody> ground;
+  double gravity;  // m/s^2
   struct Fixed {
-    std::unique_ptr<Solids> solids;
+    std::unique_ptr<Solids> solids;  // or
+    std::unique_ptr<Sheet> sheet;
     std::unique_ptr<btRigidBody> body;
     double lowest_top = 0;  // m; a wheel further below stands on none of it
+    Vec3 low{-1e300, -1e300, 0}, high{1e300, 1e300, 0};  // no wheel beside stands on it
+
+    bool is_beside(const Vec3& p) const {
+      return p.x < low.x || p.x > high.x || p.y < low.y || p.y > high.y;
+    }
   };
-  std::vector<Fixed> fixed;  // of each surface
+  std::vector<Fixed> fixed;  // of each surface, and of each sheet
   std::vector<std::unique_ptr<Moving>> bodies;
   bool is_in = false;
 
-  Impl() {
-    world.setGravity({0, 0, -kGravity});
+  Impl(const Surface& surface, double gravity) : ground(make_body(0, plane, surface)), gravity(gravity) {
+    world.setGravity({0, 0, -gravity});
     world.getDispatchInfo().m_deterministicOverlappingPairs = true;
     configuration.setPlaneConvexMultipointIterations(kPerturbations, kPerturbations);
   }
@@ -265,8 +310,21 @@ struct Ray {
     if (!hit.hasHit() || hit.m_closestHitFraction <= 0 || hit.m_hitNormalWorld.z() < kUpright) return false;
     const double gap = hit.m_closestHitFraction * (rise + kWheelDrop) - rise;
     if (footing.is_near && footing.gap < gap) return false;
-    footing = {true, gap, from(hit.m_hitNormalWorld), body.getFriction(), {}};
+    footing = {};
+    footing.is_near = true;
+    footing.gap = gap;
+    footing.normal = from(hit.m_hitNormalWorld);
+    footing.friction = body.getFriction();
+    if (body.hasAnisotropicFriction()) add_grain(body, footing);
     return true;
+  }
+  static void add_grain(const btRigidBody& body, Footing& footing) {
+    const btMatrix3x3& axes = body.getWorldTransform().getBasis();
+    const btVector3& share = body.getAnisotropicFriction();
+    footing.has_grain = true;
+    footing.grain_x = from(axes.getColumn(0) * share.x());
+    footing.grain_y = from(axes.getColumn(1) * share.y());
+    footing.grain_z = from(axes.getColumn(2));
   }
 };
 
@@ -281,7 +339,7 @@ void Physics::Impl::find_footing(Moving& moving, std::size_t i) const {
   footing.friction = ground->getFriction();
   const Ray ray{bullet(p + wheel.rise * up), bullet(p - kWheelDrop * up), wheel.rise};
   for (const Fixed& part : fixed)
-    if (ray.top.z() >= part.lowest_top) ray.meet(*part.body, footing);
+    if (ray.top.z() >= part.lowest_top && !part.is_beside(p)) ray.meet(*part.body, footing);
   moving.supports[i] = kNobody;
   for (const std::uint32_t below : moving.below) {
     if (!ray.meet(*bodies[below]->body, footing)) continue;
@@ -328,7 +386,7 @@ void Physics::Impl::wake() {
 void Physics::Impl::roll(Moving& moving, double dt) const {
   Motion motion{moving.state.q, from(moving.body->getLinearVelocity()),
                 from(moving.body->getAngularVelocity())};
-  motion.v.z -= kGravity * dt;
+  motion.v.z -= gravity * dt;
   solve_wheels(moving.desc, moving.inertia, moving.velocity, dt, moving.footings, moving.impulses, motion);
   if (moving.desc.is_upright) motion.w = {0, 0, moving.velocity.a};
   moving.body->setLinearVelocity(bullet(motion.v));
@@ -350,22 +408,45 @@ void Physics::Impl::push_supports() {
   }
 }
 
-Physics::Physics() : impl_(std::make_unique<Impl>()) {}
+Physics::Physics(const Surface& ground, double gravity) : impl_(std::make_unique<Impl>(ground, gravity)) {}
 Physics::~Physics() = default;
 
 void Physics::set_fixed(std::span<const FixedSolid> solids) {
   impl_->take_out();
   impl_->fixed.clear();
-  std::vector<std::pair<Surface, std::vector<Hull>>> by_surface;
+  struct Alike {
+    Surface surface;
+    double heading = 0;
+    std::vector<Hull> hulls;  // in a frame of that heading
+  };
+  std::vector<Alike> parts;
   for (const FixedSolid& solid : solids) {
-    auto same = std::ranges::find(by_surface, solid.surface, [](const auto& entry) { return entry.first; });
-    if (same == by_surface.end()) same = by_surface.insert(same, {solid.surface, {}});
-    same->second.push_back(solid.hull);
+    if (solid.hull.empty()) continue;
+    const double heading = solid.surface.has_grain() ? solid.heading : 0;
+    auto same = std::ranges::find_if(parts, [&](const Alike& part) {
+      return part.surface == solid.surface && part.heading == heading;
+    });
+    if (same == parts.end()) same = parts.insert(same, {solid.surface, heading, {}});
+    same->hulls.push_back(turned(solid.hull, -heading));
   }
-  for (const auto& [surface, hulls] : by_surface) {
-    Impl::Fixed part{std::make_unique<Solids>(hulls, Vec3{}), nullptr, 1e300};
-    part.body = make_body(0, part.solids->shape(), surface);
-    for (const Hull& hull : hulls) part.lowest_top = std::min(part.lowest_top, highest(hull));
+  for (const Alike& alike : parts) {
+    Impl::Fixed part{std::make_unique<Solids>(alike.hulls, Vec3{}), nullptr, nullptr, 1e300};
+    part.body = make_body(0, part.solids->shape(), alike.surface);
+    part.body->setWorldTransform(btTransform(bullet(geom::orientation(alike.heading, {}))));
+    for (const Hull& hull : alike.hulls) part.lowest_top = std::min(part.lowest_top, highest(hull));
+    impl_->fixed.push_back(std::move(part));
+  }
+  for (const FixedSolid& solid : solids) {
+    if (solid.triangles.empty()) continue;
+    Impl::Fixed part{nullptr, std::make_unique<Sheet>(solid.triangles), nullptr, 1e300};
+    part.body = make_body(0, part.sheet->shape(), solid.surface);
+    part.low = {1e300, 1e300, 0};
+    part.high = {-1e300, -1e300, 0};
+    for (const Vec3& p : solid.triangles.p) {
+      part.lowest_top = std::min(part.lowest_top, p.z);
+      part.low = {std::min(part.low.x, p.x - kWheelDrop), std::min(part.low.y, p.y - kWheelDrop), 0};
+      part.high = {std::max(part.high.x, p.x + kWheelDrop), std::max(part.high.y, p.y + kWheelDrop), 0};
+    }
     impl_->fixed.push_back(std::move(part));
   }
 }

@@ -11,24 +11,28 @@
 #include <vector>
 
 #include "playhouse/arena/rigid_body.h"
+#include "playhouse/arena/triangles.h"
 #include "playhouse/world/workers.h"
 
 namespace playhouse::arena {
 
-/// What stands still: a convex solid.
+/// What stands still: a convex solid, or a surface of triangles where the hull has no corners.
 struct FixedSolid {
   Hull hull;  // in W
   Surface surface;
+  double heading = 0;  // rad, of the x along which the surface has its share
+  Triangles triangles;  // in W
 };
 
 class Physics {
  public:
-  Physics();
+  /// `gravity` in m/s^2, downwards.
+  explicit Physics(const Surface& ground = {}, double gravity = 9.81);
   ~Physics();
   Physics(const Physics&) = delete;
   Physics& operator=(const Physics&) = delete;
 
-  /// Replaces what stands still by the ground, the plane z = 0, and these solids.
+  /// Replaces what stands still by the ground, the plane z = 0, and these.
   void set_fixed(std::span<const FixedSolid> solids);
   /// A body that moves, at rest at the origin; bodies are numbered from 0.
   std::uint32_t add(const BodyDesc& desc);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace playhouse::arena {
 namespace {
@@ -113,6 +114,49 @@ BodyDesc slab(double mass, double length, double height, double friction) {
   desc.center = {0, 0, 0.5 * height};
   desc.surface.friction = friction;
   return desc;
+}
+
+/// How far a box slides that begins with 2 m/s along d.  [m]
+double slide(const Surface& ground, const Surface& surface, double gravity, const Vec3& d) {
+  Physics physics(ground, gravity);
+  world::Workers workers{1};
+  BodyDesc desc = slab(5, 1, 0.2, 0);
+  desc.surface = surface;
+  const std::uint32_t body = physics.add(desc);
+  physics.put(body, {.v = 2 * d}, false);
+  for (int i = 0; i < 1000; ++i) {
+    if (i % 10 == 0) physics.forget();
+    physics.step(kStep, workers);
+  }
+  const Vec3 p = physics.state(body).p;
+  return std::sqrt(p.x * p.x + p.y * p.y);
+}
+
+// v^2 / (2 mu g)
+TEST(Physics, a_box_slides_as_far_as_ground_gravity_and_its_grain_let_it) {
+  const Surface half{.friction = 0.5}, icy{.friction = 0.2};
+  EXPECT_NEAR(slide({}, half, 9.81, {1, 0, 0}), 2 / (0.5 * 9.81), 0.02);
+  EXPECT_NEAR(slide({}, half, 1.62, {1, 0, 0}), 2 / (0.5 * 1.62), 0.05);
+  EXPECT_NEAR(slide(icy, half, 9.81, {1, 0, 0}), 2 / (0.1 * 9.81), 0.05);
+  const Surface sledge{.friction = 0.5, .share_x = 0.2};
+  EXPECT_NEAR(slide({}, sledge, 9.81, {1, 0, 0}), 2 / (0.1 * 9.81), 0.1 * 2.04);
+  EXPECT_NEAR(slide({}, sledge, 9.81, {0, 1, 0}), 2 / (0.5 * 9.81), 0.1 * 0.41);
+}
+
+TEST_F(PhysicsTest, wheels_slip_along_the_grain_of_a_floor) {
+  const Surface grain{.friction = 1, .share_x = 0.02};
+  const std::vector<FixedSolid> floor{{box(40, 40, -1, 0.01), grain, 0.5 * std::numbers::pi}};
+  physics_.set_fixed(floor);
+  const std::uint32_t along = physics_.add(rover()), across = physics_.add(rover());
+  physics_.put(along, {.p = {0, 0, 0.01}, .q = geom::orientation(0.5 * std::numbers::pi, {})}, false);
+  physics_.put(across, {.p = {5, 0, 0.01}}, false);
+  physics_.drive(along, {1, 0, 0, 0});
+  physics_.drive(across, {1, 0, 0, 0});
+  run(1);
+  // Half of the weight or more is on the wheels, of which the grip is 0.8; the casters have the rest.
+  EXPECT_GE(physics_.state(along).v.y, 0.02 * 0.8 * 0.5 * 9.81);
+  EXPECT_LE(physics_.state(along).v.y, 0.02 * 0.8 * 9.81);
+  EXPECT_NEAR(physics_.state(across).v.x, 1, 0.01);
 }
 
 TEST_F(PhysicsTest, a_platform_that_moves_carries_the_vehicle_on_it) {

@@ -74,13 +74,14 @@ struct RayScene::Impl {
   std::vector<Held<RTCScene>> shapes;
   std::vector<Held<RTCGeometry>> placed;       // instances
   std::vector<std::array<float, 9>> rotation;  // R_WM of each, column by column
-  std::vector<Owner> fixed_owners;  // of each triangle
-  std::vector<Owner> owners;        // of each instance
+  std::vector<Owner> fixed_owners;             // of each triangle
+  std::vector<Owner> owners;                   // of each instance
 
   const Owner& owner(unsigned instance, unsigned triangle) const {
     return instance == kFixedScene ? fixed_owners[triangle] : owners[instance - 1];
   }
   float facing(const RTCRayHit16& both, std::size_t k) const;
+  std::array<float, 3> normal(const RTCHit16& hit, std::size_t k) const;
   static void pass_own(const RTCFilterFunctionNArguments* hits);
 };
 
@@ -97,6 +98,19 @@ float RayScene::Impl::facing(const RTCRayHit16& both, std::size_t k) const {
     along = n[0] * dot(R, d) + n[1] * dot(R + 3, d) + n[2] * dot(R + 6, d);
   }
   return along / std::sqrt(dot(n, n));
+}
+
+/// Of what a ray met: a unit vector, in W.
+std::array<float, 3> RayScene::Impl::normal(const RTCHit16& hit, std::size_t k) const {
+  const float n[3] = {hit.Ng_x[k], hit.Ng_y[k], hit.Ng_z[k]};
+  std::array<float, 3> to = {n[0], n[1], n[2]};
+  if (hit.instID[0][k] != kFixedScene) {
+    const float* R = rotation[hit.instID[0][k] - 1].data();
+    for (std::size_t i = 0; i < 3; ++i) to[i] = n[0] * R[i] + n[1] * R[3 + i] + n[2] * R[6 + i];
+  }
+  const float length = std::sqrt(to[0] * to[0] + to[1] * to[1] + to[2] * to[2]);
+  for (float& each : to) each /= length;
+  return to;
 }
 
 /// What Embree hands to pass_own().
@@ -232,6 +246,11 @@ void RayScene::cast(RayBatch& rays) const {
     rays.range[k] = ray.tfar[k];
     rays.met[k] = owner(k).id;
     rays.facing[k] = rays.met[k] == RayBatch::kNobody ? 0 : std::fabs(impl_->facing(both, k));
+    if (!rays.wants_normals || rays.met[k] == RayBatch::kNobody) continue;
+    const std::array<float, 3> n = impl_->normal(both.hit, k);
+    rays.nx[k] = n[0];
+    rays.ny[k] = n[1];
+    rays.nz[k] = n[2];
   }
 }
 

@@ -41,6 +41,8 @@ struct alignas(64) RayBatch {
   float range[kMost] = {};        // how far they go at most; then how far they came  [m]
   std::uint32_t met[kMost] = {};  // out: the id of an owner, or kNobody
   float facing[kMost] = {};       // out: cosine of the angle between a ray and the normal of what it met
+  bool wants_normals = false;     // whether these are told
+  float nx[kMost] = {}, ny[kMost] = {}, nz[kMost] = {};  // out: a unit normal of what it met  [in W]
 };
 
 class RayScene {

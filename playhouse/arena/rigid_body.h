@@ -18,6 +18,8 @@ using Hull = std::vector<Vec3>;
 struct Surface {
   double friction = 1;
   double restitution = 0;
+  double share_x = 1, share_y = 1;  // of the friction, along x and y of whatever has it
+  constexpr bool has_grain() const { return share_x != 1 || share_y != 1; }
   friend constexpr bool operator==(const Surface&, const Surface&) = default;
 };
 

@@ -59,6 +59,14 @@ class Vehicle {
   Quaternion to_body_;
 };
 
+/// The friction of the ground in a direction.
+double friction_along(const Footing& footing, const Vec3& direction) {
+  if (!footing.has_grain) return footing.friction;
+  const double x = dot(footing.grain_x, direction), y = dot(footing.grain_y, direction),
+               z = dot(footing.grain_z, direction);
+  return footing.friction * std::sqrt(x * x + y * y + z * z);
+}
+
 /// Without an end where the length is 0.
 Vec3 unit(const Vec3& v) {
   const double length = std::sqrt(dot(v, v));
@@ -136,8 +144,8 @@ void solve_wheels(const BodyDesc& desc, const Inertia& inertia, const geom::Twis
         vehicle.row(along, from_center, velocity.x - velocity.a * wheel.p_B.y + dot(along, footing.v));
     contact.across =
         vehicle.row(left, from_center, velocity.y + velocity.a * wheel.p_B.x + dot(left, footing.v));
-    contact.grip_along = wheel.along * footing.friction;
-    contact.grip_across = wheel.across * footing.friction;
+    contact.grip_along = wheel.along * friction_along(footing, along);
+    contact.grip_across = wheel.across * friction_along(footing, left);
     contact.impulse = &impulses[i];
     vehicle.push(contact.normal, contact.impulse->normal);
     vehicle.push(contact.along, contact.impulse->along);

@@ -29,6 +29,10 @@ struct Footing {
   Vec3 normal{0, 0, 1};  // unit vector, in W
   double friction = 1;   // of the ground, by which that of the wheel is multiplied
   Vec3 v;                // of the ground, where it moves  [m/s, in W]
+  // Where it rubs more in one direction than in another: its axes, each times the share of the friction
+  // along it.
+  bool has_grain = false;
+  Vec3 grain_x, grain_y, grain_z;  // in W
 };
 
 /// Impulses at a wheel.  [N s]

@@ -56,6 +56,20 @@ inline constexpr std::uint32_t kViewerFramesInFlight = 4;         // sent and no
 inline constexpr double kViewerDriveSeconds = 0.5;                // a velocity from a page holds so long unless renewed
 inline constexpr std::size_t kSnapshotBeams = 1u << 18;           // of all sensors shown to all viewers
 
+// Observers: clients by datagrams (playhouse/observers).
+inline constexpr std::size_t kObservers = 64;                     // at once
+inline constexpr std::size_t kDatagramBytes = 1200;               // of one, which goes through every network in one piece
+inline constexpr std::size_t kDatagramHeadBytes = 28;             // of IPv4 and UDP in front of it, which the budget counts too
+inline constexpr std::uint32_t kObserverBytesPerSecond = 64000;   // to one observer, unless it or the program says otherwise
+inline constexpr std::uint32_t kObserverBytesLeast = 4000;        // a second; less is not asked for
+inline constexpr std::uint32_t kObserverBytesMost = 10000000;     // a second
+inline constexpr std::uint32_t kObserverFrames = 30;              // a second, at most
+inline constexpr int kObserverQuietSeconds = 10;                  // an observer, or a program, that is not heard of for so long is gone
+inline constexpr std::size_t kStreamWindowBytes = 65536;          // of texts sent to one observer and not acknowledged
+inline constexpr std::size_t kStreamTextBytes = 256u << 20;       // of one text to an observer, unpacked
+inline constexpr std::size_t kObserverCommandBytes = 4096;        // of one text from an observer
+inline constexpr std::size_t kTokenBytes = 128;                   // of a guest's token
+
 // The last minutes of a run that somebody watches (drivers/simulated/history.h).
 inline constexpr double kHistorySeconds = 600;                    // simulated, back from the newest instant
 inline constexpr double kHistoryPeriodSeconds = 1;                // simulated, from one instant to the next

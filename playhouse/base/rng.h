@@ -36,6 +36,9 @@ enum class Purpose : std::uint64_t {
   kCustomAct = 15,     // entity: id of a custom model
   kCustomSense = 16,   // the same
   kMessageLoss = 17,   // entity: id of a radio; part: id of the one that sends; detail: which of its messages
+  kInertia = 18,       // entity: id of an imu
+  kFix = 19,           // entity: id of a gps
+  kLidarEcho = 20,     // entity: id of a ranger; part: which of its sensors; detail: beam of all its rings
   kCount
 };
 

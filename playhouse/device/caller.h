@@ -22,6 +22,14 @@ class Caller {
   /// Runs once the client has gone, before this object has.
   void when_gone(std::function<void()> task) { tasks_.push_back(std::move(task)); }
 
+  /// From now on its connection ends soon after the client's machine or cable fails, and not after as long as
+  /// the system likes to wait (net::Connection::expect_alive).
+  void expect_alive() const {
+    if (expect_alive_) expect_alive_();
+  }
+  /// How that is done. For the server.
+  void expect_alive_by(std::function<void()> how) { expect_alive_ = std::move(how); }
+
   /// The client has gone. For the server.
   void leave() {
     for (const std::function<void()>& task : std::exchange(tasks_, {})) task();
@@ -30,6 +38,7 @@ class Caller {
  private:
   std::string name_;
   std::vector<std::function<void()>> tasks_;
+  std::function<void()> expect_alive_;
 };
 
 }  // namespace playhouse::device

@@ -103,8 +103,13 @@ class Driver {
   /// True when `request` understands this (type, subtype); answers CAPABILITIES.
   virtual bool capable(DeviceId device, std::uint8_t type, std::uint8_t subtype) const = 0;
 
-  /// A device of this driver has retired, and was stopped if it was open: nothing is asked of it any more, but
-  /// by drivers that are not told yet. Io thread. To be overridden by drivers that keep something for each.
+  /// Another device has to be asked which messages it understands: CAPABILITIES go to request(), as other
+  /// requests do, instead of to capable().
+  virtual bool asks_for_capabilities() const { return false; }
+
+  /// A device of this driver has retired, and was stopped if it was open: nothing is asked of it any more,
+  /// but by drivers that are not told yet. Io thread. To be overridden by drivers that keep something for
+  /// each.
   virtual void forget(DeviceId) {}
 
   /// Answers once what came before (starts, stops, queued commands) is carried out. The server asks behind

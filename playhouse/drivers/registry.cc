@@ -4,6 +4,7 @@
 
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
+#include "playhouse/drivers/passthrough/passthrough.h"
 #include "playhouse/drivers/rangertolaser/ranger_to_laser.h"
 #include "playhouse/drivers/stage_driver/stage_driver.h"
 #include "playhouse/drivers/vfh/vfh.h"
@@ -31,6 +32,7 @@ void register_drivers(Registry& registry) {
   registry.add("stage", make_stage_driver);
   registry.add("rangertolaser", make_ranger_to_laser);
   registry.add("vfh", make_vfh);
+  registry.add("passthrough", make_passthrough);
 }
 
 Result<std::unique_ptr<device::Driver>> Registry::make(const scene::CfgSection& section, Site& site) const {

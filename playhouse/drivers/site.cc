@@ -19,8 +19,8 @@ constexpr std::size_t kCircleShown = 8;  // devices of a circle that an error na
 
 Result<device::Address> Site::resolve(const scene::DeviceAddress& address) const {
   if (!address.host.empty() && address.host != "localhost" && address.host != "127.0.0.1") {
-    return Error{"",
-                 fmt::format("{}: devices of other hosts are not available yet", in_quotes(address.text()))};
+    return Error{"", fmt::format("{}: a device of another host is for the driver \"passthrough\" alone",
+                                 in_quotes(address.text()))};
   }
   const wire::InterfaceDef* interf = wire::find_interface(address.interf);
   if (interf == nullptr) {
@@ -77,11 +77,11 @@ void Site::follow(const world::World& world, const world::Change& change) {
   if (!gone.empty()) retire(std::move(gone));
 }
 
-void Site::retire(std::vector<device::Address> devices) {
+/// Those of drivers behind those that they require.
+void Site::add_who_requires(std::vector<device::Address>& devices) const {
   const auto has = [](std::span<const device::Address> all, device::Address address) {
     return std::ranges::find(all, address) != all.end();
   };
-  // Those of drivers are added behind those that they require.
   for (std::size_t i = 0; i < devices.size(); ++i) {
     for (const User& user : users_) {
       if (!has(user.devices, devices[i])) continue;
@@ -89,10 +89,20 @@ void Site::retire(std::vector<device::Address> devices) {
         if (!has(devices, provided)) devices.push_back(provided);
     }
   }
-  for (const device::Address& address : devices) simulation_->directory().remove(address);
+}
+
+void Site::retire(std::vector<device::Address> devices) {
+  add_who_requires(devices);
+  if (simulation_ != nullptr)
+    for (const device::Address& address : devices) simulation_->directory().remove(address);
   surroundings_.post([this, devices = std::move(devices)] {
     for (const device::Address& address : devices) take_out(address);
   });
+}
+
+void Site::retire_later(std::vector<device::Address> devices) {
+  if (simulation_ == nullptr) return retire(std::move(devices));
+  simulation_->post_always([this, devices = std::move(devices)](world::World&) { retire(devices); }, {});
 }
 
 /// Nothing if it is out: one that requires two devices went with the first.

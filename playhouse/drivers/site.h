@@ -21,6 +21,7 @@
 #include "playhouse/device/data_flow.h"
 #include "playhouse/device/driver.h"
 #include "playhouse/drivers/simulated/simulation.h"
+#include "playhouse/net/network.h"
 #include "playhouse/scene/device_address.h"
 
 namespace playhouse::drivers {
@@ -35,6 +36,8 @@ class Surroundings : public device::Opener {
   /// Runs the task on the io thread, in the order of the calls and behind what the calling thread published.
   /// Any thread.
   virtual void post(std::function<void()> task) = 0;
+  /// For drivers that connect to other machines. Its tasks are those of post().
+  virtual net::Network& network() = 0;
   /// Loads a world file into an engine that is ready to run.
   virtual Result<std::unique_ptr<Simulation>> open_world(const std::string& path) = 0;
 };
@@ -72,6 +75,8 @@ class Site {
   /// more. The directory knows none of them when it returns, clients soon after. Tick thread. Devices of
   /// models that leave the world retire without being asked.
   void retire(std::vector<device::Address> devices);
+  /// The same from the io thread, soon.
+  void retire_later(std::vector<device::Address> devices);
 
   /// A driver that uses devices of others, whose sections may follow.
   struct User {
@@ -102,6 +107,7 @@ class Site {
   Error circle_error(std::span<const std::size_t> circle) const;
   void follow(const world::World& world, const world::Change& change);
   void take_out(device::Address address);
+  void add_who_requires(std::vector<device::Address>& devices) const;
 
   Surroundings& surroundings_;
   std::uint16_t default_port_;

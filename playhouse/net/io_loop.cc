@@ -101,6 +101,10 @@ void IoLoop::post(Task task) {
   boost::asio::post(impl_->context, std::move(task));
 }
 
+double IoLoop::now() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
 std::unique_ptr<Timer> IoLoop::after(double seconds, Task task) {
   return std::make_unique<AsioTimer>(impl_->context, seconds, std::move(task));
 }

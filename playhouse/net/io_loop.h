@@ -36,6 +36,11 @@ class IoLoop final : public Network {
   [[nodiscard]] std::unique_ptr<Timer> after(double seconds, Task task) override;
   Result<std::unique_ptr<Listener>> listen(const std::string& bind, std::uint16_t port,
                                            Acceptor acceptor) override;
+  Result<std::unique_ptr<DatagramSocket>> open_datagrams(const std::string& bind, std::uint16_t port,
+                                                         DatagramSocket::Receiver receiver) override;
+  double now() const override;
+  [[nodiscard]] std::unique_ptr<Attempt> connect(const std::string& host, std::uint16_t port,
+                                                 Connected connected) override;
 
   struct Impl;  // defined in asio_loop.h
   Impl& impl() { return *impl_; }

@@ -488,5 +488,104 @@ TEST(SimulatedNetwork, runs_timers_in_virtual_time) {
   EXPECT_EQ(order, "ab");
 }
 
+TEST(Tcp, connects_by_address_and_by_name_and_carries_bytes_both_ways) {
+  for (const char* const host : {"127.0.0.1", "localhost", "ip6-localhost"}) {
+    IoLoop loop;
+    Log server, client;
+    const bool is_name_of_six = std::string_view(host).starts_with("ip6");
+    auto listener = *loop.listen(is_name_of_six ? "::" : "127.0.0.1", 0, into(server));
+    std::string fault;
+    const auto attempt = loop.connect(host, listener->port(), [&](Result<std::unique_ptr<Connection>> made) {
+      if (!made) return static_cast<void>(fault = made.error().line());
+      client.connection = std::move(*made);
+      client.connection->expect_alive();
+      client.connection->start(client);
+    });
+    EXPECT_FALSE(client.connection) << "not before connect() returns";
+    ASSERT_TRUE(
+        serve_until(loop, [&] { return !fault.empty() || (client.connection && server.connection); }));
+    if (is_name_of_six && !fault.empty()) continue;  // a machine that does not know that name
+    ASSERT_EQ(fault, "");
+    const SharedBytes ping = shared("ping"), pong = shared("pong");
+    client.connection->send(std::span(&ping, 1));
+    server.connection->send(std::span(&pong, 1));
+    ASSERT_TRUE(serve_until(loop, [&] { return server.bytes == "ping" && client.bytes == "pong"; }));
+    server.connection.reset();
+    ASSERT_TRUE(serve_until(loop, [&] { return !client.end.empty(); }));
+  }
+}
+
+TEST(Tcp, says_why_it_cannot_connect) {
+  IoLoop loop;
+  const auto fault = [&loop](const std::string& host, std::uint16_t port) {
+    std::string told;
+    const auto attempt = loop.connect(host, port, [&](Result<std::unique_ptr<Connection>> made) {
+      told = made ? "connected" : made.error().line();
+    });
+    EXPECT_TRUE(serve_until(loop, [&] { return !told.empty(); }));
+    return told;
+  };
+  Log unused;
+  std::uint16_t free = 0;
+  {
+    const auto listener = *loop.listen("127.0.0.1", 0, into(unused));
+    free = listener->port();
+  }
+  EXPECT_EQ(fault("127.0.0.1", free),
+            "127.0.0.1:" + std::to_string(free) + ": cannot connect: Connection refused");
+  EXPECT_EQ(fault("no such host", 1).substr(0, 30), "no such host:1: cannot connect");
+}
+
+TEST(Tcp, an_attempt_that_is_given_up_tells_nothing) {
+  IoLoop loop;
+  Log server;
+  auto listener = *loop.listen("127.0.0.1", 0, into(server));
+  auto attempt = loop.connect("127.0.0.1", listener->port(), [](auto&&) { ADD_FAILURE(); });
+  attempt.reset();
+  bool later = false;
+  const auto timer = loop.after(0.05, [&] { later = true; });
+  ASSERT_TRUE(serve_until(loop, [&] { return later; }));
+}
+
+TEST(SimulatedNetwork, connects_its_own_ports_and_nobody_else) {
+  SimulatedNetwork network(3);
+  Log server, client;
+  std::string fault;
+  const auto listener = *network.listen("", 7000, into(server));
+  const auto nobody = network.connect(
+      "lab", 7001, [&](Result<std::unique_ptr<Connection>> made) { fault = made.error().line(); });
+  const auto attempt = network.connect("lab", 7000, [&](Result<std::unique_ptr<Connection>> made) {
+    client.connection = std::move(*made);
+    client.connection->start(client);
+  });
+  network.run();
+  EXPECT_EQ(fault, "lab:7001: cannot connect: Connection refused");
+  const std::string long_text(20000, 'x');
+  const SharedBytes there = shared(long_text), back = shared("back");
+  client.connection->send(std::span(&there, 1));
+  server.connection->send(std::span(&back, 1));
+  network.run();
+  EXPECT_EQ(server.bytes, long_text);
+  EXPECT_EQ(client.bytes, "back");
+  EXPECT_EQ(client.drains, 1);
+  client.connection.reset();
+  network.run();
+  EXPECT_EQ(server.end, "closed");
+}
+
+TEST(SimulatedNetwork, tells_who_connected_that_the_server_is_gone) {
+  SimulatedNetwork network(4);
+  Log server, client;
+  const auto listener = *network.listen("", 7000, into(server));
+  const auto attempt = network.connect("lab", 7000, [&](Result<std::unique_ptr<Connection>> made) {
+    client.connection = std::move(*made);
+    client.connection->start(client);
+  });
+  network.run();
+  server.connection.reset();
+  network.run();
+  EXPECT_EQ(client.end, "closed");
+}
+
 }  // namespace
 }  // namespace playhouse::net

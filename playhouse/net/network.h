@@ -1,7 +1,7 @@
 #pragma once
 
-/// What the server side needs of a network: listeners, connections, tasks and timers on one io thread.
-/// IoLoop is the real one (TCP), SimulatedNetwork the one of the tests. Knows bytes, never messages.
+/// What the server side needs of a network: listeners, connections, datagrams, tasks and timers on one io thread.
+/// IoLoop is the real one (TCP and UDP), SimulatedNetwork the one of the tests. Knows bytes, never messages.
 /// Everything runs on the io thread (the thread in IoLoop::run, or before it runs); only post() is for any
 /// thread.
 
@@ -14,12 +14,16 @@
 #include <vector>
 
 #include "playhouse/base/result.h"
+#include "playhouse/net/endpoint.h"
 
 namespace playhouse::net {
 
 /// Immutable bytes that many connections may be sending at once. Owners: the sender's queue and each
 /// connection that has not yet handed them to the system.
 using SharedBytes = std::shared_ptr<const std::vector<std::byte>>;
+
+inline constexpr int kConnectSeconds = 10;  // for a connection to be made
+inline constexpr int kAliveSeconds = 30;    // without a sign of life of a peer that is expected to be alive
 
 /// What a connection tells its owner.
 class ConnectionEvents {
@@ -56,6 +60,10 @@ class Connection {
   /// and closes when the peer has ended as well: it has a second for that, so that one that still sends gets
   /// what it has not read. No more events.
   virtual void close_after_flush() = 0;
+  /// From now on a peer that takes nothing of what is sent, or answers no probe, for kAliveSeconds is
+  /// lost: its cable was cut, or it stands still. Without it one that has much to read may take a quarter of
+  /// an hour, and one that reads slowly is never lost.
+  virtual void expect_alive() {}
   /// The other end as "address:port", for log lines.
   virtual const std::string& peer() const = 0;
 };
@@ -67,16 +75,37 @@ class Listener {
   virtual std::uint16_t port() const = 0;
 };
 
+/// An open port for datagrams: each may come once, more than once, late, or never. Destroying it closes the port;
+/// destroying it inside its receiver is allowed.
+class DatagramSocket {
+ public:
+  /// `bytes` is valid for the call.
+  using Receiver = std::function<void(const Endpoint& from, std::span<const std::byte> bytes)>;
+
+  virtual ~DatagramSocket() = default;
+  /// At once, or never: what the system has no room for is lost, as what a network loses.
+  virtual void send(const Endpoint& to, std::span<const std::byte> bytes) = 0;
+  virtual std::uint16_t port() const = 0;
+};
+
 /// Destroying it cancels the task.
 class Timer {
  public:
   virtual ~Timer() = default;
 };
 
+/// A connection that is being made. Destroying it gives up.
+class Attempt {
+ public:
+  virtual ~Attempt() = default;
+};
+
 class Network {
  public:
   using Task = std::function<void()>;
   using Acceptor = std::function<void(std::unique_ptr<Connection>)>;
+  /// A connection, or why there is none.
+  using Connected = std::function<void(Result<std::unique_ptr<Connection>>)>;
 
   virtual ~Network() = default;
   /// Runs the task on the io thread, in the order of the calls. Any thread.
@@ -87,6 +116,16 @@ class Network {
   /// means every IPv4 interface, "::" every interface of either kind.
   virtual Result<std::unique_ptr<Listener>> listen(const std::string& bind, std::uint16_t port,
                                                    Acceptor acceptor) = 0;
+  /// Opens a UDP port, likewise.
+  virtual Result<std::unique_ptr<DatagramSocket>> open_datagrams(const std::string& bind, std::uint16_t port,
+                                                                 DatagramSocket::Receiver receiver) = 0;
+  /// The network's clock: seconds from some moment on.
+  virtual double now() const = 0;
+  /// Connects to a TCP port of a host, by its name or numeric address. `connected` is called once, behind the
+  /// call of connect(), after kConnectSeconds at the latest; never once the attempt is destroyed, which
+  /// is allowed inside it.
+  [[nodiscard]] virtual std::unique_ptr<Attempt> connect(const std::string& host, std::uint16_t port,
+                                                         Connected connected) = 0;
 };
 
 }  // namespace playhouse::net

@@ -45,6 +45,15 @@ struct SimulatedLink {
   bool closed = false;    // the server's end is gone
 };
 
+/// The end of one who connected by Network::connect.
+struct SimulatedEnd {
+  std::shared_ptr<SimulatedLink> link;
+  ConnectionEvents* events = nullptr;
+  bool draining = false;     // it is owed a `drained`
+  bool told_closed = false;  // and was told the end
+  bool gone = false;
+};
+
 namespace {
 
 class SimulatedConnection final : public Connection {
@@ -75,6 +84,39 @@ class SimulatedConnection final : public Connection {
 
  private:
   std::shared_ptr<SimulatedLink> link_;
+};
+
+/// What it gets has come in pieces already; what it sends is under way until the server has read it.
+class SimulatedClient final : public Connection {
+ public:
+  SimulatedClient(std::shared_ptr<SimulatedEnd> end, std::string peer)
+      : end_(std::move(end)), peer_(std::move(peer)) {}
+  ~SimulatedClient() override {
+    end_->events = nullptr;
+    end_->gone = true;
+    SimulatedPeer(end_->link).finish();
+  }
+  void start(ConnectionEvents& events) override { end_->events = &events; }
+  void send(std::span<const SharedBytes> parts) override {
+    for (const SharedBytes& part : parts) SimulatedPeer(end_->link).send(*part);
+    end_->draining = true;
+  }
+  std::size_t in_flight_bytes() const override { return end_->link->to_server.size(); }
+  void pause() override { SimulatedPeer(end_->link).stall(); }
+  void resume() override { SimulatedPeer(end_->link).read_on(); }
+  void close_after_flush() override {
+    end_->events = nullptr;
+    SimulatedPeer(end_->link).finish();
+  }
+  const std::string& peer() const override { return peer_; }
+
+ private:
+  std::shared_ptr<SimulatedEnd> end_;
+  std::string peer_;
+};
+
+struct SimulatedAttempt final : Attempt {
+  std::shared_ptr<int> live = std::make_shared<int>(0);
 };
 
 class SimulatedListener final : public Listener {
@@ -163,6 +205,30 @@ Result<std::unique_ptr<Listener>> SimulatedNetwork::listen(const std::string& bi
   return std::unique_ptr<Listener>(std::make_unique<SimulatedListener>(port, entry));
 }
 
+std::unique_ptr<Attempt> SimulatedNetwork::connect(const std::string& host, std::uint16_t port,
+                                                   Connected connected) {
+  auto attempt = std::make_unique<SimulatedAttempt>();
+  post([this, live = std::weak_ptr<int>(attempt->live), host, port, connected = std::move(connected)] {
+    if (!live.expired()) make_connection(host, port, connected);
+  });
+  return attempt;
+}
+
+void SimulatedNetwork::make_connection(const std::string& host, std::uint16_t port,
+                                       const Connected& connected) {
+  const std::string peer = host + ":" + std::to_string(port);
+  const auto found = ports_.find(port);
+  if (found == ports_.end() || !*found->second)
+    return connected(Error{peer, "cannot connect: Connection refused"});
+  auto end = std::make_shared<SimulatedEnd>();
+  end->link = std::make_shared<SimulatedLink>();
+  end->link->name = "127.0.0.1:" + std::to_string(++connections_);
+  links_.push_back(end->link);
+  ends_.push_back(end);
+  (*found->second)(std::make_unique<SimulatedConnection>(end->link));
+  connected(std::unique_ptr<Connection>(std::make_unique<SimulatedClient>(end, peer)));
+}
+
 void SimulatedNetwork::run() {
   while (step()) {
   }
@@ -186,8 +252,25 @@ bool SimulatedNetwork::step() {
   }
   // By index: an event may connect further peers.
   for (std::size_t i = 0; i < links_.size(); ++i) busy |= step_link(*std::shared_ptr(links_[i]));
+  for (std::size_t i = 0; i < ends_.size(); ++i) busy |= step_end(*std::shared_ptr(ends_[i]));
+  std::erase_if(ends_, [](const auto& end) { return end->gone; });
   std::erase_if(links_, [](const auto& link) { return link->closed && link->window.empty(); });
   return busy;
+}
+
+bool SimulatedNetwork::step_end(SimulatedEnd& end) {
+  if (end.events == nullptr || end.link->stalled) return false;
+  const std::vector<std::byte> bytes = std::exchange(end.link->read, {});
+  if (!bytes.empty()) {
+    end.events->received(bytes);
+  } else if (end.link->to_server.empty() && std::exchange(end.draining, false)) {
+    end.events->drained();
+  } else if (SimulatedPeer(end.link).closed() && !std::exchange(end.told_closed, true)) {
+    end.events->closed("closed");
+  } else {
+    return false;
+  }
+  return true;
 }
 
 bool SimulatedNetwork::step_link(SimulatedLink& link) {

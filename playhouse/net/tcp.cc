@@ -1,5 +1,7 @@
 // TCP behind Connection: one gathered write at a time, and an end that takes nothing back.
 
+#include <netinet/tcp.h>
+
 #include <algorithm>
 #include <array>
 #include <boost/asio/ip/tcp.hpp>
@@ -12,6 +14,7 @@
 #include <vector>
 
 #include "playhouse/net/asio_accept.h"
+#include "playhouse/net/asio_connect.h"
 #include "playhouse/net/asio_loop.h"
 #include "playhouse/net/io_loop.h"
 
@@ -73,6 +76,10 @@ class TcpStream : public std::enable_shared_from_this<TcpStream> {
   }
 
   std::size_t in_flight_bytes() const { return in_flight_bytes_; }
+  void expect_alive() {
+    const unsigned milliseconds = kAliveSeconds * 1000;
+    setsockopt(socket_.native_handle(), IPPROTO_TCP, TCP_USER_TIMEOUT, &milliseconds, sizeof milliseconds);
+  }
   const std::string& peer() const { return peer_; }
 
  private:
@@ -205,6 +212,7 @@ class TcpConnection final : public Connection {
     released_ = true;
     stream_->close_after_flush();
   }
+  void expect_alive() override { stream_->expect_alive(); }
   const std::string& peer() const override { return stream_->peer(); }
 
  private:
@@ -221,6 +229,15 @@ Result<std::unique_ptr<Listener>> IoLoop::listen(const std::string& bind, std::u
                       acceptor(std::make_unique<TcpConnection>(
                           std::make_shared<TcpStream>(std::move(socket), *impl_, std::move(peer))));
                     });
+}
+
+std::unique_ptr<Attempt> IoLoop::connect(const std::string& host, std::uint16_t port, Connected connected) {
+  return connect_tcp(
+      *impl_, host, port, [this, connected = std::move(connected)](Result<ConnectedSocket> made) {
+        if (!made) return connected(made.error());
+        connected(std::unique_ptr<Connection>(std::make_unique<TcpConnection>(
+            std::make_shared<TcpStream>(std::move(made->socket), *impl_, std::move(made->peer)))));
+      });
 }
 
 }  // namespace playhouse::net

@@ -1,7 +1,6 @@
-#include <limits>
-
 #include "playhouse/base/packing.h"
 #include "playhouse/replicate/delta.h"
+#include "playhouse/replicate/row_code.h"
 
 namespace playhouse::replicate {
 namespace {
@@ -48,14 +47,7 @@ class PacketReader {
   }
 
   void model(std::uint8_t mask, ModelState& state) {
-    if (mask & 1) add(state.x);
-    if (mask & 2) add(state.y);
-    if (mask & 4) add(state.z);
-    if (mask & 8) turn(state.a);
-    if (mask & 16) state.state = in_.u8();
-    if (mask & 32) state.color = in_.u32();
-    if (mask & 64) state.flags = static_cast<std::uint32_t>(in_.varint());
-    if (mask & 128) state.tilt_x = in_.u16(), state.tilt_y = in_.u16();
+    if (!read_fields(mask, in_, state)) bad_ = true;
   }
 
   void say(std::uint8_t tag, std::uint32_t model) {
@@ -119,19 +111,6 @@ class PacketReader {
         return static_cast<std::int32_t>(in_.u32());
     }
     return 0;
-  }
-
-  void add(std::int32_t& value) {
-    const std::int64_t sum = value + in_.zigzag() % (std::int64_t{1} << 33);
-    if (sum < std::numeric_limits<std::int32_t>::min() || sum > std::numeric_limits<std::int32_t>::max()) {
-      bad_ = true;
-    } else {
-      value = static_cast<std::int32_t>(sum);
-    }
-  }
-
-  void turn(std::uint16_t& angle) {
-    angle = static_cast<std::uint16_t>(angle + static_cast<std::uint16_t>(in_.zigzag() & 0xFFFF));
   }
 
   Unpacker in_;

@@ -15,9 +15,9 @@ namespace {
 
 namespace json = boost::json;
 
-constexpr std::array<std::string_view, 18> kWords = {"pause", "resume", "step", "speed",  "rewind", "drag",
-                                                     "drive", "copy",   "add",  "join",   "say",    "remove",
-                                                     "mute",  "kick",   "save", "select", "look",   "ack"};
+constexpr std::array<std::string_view, 19> kWords = {
+    "pause", "resume", "step", "speed", "rewind", "drag",    "drive",  "copy", "add", "join",
+    "say",   "remove", "mute", "kick",  "save",   "physics", "select", "look", "ack"};
 
 /// Reads the members of one object; the first fault sticks. Done with nothing left over.
 class Members {
@@ -40,6 +40,8 @@ class Members {
   }
 
   std::uint32_t count(std::string_view key) { return static_cast<std::uint32_t>(whole(key, 4294967294.0)); }
+
+  std::uint32_t count_or_none(std::string_view key) { return object_.contains(key) ? count(key) : 0; }
 
   std::uint64_t tick(std::string_view key) { return static_cast<std::uint64_t>(whole(key, kTickMost)); }
 
@@ -141,6 +143,7 @@ Drive drive(Members& in) {
   drive.velocity.x = in.number("forward", -kDriveMost, kDriveMost);
   drive.velocity.y = in.number("sideways", -kDriveMost, kDriveMost);
   drive.velocity.a = in.number("turn", -kDriveMost, kDriveMost);
+  drive.input = in.count_or_none("input");
   return drive;
 }
 
@@ -179,6 +182,7 @@ Result<Command> read(const json::object& object) {
   if (what == "mute") return in.finish(mute(in));
   if (what == "kick") return in.finish(Kick{in.count("viewer")});
   if (what == "save") return in.finish(Save{});
+  if (what == "physics") return in.finish(ShowPhysics{});
   if (what == "select") return in.finish(Select{in.model_or_null("model")});
   if (what == "look") return in.finish(look(in));
   if (what == "ack") return in.finish(Acknowledge{in.count("frame")});

@@ -32,8 +32,9 @@ struct Drag {
 };
 /// Velocities of one robot's wheels, which hold for limits::kViewerDriveSeconds unless renewed.
 struct Drive {
-  world::ModelId model;  // the receiver checks that it exists and has wheels
-  geom::Twist velocity;  // m/s, rad/s in the robot's frame; all zero: let go
+  world::ModelId model;     // the receiver checks that it exists and has wheels
+  geom::Twist velocity;     // m/s, rad/s in the robot's frame; all zero: let go
+  std::uint32_t input = 0;  // the viewer's number for it, which is told back once it counts; 0: none
 };
 /// Another tree like the one that this model is in, standing free at x, y, a.
 struct Copy {
@@ -72,6 +73,8 @@ struct Kick {
 };
 /// Sends the world as it stands, as a world file, to this viewer.
 struct Save {};
+/// Tells this viewer what physics takes bodies for.
+struct ShowPhysics {};
 struct Select {
   std::optional<world::ModelId> model;  // none: nothing is selected any more
 };
@@ -84,7 +87,7 @@ struct Acknowledge {
 };
 
 using Command = std::variant<Pause, Resume, Step, SetSpeed, Rewind, Drag, Drive, Copy, Add, Join, Say, Remove,
-                             Mute, Kick, Save, Select, Look, Acknowledge>;
+                             Mute, Kick, Save, ShowPhysics, Select, Look, Acknowledge>;
 
 inline constexpr double kSpeedMost = 1000;               // times real time
 inline constexpr double kTickMost = 9007199254740992.0;  // whole numbers are exact up to here

@@ -21,6 +21,13 @@ TEST(Command, every_command_is_read) {
       std::get<Drive>(*parse_command(R"({"do":"drive","model":3,"forward":0.4,"sideways":-0.1,"turn":1.5})"));
   EXPECT_EQ(drive.model.value, 3u);
   EXPECT_EQ(drive.velocity, (geom::Twist{0.4, -0.1, 0, 1.5}));
+  EXPECT_EQ(drive.input, 0u);
+  EXPECT_EQ(
+      std::get<Drive>(
+          *parse_command(R"({"do":"drive","model":3,"forward":0,"sideways":0,"turn":0,"input":4294967294})"))
+          .input,
+      4294967294u);
+  EXPECT_TRUE(std::holds_alternative<ShowPhysics>(*parse_command(R"({"do":"physics"})")));
   EXPECT_EQ(std::get<Select>(*parse_command(R"({"do":"select","model":4})")).model, world::ModelId{4});
   EXPECT_EQ(std::get<Select>(*parse_command(R"({"do":"select","model":null})")).model, std::nullopt);
   const auto copy = std::get<Copy>(*parse_command(R"({"do":"copy","model":3,"x":1,"y":-2.5,"a":0.5})"));
@@ -70,6 +77,9 @@ TEST(Command, what_cannot_be_is_refused_with_a_reason) {
       {R"({"do":"drive","model":1,"forward":0,"sideways":NaN,"turn":0})", "not JSON"},
       {R"({"do":"drive","model":1,"forward":0,"sideways":null,"turn":0})", "\"sideways\" must be a number"},
       {R"({"do":"drive","model":1,"forward":0,"turn":0})", "\"sideways\" must be a number"},
+      {R"({"do":"drive","model":1,"forward":0,"sideways":0,"turn":0,"input":-1})", "within its range"},
+      {R"({"do":"drive","model":1,"forward":0,"sideways":0,"turn":0,"input":"7"})", "\"input\" must be"},
+      {R"({"do":"physics","model":1})", "a key that"},
       {R"({"do":"copy","model":1})", "\"x\" must be a number"},
       {R"({"do":"join","name":"","x":0,"y":0,"a":0})", "\"name\" must be"},
       {R"({"do":"join","name":"a.b","x":0,"y":0,"a":0})", "\"name\" must be"},

@@ -4,6 +4,7 @@
 
 #include "playhouse/base/assert.h"
 #include "playhouse/base/packing.h"
+#include "playhouse/replicate/row_code.h"
 #include "playhouse/replicate/scene_text.h"
 
 namespace playhouse::replicate {
@@ -12,10 +13,6 @@ namespace {
 constexpr std::uint8_t kPacket = 3;
 constexpr std::uint8_t kPaused = 1, kWaiting = 2, kBeamsFull = 4;
 constexpr std::uint8_t kEnd = 0, kFresh = 1, kGone = 2;
-
-std::int64_t turn_difference(std::uint16_t from, std::uint16_t to) {
-  return static_cast<std::int16_t>(static_cast<std::uint16_t>(to - from));
-}
 
 /// Writes one packet; every function of a section returns false when the budget is spent.
 class PacketWriter {
@@ -181,25 +178,11 @@ class PacketWriter {
   void model(std::uint32_t row) {
     ModelState& from = replica_.models[row];
     const ModelState& to = snapshot_.models[row];
-    const int mask = (from.x != to.x ? 1 : 0) | (from.y != to.y ? 2 : 0) | (from.z != to.z ? 4 : 0) |
-                     (from.a != to.a ? 8 : 0) | (from.state != to.state ? 16 : 0) |
-                     (from.color != to.color ? 32 : 0) | (from.flags != to.flags ? 64 : 0) |
-                     (from.tilt_x != to.tilt_x || from.tilt_y != to.tilt_y ? 128 : 0);
+    const std::uint8_t mask = changed_fields(from, to);
     if (mask == 0) return;
-    item(static_cast<unsigned>(mask), row);
-    if (mask & 1) difference(from.x, to.x);
-    if (mask & 2) difference(from.y, to.y);
-    if (mask & 4) difference(from.z, to.z);
-    if (mask & 8) pack_.zigzag(turn_difference(from.a, to.a));
-    if (mask & 16) pack_.u8(to.state);
-    if (mask & 32) pack_.u32(to.color);
-    if (mask & 64) pack_.varint(to.flags);
-    if (mask & 128) pack_.u16(to.tilt_x), pack_.u16(to.tilt_y);
+    item(mask, row);
+    write_fields(mask, from, to, pack_);
     from = to;
-  }
-
-  void difference(std::int32_t from, std::int32_t to) {
-    pack_.zigzag(static_cast<std::int64_t>(to) - static_cast<std::int64_t>(from));
   }
 
   /// What the replica has otherwise than the snapshot; both are in the order of rows.

@@ -1,5 +1,6 @@
 #include "playhouse/replicate/prototypes.h"
 
+#include <algorithm>
 #include <iterator>
 #include <map>
 #include <set>
@@ -55,7 +56,17 @@ std::string shape(const scene::ModelDesc& model) {
   return text + traced.substr(1);
 }
 
-std::string prototype(const scene::ModelDesc& model, Texts& shapes) {
+using Meshes = std::vector<std::shared_ptr<const mesh::Mesh>>;
+
+/// In the order of first use.
+std::size_t row_of(const std::shared_ptr<const mesh::Mesh>& mesh, Meshes& meshes) {
+  const auto found = std::ranges::find(meshes, mesh);
+  if (found != meshes.end()) return static_cast<std::size_t>(found - meshes.begin());
+  meshes.push_back(mesh);
+  return meshes.size() - 1;
+}
+
+std::string prototype(const scene::ModelDesc& model, Texts& shapes, Meshes& meshes) {
   std::string text = fmt::format(R"({{"type":{},"kind":"{}")", quoted(model.type), kind_name(model.kind));
   auto out = std::back_inserter(text);
   if (!model.ctrl.empty())
@@ -65,6 +76,7 @@ std::string prototype(const scene::ModelDesc& model, Texts& shapes) {
   fmt::format_to(out, R"(,"size":{})", size(model.size));
   if (!model.blocks.empty() || !model.bitmaps.empty())
     fmt::format_to(out, R"(,"shape":{})", shapes.row(shape(model)));
+  if (model.mesh) fmt::format_to(out, R"(,"mesh":"{}")", mesh_address(row_of(model.mesh, meshes)));
   if (model.moving_blocks > 0) fmt::format_to(out, R"(,"moving":{})", model.moving_blocks);
   if (model.gui_move) text += R"(,"movable":true)";
   if (model.gui_nose) text += R"(,"nose":true)";
@@ -74,8 +86,8 @@ std::string prototype(const scene::ModelDesc& model, Texts& shapes) {
   return text += '}';
 }
 
-/// A prototype is called by the word of its define, further ones of the same word by their first models. In scenes
-/// made in code, which share no descriptions, trees that look alike are one.
+/// A prototype is called by the word of its define, further ones of the same word by their first models. In
+/// scenes made in code, which share no descriptions, trees that look alike are one.
 std::vector<Addable> addable_of(const scene::SceneDesc& scene, std::span<const std::uint32_t> of_desc) {
   std::vector<Addable> addable;
   std::set<std::string> names;
@@ -93,10 +105,15 @@ std::vector<Addable> addable_of(const scene::SceneDesc& scene, std::span<const s
 
 }  // namespace
 
+std::string mesh_address(std::size_t row) {
+  return fmt::format("meshes/{}.glb", row);
+}
+
 Prototypes::Prototypes(const scene::SceneDesc& scene) {
   Texts shapes, texts;
   of_desc_.reserve(scene.models.size());
-  for (const scene::ModelDesc& model : scene.models) of_desc_.push_back(texts.row(prototype(model, shapes)));
+  for (const scene::ModelDesc& model : scene.models)
+    of_desc_.push_back(texts.row(prototype(model, shapes, meshes_)));
   addable_ = addable_of(scene, of_desc_);
   shapes_ = shapes.take();
   texts_ = texts.take();

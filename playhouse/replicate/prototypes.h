@@ -5,6 +5,7 @@
 /// so that a thousand robots stay small. Made before the first tick, then read by all threads.
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,9 @@ struct Addable {
   std::uint32_t desc = 0;  // row of SceneDesc::models, a top
 };
 
+/// Under which viewers find a mesh, from the address of the page.
+std::string mesh_address(std::size_t row);
+
 class Prototypes {
  public:
   explicit Prototypes(const scene::SceneDesc& scene);
@@ -28,6 +32,9 @@ class Prototypes {
   /// The prototypes of trees whose top a person may move, in the order of the scene.
   const std::vector<Addable>& addable() const { return addable_; }
 
+  /// The meshes that bodies look as, each once.
+  const std::vector<std::shared_ptr<const mesh::Mesh>>& meshes() const { return meshes_; }
+
   /// Lists of JSON, without the brackets around them.
   const std::string& shapes() const { return shapes_; }
   const std::string& texts() const { return texts_; }
@@ -35,6 +42,7 @@ class Prototypes {
  private:
   std::vector<std::uint32_t> of_desc_;
   std::vector<Addable> addable_;
+  std::vector<std::shared_ptr<const mesh::Mesh>> meshes_;
   std::string shapes_, texts_;
 };
 

@@ -27,9 +27,11 @@ std::size_t pixels_of(const CameraDesc& camera) {
 }
 
 void check_camera(const Properties& properties, const CameraDesc& camera) {
-  if (camera.image != ImageKind::kDepth || camera.compression != ImageCompression::kJpeg) return;
+  const bool is_seen = camera.image == ImageKind::kColor || camera.image == ImageKind::kGray;
+  if (is_seen || camera.compression != ImageCompression::kJpeg) return;
+  const std::string what = camera.image == ImageKind::kDepth ? "distances" : "models";
   properties.state().warnings.add(Warning::kValue, properties.where("compression"),
-                                  "images of distances are sent raw; \"compression\" has no effect");
+                                  "images of " + what + " are sent raw; \"compression\" has no effect");
 }
 
 }  // namespace playhouse::scene

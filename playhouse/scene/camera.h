@@ -21,7 +21,7 @@ double vertical_fov(const CameraDesc& camera, double zoom);
 /// How many pixels its image has.
 std::size_t pixels_of(const CameraDesc& camera);
 
-/// Warns of images of distances that a file wants as JPEG.
+/// Warns of images of distances or of models that a file wants as JPEG.
 void check_camera(const Properties& properties, const CameraDesc& camera);
 
 }  // namespace playhouse::scene

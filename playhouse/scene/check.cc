@@ -25,7 +25,7 @@ std::string summary(const SceneDesc& scene) {
     if (model.parent < 0) top = row;
     models += trees[top];
     types[model.type] += trees[top];
-    for (const RangerSensorDesc& sensor : model.sensors) beams += trees[top] * sensor.samples;
+    for (const RangerSensorDesc& sensor : model.sensors) beams += trees[top] * sensor.samples * sensor.rings;
   }
   std::string line = escaped(scene.path) + ": " + counted(models, "model");
   for (const auto& [type, count] : types) line += ", " + std::to_string(count) + " " + type;

@@ -34,4 +34,18 @@ std::string also_not_in(const std::vector<std::string>& folders, std::string_vie
   return (is_whole || places.empty() ? "" : ", also not in " + places) + did_you_mean(name, candidates);
 }
 
+Result<FoundFile> find_file(const std::vector<std::string>& folders, std::string_view name, FileReader& files,
+                            const std::function<bool(const std::string&)>& is_known,
+                            const std::function<bool(std::string_view)>& fits) {
+  std::string why;
+  for (std::size_t i = 0; i < folders.size(); ++i) {
+    std::string path = resolve(folders[i], name);
+    if (is_known(path)) return FoundFile{std::move(path), std::nullopt, i};
+    Result<std::string> bytes = files.read(path);
+    if (bytes) return FoundFile{std::move(path), std::move(*bytes), i};
+    if (why.empty()) why = bytes.error().text;
+  }
+  return Error{resolve(folders.front(), name), why + also_not_in(folders, name, files, fits)};
+}
+
 }  // namespace playhouse::scene

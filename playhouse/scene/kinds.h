@@ -67,7 +67,7 @@ enum class Index : std::uint8_t {
 };
 
 /// What a model must have for an interface.
-enum class Need : std::uint8_t { kNothing, kScanner, kSeveralSensors, kRobot };
+enum class Need : std::uint8_t { kNothing, kScanner, kSeveralSensors, kRobot, kRings };
 
 /// An interface of Player through which models of a kind are seen; those of "model" are of every kind.
 struct KindInterface {

@@ -125,7 +125,7 @@ TEST(OldWords, a_map_is_a_model_with_walls_around_it) {
 }
 
 TEST(OldWords, devices_without_a_body_are_left_out) {
-  EXPECT_EQ(difference_of("player( port 6665 )\nposition( player() truth() gps() laser( samples 5 ) )",
+  EXPECT_EQ(difference_of("player( port 6665 )\nposition( player() truth() laser( samples 5 ) )",
                           "position( ranger( sensor( range [0 8] fov 180 samples 5 ) ) )"),
             "");
 }

@@ -19,8 +19,8 @@ void append(std::string& key, char mark, std::string_view text) {
 void append(std::string& key, const Field& field) {
   append(key, '=', field.key);
   for (const Value& value : field.values) append(key, '-', value.text);
-  // A bitmap may be beside the file that names it.
-  if (field.key == "bitmap") append(key, '@', std::to_string(field.where.file));
+  // A bitmap or a mesh may be beside the file that names it.
+  if (field.key == "bitmap" || field.key == "mesh") append(key, '@', std::to_string(field.where.file));
 }
 
 void append(std::string& key, const Section& section) {
@@ -41,7 +41,7 @@ bool is_same(const ModelDesc& a, const ModelDesc& b) {
          static_cast<const KindDescs&>(a) == static_cast<const KindDescs&>(b) && a.type == b.type &&
          a.kind == b.kind && a.stacked == b.stacked && a.stacks_children == b.stacks_children &&
          a.blocks == b.blocks && a.moving_blocks == b.moving_blocks && a.bitmaps == b.bitmaps &&
-         a.body == b.body && a.kept == b.kept;
+         a.mesh == b.mesh && a.body == b.body && a.kept == b.kept;
 }
 
 /// A default name begins with the parent's name, so equal ones are of parts of equal parents.

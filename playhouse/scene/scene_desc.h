@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,6 +18,10 @@
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/geom/pose.h"
 #include "playhouse/scene/generated/kind_descs.h"
+
+namespace playhouse::mesh {
+struct Mesh;
+}
 
 namespace playhouse::scene {
 
@@ -50,6 +55,7 @@ struct Prism {
 /// What a file says of a body; ModelDesc::blocks and bitmaps are made of it and of the size.
 struct BodyDesc {
   std::string bitmap;  // path under which it was read; empty: none
+  std::string mesh;    // the same; it is all of the body
   bool noblocks = false, boundary = false;
   std::vector<Prism> prisms;
   friend bool operator==(const BodyDesc&, const BodyDesc&) = default;
@@ -92,6 +98,9 @@ struct ModelDesc : PlainDesc, KindDescs {
   /// else has them where they are at the start.
   std::uint32_t moving_blocks = 0;
   std::vector<Contours> bitmaps;
+  /// How it looks, in B, and its body where there is more than a plane; shared by all of that file and size.
+  /// Blocks are the outlines of its parts then. Null: it looks as its blocks and bitmaps.
+  std::shared_ptr<const mesh::Mesh> mesh;
   BodyDesc body;  // for who writes the file again; nothing of a model made in code
   std::vector<KeptWord> kept;
 };

@@ -26,6 +26,7 @@ inline bool has_lost_names(const SceneDesc& scene) {
 inline std::string difference(const ModelDesc& a, const ModelDesc& b) {
   BodyDesc body = b.body;
   if (same_file(a.body.bitmap) == same_file(body.bitmap)) body.bitmap = a.body.bitmap;
+  if (same_file(a.body.mesh) == same_file(body.mesh)) body.mesh = a.body.mesh;
   if (a.name != b.name) return "name, " + b.name;
   if (a.alias != b.alias) return "default name, " + b.alias;
   if (a.type != b.type || a.kind != b.kind) return "type";
@@ -33,7 +34,8 @@ inline std::string difference(const ModelDesc& a, const ModelDesc& b) {
   if (static_cast<const PlainDesc&>(a) != static_cast<const PlainDesc&>(b)) return "words of every model";
   if (static_cast<const KindDescs&>(a) != static_cast<const KindDescs&>(b)) return "words of its kind";
   if (a.stacked != b.stacked || a.stacks_children != b.stacks_children) return "what it stands on";
-  if (a.blocks != b.blocks || a.moving_blocks != b.moving_blocks || a.bitmaps != b.bitmaps || a.body != body)
+  if (a.blocks != b.blocks || a.moving_blocks != b.moving_blocks || a.bitmaps != b.bitmaps ||
+      a.body != body || (a.mesh == nullptr) != (b.mesh == nullptr))
     return "body";
   if (a.kept != b.kept) return "words that are kept";
   return {};

@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <deque>
 #include <map>
+#include <set>
 
 #include "playhouse/base/folders_of.h"
 #include "playhouse/base/in_quotes.h"
+#include "playhouse/base/nearest_word.h"
 #include "playhouse/scene/actuator.h"
 #include "playhouse/scene/bitmap.h"
 #include "playhouse/scene/body.h"
@@ -20,8 +23,10 @@
 #include "playhouse/scene/generated/bodies.h"
 #include "playhouse/scene/generated/read_kinds.h"
 #include "playhouse/scene/kinds.h"
+#include "playhouse/scene/mesh_bodies.h"
 #include "playhouse/scene/old_words.h"
 #include "playhouse/scene/properties.h"
+#include "playhouse/scene/read_word.h"
 #include "playhouse/scene/repeats.h"
 #include "playhouse/scene/syntax.h"
 #include "playhouse/scene/token_names.h"
@@ -59,6 +64,8 @@ class WorldLoader {
         limits_(limits),
         macros_(document),
         state_{document, {}, {}, {}, Warnings(document.sources)},
+        mesh_bytes_{limits.mesh_bytes, limits.mesh_bytes, "bytes of mesh files"},
+        mesh_copies_{limits.mesh_copies, limits.mesh_copies, "corners of meshes, one for each size"},
         bitmap_bytes_{limits.bitmap_bytes, limits.bitmap_bytes, "bytes of bitmap files"},
         pixels_{limits.pixels, limits.pixels, "pixels of bitmaps"},
         outlines_{limits.corners, limits.corners, "corners of bitmaps"},
@@ -101,6 +108,9 @@ class WorldLoader {
   void load_window(const Instance& window, const Kind& kind);
   /// A section at top level.
   void load_section(const Section& section);
+  /// Descriptions of what robots that join are made of: prototypes of which the scene has no tree.
+  void load_robot_types();
+  void load_robot_type(const Value& word, SourceLine where);
   /// A section that says what one before said, but for what its instance has for itself. False, and nothing
   /// done, if there is none such or it has to be looked at word by word.
   bool repeat_tree(const Section& section);
@@ -131,6 +141,14 @@ class WorldLoader {
                                    SourceLine where);
   void warn_of_margin(const std::string& path, const Bitmap& bitmap, const Loops& loops,
                       const geom::Size& size, SourceLine where);
+  /// A file that a word names, in the folders of includes; a warning where it is in none that says so.
+  Result<FoundFile> look_for(std::string_view what, const std::string& name, SourceLine where,
+                             const std::function<bool(const std::string&)>& is_known,
+                             const std::function<bool(std::string_view)>& fits);
+  /// A model that looks as a mesh, and the body that it has of it. False if the model has none.
+  bool read_mesh_body(const Properties& properties, const Kind& kind, bool has_other, ModelDesc& model);
+  /// The mesh as its file says it, and the path of that; null, and a fault, where it cannot be read.
+  const MeshBodies::Entry* load_mesh(const std::string& name, SourceLine where);
   /// `path` was tried last; the error tells of `why.where`.
   const TracedBitmap* fail_bitmap(const std::string& path, SourceLine where, const Error& why);
   /// Macros and bitmaps make much of little text: a fault when the world has no room for `amount` more.
@@ -149,6 +167,8 @@ class WorldLoader {
   SceneDesc scene_;
   TokenNames names_{scene_, state_};
   std::map<std::string, Loops> bitmaps_;
+  std::deque<std::string> type_names_;
+  MeshBodies meshes_;
   std::set<std::pair<std::uint32_t, std::uint32_t>> unknown_types_;  // files and lines told
   std::map<std::string, Repeat, std::less<>> repeats_;               // by repeat_key()
   std::map<std::string_view, std::uint32_t> latest_;  // row of the latest tree that a word made
@@ -161,6 +181,7 @@ class WorldLoader {
   bool has_window_ = false;
   SourceLine follow_where_;  // of the window's follow_model
   Expansion expansion_{document_, macros_, limits_};
+  Budget mesh_bytes_, mesh_copies_;
   Budget bitmap_bytes_, pixels_, outlines_;  // of the bitmaps themselves, however many bodies have them
   Budget corners_, beams_, text_bytes_;
 };
@@ -177,6 +198,7 @@ Result<SceneDesc> WorldLoader::load() {
       load_section(statement.section);
     }
   }
+  if (!state_.over) load_robot_types();
   if (state_.error) return state_.warnings.with_slip(*state_.error);
   names_.check_follow_model(follow_where_);
   scene_.warnings = state_.warnings.take();
@@ -196,6 +218,30 @@ void WorldLoader::load_section(const Section& section) {
   } else {
     load_tree(section, *entity);
   }
+}
+
+void WorldLoader::load_robot_types() {
+  const Field* const types = FieldSet(document_.fields).find("robot_types");
+  if (types == nullptr) return;
+  if (scene_.trees.empty())
+    return state_.fail(types->where,
+                       "a world with robot_types has at least one model of its own, as a floorplan");
+  const std::size_t trees = scene_.trees.size();
+  std::set<std::string_view> done;
+  for (const Value& word : types->values)
+    if (!state_.over && done.insert(word.text).second) load_robot_type(word, types->where);
+  if (scene_.trees.size() > trees) scene_.trees.resize(trees);
+  std::erase_if(scene_.renamed, [trees](const auto& each) { return each.first.first >= trees; });
+}
+
+/// As a section of this word alone. Its name is one that no model has.
+void WorldLoader::load_robot_type(const Value& word, SourceLine where) {
+  const std::vector<std::string_view> known = macros_.names();
+  if (macros_.find(word.text) == nullptr)
+    return state_.fail(
+        where, "robot_types: there is no define " + in_quotes(word.text) + did_you_mean(word.text, known));
+  const std::string& name = type_names_.emplace_back(std::string(word.text) + " (type)");
+  load_section({word.text, where, {{"name", {{ValueKind::kString, name}}, where}}, {}});
 }
 
 bool WorldLoader::repeat_tree(const Section& section) {
@@ -294,6 +340,8 @@ void WorldLoader::read_globals() {
   vocabulary_.check(world_kind(), properties);
   scene_.name = scene_.path;
   read(properties, scene_);
+  require(std::fabs(scene_.latitude) <= 0.5 * geom::kPi, properties, "latitude", "needs -90 to 90 degrees");
+  require(std::fabs(scene_.longitude) <= geom::kPi, properties, "longitude", "needs -180 to 180 degrees");
   scene_.kept = kept_words(world_kind(), properties);
 }
 
@@ -460,8 +508,13 @@ void WorldLoader::load_block(const Properties& properties, SourceLine where, Sha
 }
 
 void WorldLoader::load_sensor(const Properties& properties, SourceLine where, ModelDesc& model) {
-  read(properties, number_of(scene_.models.size()), model.sensors.emplace_back());
-  spend(beams_, model.sensors.back().samples, where);
+  RangerSensorDesc& sensor = model.sensors.emplace_back();
+  read(properties, number_of(scene_.models.size()), sensor);
+  require(sensor.ring_lowest <= sensor.ring_highest, properties, "ring_fov",
+          "needs the lowest ring before the highest");
+  require(std::size_t{sensor.samples} * sensor.rings <= limits::kRangerSamples, properties, "rings",
+          "needs at most " + std::to_string(limits::kRangerSamples) + " beams in all rings together");
+  spend(beams_, std::size_t{sensor.samples} * sensor.rings, where);
 }
 
 void WorldLoader::check_holds_nothing(const Instance& entity) {
@@ -472,10 +525,12 @@ void WorldLoader::check_holds_nothing(const Instance& entity) {
 }
 
 void WorldLoader::read_body(const Properties& properties, const Kind& kind, Shape shape, ModelDesc& model) {
+  const bool has_other = !shape.prisms.empty() || !properties.text("bitmap", "").empty();
+  if (read_mesh_body(properties, kind, has_other, model)) return;
   const TracedBitmap* bitmap = load_bitmap(properties, model.size);
   if (state_.error) return;  // the world does not load, so nobody needs bodies
   const bool boundary = properties.flag("boundary", false), noblocks = properties.flag("noblocks", false);
-  model.body = {bitmap ? bitmap->first : "", noblocks, boundary, shape.prisms};
+  model.body = {bitmap ? bitmap->first : "", "", noblocks, boundary, shape.prisms};
   const bool is_own = kind.solid && !bitmap && !boundary && shape.prisms.empty() && !noblocks;
   if (!is_own && !bitmap && !boundary && shape.prisms.empty()) return;
   check_body_size(model.size, properties);
@@ -493,29 +548,75 @@ void WorldLoader::read_body(const Properties& properties, const Kind& kind, Shap
   }
 }
 
+bool WorldLoader::read_mesh_body(const Properties& properties, const Kind& kind, bool has_other,
+                                 ModelDesc& model) {
+  const std::string name = properties.text("mesh", "");
+  if (name.empty() || state_.over) return false;
+  const SourceLine where = properties.where("mesh");
+  if (kind.kind == ModelKind::kGripper) {
+    state_.fail(where, "a gripper has paddles and no mesh; a model inside it may have one");
+    return true;
+  }
+  if (has_other || properties.has("noblocks") || properties.has("boundary"))
+    state_.warnings.add(Warning::kNoEffect, where,
+                        "a mesh is all of a body: blocks, bitmap, noblocks and boundary have no effect");
+  const MeshBodies::Entry* entry = load_mesh(name, where);
+  if (state_.over || entry == nullptr || !entry->mesh) return true;
+  if (properties.has("size")) check_body_size(model.size, properties);
+  const MeshBodies::Body& body = meshes_.body(*entry, properties.has("size") ? &model.size : nullptr);
+  if (body.is_new) spend(mesh_copies_, body.corners, where);
+  for (const Block& block : body.blocks) spend(corners_, block.points.size(), where);
+  if (state_.error) return true;
+  model.size = body.size;
+  model.mesh = body.mesh;
+  model.blocks = body.blocks;
+  model.body.mesh = entry->path;
+  return true;
+}
+
+const MeshBodies::Entry* WorldLoader::load_mesh(const std::string& name, SourceLine where) {
+  const Result<FoundFile> found = look_for(
+      "mesh", name, where, [&](const std::string& path) { return meshes_.find(path) != nullptr; },
+      mesh::is_mesh_name);
+  if (!found) {
+    state_.fail(where, "mesh " + in_quotes(found.error().where) + " " + found.error().text);
+    return nullptr;
+  }
+  if (!found->bytes) return meshes_.find(found->path);
+  const MeshBodies::Entry& entry = meshes_.read(found->path, *found->bytes, files_);
+  spend(mesh_bytes_, entry.bytes, where);
+  if (!entry.mesh) state_.fail(where, "mesh " + in_quotes(found->path) + " " + entry.why_none);
+  for (const std::string& warning : entry.warnings)
+    state_.warnings.add(Warning::kShape, where, "mesh " + in_quotes(found->path) + ": " + warning);
+  return &entry;
+}
+
 const WorldLoader::TracedBitmap* WorldLoader::load_bitmap(const Properties& properties,
                                                           const geom::Size& size) {
   const std::string name = properties.text("bitmap", "");
   if (name.empty() || state_.over) return nullptr;
   const SourceLine where = properties.where("bitmap");
+  const Result<FoundFile> found = look_for(
+      "bitmap", name, where, [&](const std::string& path) { return bitmaps_.contains(path); }, is_image_name);
+  if (!found)
+    return fail_bitmap(resolve(folders_for(scene_.path, scene_.files[where.file], files_).back(), name),
+                       where, found.error());
+  if (!found->bytes) return &*bitmaps_.find(found->path);
+  return trace_bitmap(found->path, *found->bytes, size, where);
+}
+
+Result<FoundFile> WorldLoader::look_for(std::string_view what, const std::string& name, SourceLine where,
+                                        const std::function<bool(const std::string&)>& is_known,
+                                        const std::function<bool(std::string_view)>& fits) {
   // Where the original would look only beside the world, a bitmap is looked for as an include is.
   const std::string& named_by = scene_.files[where.file];
   const std::vector<std::string> folders = folders_for(scene_.path, named_by, files_);
-  std::string path, why;
-  for (const std::string& folder : folders) {
-    path = resolve(folder, name);
-    if (const auto known = bitmaps_.find(path); known != bitmaps_.end()) return &*known;
-    const Result<std::string> bytes = files_.read(path);
-    if (why.empty() && !bytes) why = bytes.error().text;
-    if (!bytes) continue;
-    if (folder != folders.front() && folder != folder_of(named_by))
-      state_.warnings.add(Warning::kShape, where,
-                          "bitmap " + in_quotes(resolve(folders.front(), name)) + " is not there, so " +
-                              in_quotes(path) + " is read");
-    return trace_bitmap(path, *bytes, size, where);
-  }
-  return fail_bitmap(
-      path, where, {resolve(folders.front(), name), why + also_not_in(folders, name, files_, is_image_name)});
+  Result<FoundFile> found = find_file(folders, name, files_, is_known, fits);
+  if (found && found->bytes && found->folder > 0 && folders[found->folder] != folder_of(named_by))
+    state_.warnings.add(Warning::kShape, where,
+                        std::string(what) + " " + in_quotes(resolve(folders.front(), name)) +
+                            " is not there, so " + in_quotes(found->path) + " is read");
+  return found;
 }
 
 const WorldLoader::TracedBitmap* WorldLoader::trace_bitmap(const std::string& path, std::string_view bytes,

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "playhouse/base/limits.h"
+#include "playhouse/base/mesh_limits.h"
 #include "playhouse/base/result.h"
 #include "playhouse/scene/scene_desc.h"
 #include "playhouse/scene/source_text.h"
@@ -26,6 +27,8 @@ struct WorldLimits {
   std::size_t fields = limits::kExpandedFields;
   std::size_t pixels = limits::kBitmapPixels;
   std::size_t bitmap_bytes = limits::kBitmapBytes;
+  std::size_t mesh_bytes = limits::kMeshBytes;
+  std::size_t mesh_copies = limits::kMeshCopies;  // corners of meshes, once for each size
   std::size_t corners = limits::kCorners;
   std::size_t beams = limits::kBeams;
   std::size_t sensors = limits::kSensors;

@@ -853,6 +853,8 @@ TEST(WorldModels, cameras_have_lenses_limits_and_an_image_that_counts) {
   EXPECT_THAT(scene.warnings, testing::IsEmpty());
   EXPECT_THAT(loaded("camera( image \"depth\" compression \"jpeg\" )").warnings,
               ElementsAre("w/t.world:1: images of distances are sent raw; \"compression\" has no effect"));
+  EXPECT_THAT(loaded("camera( image \"segmentation\" compression \"jpeg\" )").warnings,
+              ElementsAre("w/t.world:1: images of models are sent raw; \"compression\" has no effect"));
   EXPECT_THAT(error_of("camera( resolution [0 10] )"), HasSubstr("resolution"));
   EXPECT_THAT(error_of("camera( fov [180 40] )"), HasSubstr("fov"));
   EXPECT_THAT(error_of("camera( image \"colour\" )"), HasSubstr("\"color\""));
@@ -1126,6 +1128,42 @@ TEST(WorldFiles, a_pipe_is_read_to_its_end_and_a_file_that_fails_midway_is_an_er
     EXPECT_EQ(load_world("/proc/self/mem").error().line(),
               "/proc/self/mem: cannot be read: Input/output error");
   }
+}
+
+constexpr const char* kTypes = R"(
+robot_types [ "cart" "scanner" "cart" ]
+define scanner ranger( sensor( samples 3 ) )
+define cart position( name "given" scanner( name "eye" ) )
+model( name "wall" )
+)";
+
+TEST(RobotTypes, are_descriptions_of_which_the_world_has_no_tree) {
+  MemoryFiles files({});
+  const Result<SceneDesc> scene = load_world_text(kTypes, "w/t.world", files);
+  ASSERT_TRUE(scene) << scene.error().line();
+  ASSERT_EQ(scene->trees.size(), 1u);
+  ASSERT_EQ(scene->models.size(), 4u) << "each type once";
+  EXPECT_EQ(scene->models[1].prototype, "cart");
+  EXPECT_EQ(scene->models[2].name, "cart (type).eye") << "no name of a model of the world";
+  EXPECT_EQ(scene->models[3].prototype, "scanner");
+  EXPECT_THAT(scene->warnings, IsEmpty());
+}
+
+TEST(RobotTypes, share_the_description_of_a_model_that_is_like_them) {
+  MemoryFiles files({});
+  const Result<SceneDesc> scene =
+      load_world_text(std::string(kTypes) + "cart( name \"r0\" pose [1 2 0 0] )", "w/t.world", files);
+  ASSERT_TRUE(scene) << scene.error().line();
+  EXPECT_EQ(scene->trees.size(), 2u);
+  EXPECT_EQ(scene->models.size(), 4u);
+}
+
+TEST(RobotTypes, that_are_none_or_are_all_there_is_are_errors) {
+  EXPECT_EQ(error_of("robot_types \"cat\"\ndefine cart position()\nmodel()"),
+            "w/t.world:1: robot_types: there is no define \"cat\" (did you mean \"cart\"?)");
+  EXPECT_EQ(error_of("robot_types \"cart\"\ndefine cart position()"),
+            "w/t.world:1: a world with robot_types has at least one model of its own, as a floorplan");
+  EXPECT_THAT(error_of("robot_types \"s\"\ndefine s sensor()\nmodel()"), HasSubstr("belongs into"));
 }
 
 }  // namespace

@@ -152,7 +152,7 @@ class WorldWriter {
   std::string token_of(std::uint32_t row, std::uint32_t tree) const;
   /// The token without any name, of one more child of its type.
   std::string unsaid_token(const Kind& kind, const std::string& parent, Siblings& siblings) const;
-  std::string bitmap_name(const std::string& path) const;
+  std::string file_name(const std::string& path) const;
 
   const SceneDesc& scene_;
   const std::string path_;
@@ -317,7 +317,8 @@ void WorldWriter::add_kind_and_body(const ModelDesc& model, Entity& to) const {
 void WorldWriter::add_body(const ModelDesc& model, Entity& to) const {
   Words words(scene_.units, to.words);
   const BodyDesc& body = model.body;
-  if (!body.bitmap.empty()) words.text("bitmap", bitmap_name(body.bitmap));
+  if (!body.bitmap.empty()) words.text("bitmap", file_name(body.bitmap));
+  if (!body.mesh.empty()) words.text("mesh", file_name(body.mesh));
   if (body.noblocks) words.flag("noblocks", true);
   if (body.boundary) words.flag("boundary", true);
   for (const Prism& prism : body.prisms) add_block(prism, to);
@@ -399,7 +400,7 @@ std::string WorldWriter::unsaid_token(const Kind& kind, const std::string& paren
   return parent.empty() ? own : parent + "." + own;
 }
 
-std::string WorldWriter::bitmap_name(const std::string& path) const {
+std::string WorldWriter::file_name(const std::string& path) const {
   std::error_code error;
   const auto file = std::filesystem::absolute(path, error).lexically_normal();
   if (error) return path;

@@ -15,6 +15,7 @@
 
 #include "playhouse/base/limits.h"
 #include "playhouse/base/testing_reference.h"
+#include "playhouse/mesh/testing_meshes.h"
 #include "playhouse/scene/kinds.h"
 #include "playhouse/scene/testing_same_scene.h"
 #include "playhouse/scene/world_loader.h"
@@ -29,7 +30,8 @@ using testing::StartsWith;
 
 const std::map<std::string, std::string> kFiles = {{"w/plan", "P1 3 3 1 0 0  1 1 0  0 0 1"},
                                                    {"w/below/plan", "P1 2 2 1 0 0 1"},
-                                                   {"w/../other/plan", "P1 2 1 1 1"}};
+                                                   {"w/../other/plan", "P1 2 1 1 1"},
+                                                   {"w/plan.obj", mesh::test_obj()}};
 
 SceneDesc loaded(const std::string& text, const std::string& path = "w/t.world") {
   MemoryFiles files(kFiles);
@@ -155,6 +157,7 @@ std::string any_value(const Word& word) {
   if (word.type == "integer" || word.type == "count") return "7";
   if (word.type == "number") return word.limits == "from 0 to 1" ? "0.375" : "212.375";
   if (word.type == "length" || word.type == "angle") return "0.37";
+  if (word.name == "mesh") return "\"plan.obj\"";
   if (word.type == "text") return "\"plan\"";
   if (word.type == "texts") return "[\"name=a mass>1\" \"color=red\"]";  // conditions are
   if (word.type == "color") return "\"SteelBlue3\"";
@@ -197,6 +200,8 @@ TEST(WriteWorld, every_word_of_every_kind_is_read_back_with_its_value) {
     for (const std::span<const Word> some : {common_words(kind), kind.words}) {
       for (const Word& word : some) {
         if (word.use == Use::kOld || (word.use == Use::kSilent && word.type.empty())) continue;
+        if (word.name == "mesh" && kind.name == "gripper") continue;  // has paddles
+        if (word.name == "robot_types") continue;  // of defines, which written files don't keep (docs/robot-client.md)
         const bool is_counted = !word.counted_by.empty();
         const std::string count = is_counted ? std::string(word.counted_by) + " 2 " : "";
         const std::string said = count + std::string(word.name) + " " + any_value(word);
@@ -204,7 +209,7 @@ TEST(WriteWorld, every_word_of_every_kind_is_read_back_with_its_value) {
         EXPECT_THAT(written(loaded(file_with(kind, said))),
                     HasSubstr(std::string(word.name) + (is_counted ? "[1] " : " ")))
             << kind.name << ": " << said;
-        if (word.type != "rgba") all += said + " ";
+        if (word.type != "rgba" && word.name != "mesh") all += said + " ";
         ++words;
       }
     }

@@ -98,6 +98,7 @@ class Server::Impl {
           session_(server.board_, serial, robot, connection_->peer()) {}
 
     void start() {
+      session_.caller().expect_alive_by([this] { connection_->expect_alive(); });
       connection_->start(*this);
       const net::SharedBytes banner = server_.banner_;
       connection_->send(std::span(&banner, 1));

@@ -234,7 +234,8 @@ void Session::request(const wire::Header& header, Body body) {
   if (opened_for_reading_only(device) && !only_reads(*def)) {
     return refuse(header, Fault::kReadOnly, "opened for reading only");
   }
-  if (header.subtype == wire::kReqCapabilities) return capability(device, header, body);
+  if (header.subtype == wire::kReqCapabilities && !board_.devices[device].driver->asks_for_capabilities())
+    return capability(device, header, body);
 
   const std::uint32_t number = next_request_++;
   const std::uint64_t ticket = make_ticket(serial_, number);

@@ -92,6 +92,7 @@ class Session final : public Reader {
   void take(std::vector<net::SharedBytes>& out, std::size_t max_bytes);
 
   const std::string& peer() const { return peer_; }
+  device::Caller& caller() { return caller_; }
   /// Entries of its tables that are about some device.
   std::size_t device_rows() const;
   std::size_t messages_waiting() const { return queue_.waiting(); }

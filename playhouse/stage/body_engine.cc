@@ -52,6 +52,32 @@ BodyEngine::BodyEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsign
   add_senses(senses_, workers_.count(), makers);
 }
 
+world::PhysicsShapes BodyEngine::physics_shapes() const {
+  world::PhysicsShapes shapes;
+  const auto prism = [&](std::uint32_t row, const Pose& X_FM) {
+    const Rotation turn = Rotation::of(X_FM.a);
+    world::SolidCorners corners;
+    for (const double z : {solids_.z_min_M[row], solids_.z_max_M[row]})
+      for (std::uint32_t v = solids_.first_vertex[row]; v + 1 < solids_.first_vertex[row + 1]; ++v) {
+        const Vec2 p = X_FM.xy() + turn * solids_.p_M[v];
+        corners.push_back({p.x, p.y, X_FM.z + z});
+      }
+    return corners;
+  };
+  for (std::uint32_t row = 0; row < solids_.fixed; ++row)
+    if (solids_.is_obstacle(row)) shapes.fixed.push_back(prism(row, world_.models.X_WM[solids_.model[row]]));
+  for (std::uint32_t tree = 0; tree < trees_.size(); ++tree) {
+    const std::uint32_t top = trees_.root[tree];
+    const Pose X_BW = geom::inverse(world_.models.X_WM[top]);
+    world::PhysicsShapes::Body body{world_.id({top}), {}};
+    for (std::uint32_t row = trees_.first_solid[tree]; row < trees_.first_solid[tree + 1]; ++row)
+      if (solids_.is_obstacle(row))
+        body.solids.push_back(prism(row, geom::compose(X_BW, world_.models.X_WM[solids_.model[row]])));
+    if (!body.solids.empty()) shapes.bodies.push_back(std::move(body));
+  }
+  return shapes;
+}
+
 void BodyEngine::populate(bool fixed) {
   trees_ = make_trees(world_);
   if (fixed) solids_ = make_fixed_solids(world_, shapes_);

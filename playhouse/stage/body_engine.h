@@ -12,6 +12,8 @@ namespace playhouse::stage {
 class BodyEngine : public behaviour::PhasedEngine {
  public:
   std::uint64_t rays() const override { return rays_; }
+  /// The outlines of obstacles, as prisms.
+  world::PhysicsShapes physics_shapes() const override;
 
  protected:
   /// Derived engines call populate(true) when they are made.

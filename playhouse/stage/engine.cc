@@ -1,9 +1,47 @@
 #include "playhouse/stage/engine.h"
 
+#include <algorithm>
+
+#include "playhouse/base/log.h"
 #include "playhouse/stage/check_scene.h"
 #include "playhouse/stage/stage_engine.h"
 
 namespace playhouse::stage {
+namespace {
+
+/// Says that a file asks for what cameras of this engine do not show.
+void tell_of_unseen_weather(const scene::SceneDesc& scene) {
+  const scene::WorldDesc none;
+  const bool has_sun = scene.sun_heading != none.sun_heading || scene.sun_elevation != none.sun_elevation ||
+                       scene.sun_brightness != none.sun_brightness;
+  if (has_sun || scene.fog > 0)
+    log::info(
+        "{}: sun and fog have no effect: cameras of the stage engine show colors without light; "
+        "--engine arena shows them",
+        scene.path);
+}
+
+/// What this engine measures less of than a file asks for: one line, for the first that does.
+void warn_of_arena_words(const scene::SceneDesc& scene) {
+  for (const scene::ModelDesc& model : scene.models)
+    for (const scene::RangerSensorDesc& sensor : model.sensors) {
+      if (sensor.rings <= 1 && sensor.errors == scene::RangerErrors::kNone) continue;
+      log::warn("{}: rings and error of sensors count with --engine arena; here {} has one level ring",
+                scene.at(model.where), model.name);
+      return;
+    }
+}
+
+/// What a file says of shapes that are flat here: one line, for the first.
+void tell_of_meshes(const scene::SceneDesc& scene) {
+  const auto first =
+      std::ranges::find_if(scene.models, [](const scene::ModelDesc& model) { return model.mesh != nullptr; });
+  if (first == scene.models.end()) return;
+  log::info("{}: bodies in the plane are the outlines of meshes; --engine arena has the meshes themselves",
+            scene.at(first->where));
+}
+
+}  // namespace
 
 StageEngine::StageEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers)
     : BodyEngine(scene, seed, workers), motion_(workers_.count()) {
@@ -25,6 +63,9 @@ void StageEngine::move() {
 Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene,
                                                    const EngineOptions& options) {
   if (const Result<void> checked = check_scene(scene); !checked) return checked.error();
+  tell_of_unseen_weather(scene);
+  warn_of_arena_words(scene);
+  tell_of_meshes(scene);
   return std::unique_ptr<world::Engine>(std::make_unique<StageEngine>(scene, options.seed, options.workers));
 }
 

@@ -13,11 +13,6 @@ double noisy(double range, const scene::RangerSensorDesc& sensor, Rng& rng) {
 
 }  // namespace
 
-double bearing_of(const scene::RangerSensorDesc& sensor, std::uint32_t beam) {
-  if (sensor.samples <= 1) return 0;
-  return -0.5 * sensor.fov + sensor.fov * beam / (sensor.samples - 1);
-}
-
 double turn_of(const world::World& world, world::ModelRow model, std::uint64_t tick, std::uint32_t sensor,
                std::uint32_t beam) {
   const double spread = world.desc(model).sensors[sensor].noise_angular;
@@ -25,12 +20,14 @@ double turn_of(const world::World& world, world::ModelRow model, std::uint64_t t
   return rng.uniform(-spread, spread);
 }
 
-void add_range_noise(const world::World& world, std::uint32_t ranger, std::uint64_t tick, double* range) {
+void add_range_noise(const world::World& world, std::uint32_t ranger, std::uint64_t tick, double* range,
+                     Rings rings) {
   const world::ModelRow model = world.rangers.model[ranger];
   for (std::uint32_t i = 0; i < world.rangers.sensor_count[ranger]; ++i) {
     const scene::RangerSensorDesc& sensor = world.desc(model).sensors[i];
     Rng rng(world.seed(), tick, {Purpose::kRangeNoise, world.id(model).value, i});
-    for (std::uint32_t k = 0; k < sensor.samples; ++k, ++range)
+    const std::uint32_t beams = sensor.samples * (rings == Rings::kAll ? sensor.rings : 1);
+    for (std::uint32_t k = 0; k < beams; ++k, ++range)
       if (*range < sensor.range_max) *range = noisy(*range, sensor, rng);
   }
 }

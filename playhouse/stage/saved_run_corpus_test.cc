@@ -34,6 +34,8 @@ define bot position( size [0.4 0.4 0.3] alwayson 1 velocity [0.3 0 0 20] joules 
   detector( alwayson 1 samples 3 rays 2 layers 2 fov_vertical 20 sees "kind=wifi" walls 1 noise [0.1 0 1] miss 0.2 )
   blinkenlight( alwayson 1 )
   lightindicator()
+  imu( alwayson 1 acceleration_noise [0.01 0.001] gyro_noise [0.01 0.001] gyro_bias 0.01 )
+  gps( alwayson 1 noise [2 4] drift [1 2] drift_time 600 )
   custom( alwayson 1 library "none" )
   actuator( pose [0 0 0 0] type "rotational" max_position 90 alwayson 1 model( size [0.1 0.1 0.1] ) ) )
 bot( name "a" fiducial_return 1 say "hello" )

@@ -7,15 +7,15 @@
 /// Cost: for each slice of the lens the walls along it and the bodies near it (slice.h), and for each of its
 ///   pixels a few operations for each stretch of a body, four pixels at a time.
 /// Source: a ray in an upright prism is where it is between the ends of the stretch and between its heights
-///   (slab test); brightness by ITU-R BT.601.
+///   (slab test).
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 
-#include "playhouse/base/rng.h"
 #include "playhouse/scene/colors.h"
+#include "playhouse/stage/camera_image.h"
 #include "playhouse/stage/generated/senses.h"
 #include "playhouse/stage/lens.h"
 #include "playhouse/stage/slice.h"
@@ -27,13 +27,11 @@ namespace {
 using scene::CameraDesc;
 using scene::ImageKind;
 
-constexpr std::uint32_t kSkyColor = 0x9fc4e8, kFloorColor = 0xd9d9d2;  // 0xRRGGBB
-constexpr double kNothing = 1e300;                                     // m, to what a pixel does not show
-constexpr double kDepthMost = 65535;                                   // mm, that a pixel can say
+constexpr double kNothing = 1e300;  // m, to what a pixel does not show
 static_assert(Lens::kSpare >= kFour);
 
 /// What pixels of a slice see: how far away on the floor, and which of its things.
-struct Seen {
+struct SeenInSlice {
   double* distance;  // m
   double* thing;     // a whole number
 };
@@ -47,7 +45,7 @@ struct Thing {
 /// Keeps the nearest of what pixels see already and a thing, where that is not nearer than `least`. Works on
 /// up to kFour - 1 pixels behind the last one.
 PLAYHOUSE_INLINE void show(const Thing& thing, const double* run, const double* least, std::size_t pixels,
-                           const Seen& seen) {
+                           const SeenInSlice& seen) {
   for (std::size_t i = 0; i < pixels; i += kFour) {
     Four per_rise, nearest, distance, number;
     load(per_rise, run + i);
@@ -66,15 +64,6 @@ PLAYHOUSE_INLINE void show(const Thing& thing, const double* run, const double* 
 
 std::uint32_t rgb(const scene::Color& color) {
   return scene::rgba8(color) >> 8;
-}
-
-std::uint32_t brightness(std::uint32_t rgb) {
-  return (299 * (rgb >> 16) + 587 * (rgb >> 8 & 0xff) + 114 * (rgb & 0xff) + 500) / 1000;
-}
-
-/// The value and an error, within 0 .. most.
-std::uint32_t with_noise(double value, double deviation, double most, Rng& rng) {
-  return static_cast<std::uint32_t>(std::lround(std::clamp(value + deviation * rng.gaussian(), 0.0, most)));
 }
 
 class CameraSense final : public SensePhase {
@@ -109,7 +98,7 @@ class CameraSense final : public SensePhase {
     Slicer slicer;
     std::vector<double> distance, thing;  // of the pixels of a slice
     std::vector<double> far;              // m along the way it looks                    (image)
-    std::vector<std::uint32_t> color;     // 0xRRGGBB                                    (image)
+    std::vector<std::uint32_t> sample;    // see Seen                                    (image)
   };
 
   static const Lens& fit(const world::World& world, std::uint32_t row, Scratch& scratch) {
@@ -129,18 +118,17 @@ class CameraSense final : public SensePhase {
     const Lens& lens = fit(world, row, scratch);
     const Pose X_WB = geom::compose(world.models.X_WM[model.index], desc.X_MB);
     const Rotation heading = Rotation::of(X_WB.a + world.cameras.pan[row]);
-    const double eye = X_WB.z + 0.5 * desc.size.z;
+    const double eye = X_WB.z + lens_height(desc);
     scratch.slicer.stand(space, X_WB.xy(), eye, std::ranges::max(lens.reach), bit(Observer::kImage),
                          world.models.root[model.index]);
     scratch.far.resize(lens.place.size());
-    scratch.color.resize(lens.place.size());
+    scratch.sample.resize(lens.place.size());
     for (std::size_t s = 0; s < lens.ahead.size(); ++s) {
       if (lens.first[s] == lens.first[s + 1]) continue;
       const Vec2 d = heading * Vec2{lens.ahead[s].c, lens.ahead[s].s};
       show_slice(world, space, scratch.slicer.along(space, d, lens.reach[s]), lens, s, camera, eye, scratch);
     }
-    Rng rng(world.seed(), tick, {Purpose::kPixel, world.id(model).value});
-    expose(camera, rng, scratch, world.cameras.pixels[row]);
+    expose(world, row, tick, {scratch.far, scratch.sample});
   }
 
   /// What the pixels of a slice see.
@@ -150,7 +138,7 @@ class CameraSense final : public SensePhase {
     const std::size_t first = lens.first[slice], pixels = lens.first[slice + 1] - first;
     scratch.distance.assign(pixels + kFour, kNothing);
     scratch.thing.assign(pixels + kFour, 0);
-    const Seen seen{scratch.distance.data(), scratch.thing.data()};
+    const SeenInSlice seen{scratch.distance.data(), scratch.thing.data()};
     const auto meet = [&](const Thing& thing) {
       in_vectors<show>(thing, lens.run.data() + first, lens.least.data() + first, pixels, seen);
     };
@@ -160,42 +148,20 @@ class CameraSense final : public SensePhase {
       if (world.models.color[space.solids.model[stretch.solid]].a > 0)
         meet({stretch.from, stretch.to, stretch.low, stretch.high, static_cast<double>(k + 1)});
     }
+    const bool of_models = camera.image == ImageKind::kSegmentation;
+    const std::uint32_t sky = of_models ? 0 : sky_color(world.scene()), floor = of_models ? 0 : kFloorColor;
+    const auto sample_of = [&](std::uint32_t model) {
+      return of_models ? segment_of(world.models.id[model]) : rgb(world.models.color[model]);
+    };
     for (std::size_t i = 0; i < pixels; ++i) {
       const std::uint32_t at = lens.place[first + i];
       const double depth = seen.distance[i] * lens.depth[first + i];
       const bool shown = depth <= camera.range_max;
       const auto thing = static_cast<std::size_t>(seen.thing[i]);
       scratch.far[at] = shown ? depth : 0;
-      scratch.color[at] = !shown ? kSkyColor
-                          : thing == 0
-                              ? kFloorColor
-                              : rgb(world.models.color[space.solids.model[stretches[thing - 1].solid]]);
-    }
-  }
-
-  /// Pixels as the camera tells them, with its errors.
-  static void expose(const CameraDesc& camera, Rng& rng, const Scratch& scratch,
-                     std::vector<world::Pixel>& pixels) {
-    const std::size_t count = scratch.far.size();
-    const double deviation = 255 * camera.noise_value;
-    pixels.resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      std::uint32_t& sample = pixels[i].sample;
-      if (camera.image == ImageKind::kDepth) {
-        const double depth = 1000 * scratch.far[i];
-        sample = camera.noise_depth > 0 && depth > 0
-                     ? with_noise(depth, depth * camera.noise_depth, kDepthMost, rng)
-                     : static_cast<std::uint32_t>(std::lround(std::min(depth, kDepthMost)));
-        continue;
-      }
-      sample = scratch.color[i];
-      if (deviation > 0) {
-        std::uint32_t noisy = 0;
-        for (const int shift : {16, 8, 0})
-          noisy |= with_noise(sample >> shift & 0xff, deviation, 255, rng) << shift;
-        sample = noisy;
-      }
-      if (camera.image == ImageKind::kGray) sample = brightness(sample);
+      scratch.sample[at] = !shown       ? sky
+                           : thing == 0 ? floor
+                                        : sample_of(space.solids.model[stretches[thing - 1].solid]);
     }
   }
 

@@ -233,6 +233,28 @@ TEST(CameraSense, sees_the_same_with_any_number_of_workers_and_its_noise_for_a_s
   EXPECT_NEAR(std::sqrt(squares / sum), 0.05 * 255, 1.5);
 }
 
+TEST(CameraSense, tells_which_model_is_where_by_its_id_plus_one) {
+  scene::SceneDesc scene = lookout(scene::ImageKind::kSegmentation);
+  scene.models[0].camera->noise_value = 0.2;  // which is of colours
+  add(scene, kRed, {2.5, 0, 0, 0}, {1, 1, 1});
+  add(scene, kRed, {2.5, 1.5, 0, 0}, {1, 1, 1});
+  const Picture picture(scene);
+  EXPECT_EQ(picture.at(20, 15), 2u) << "the first box has the id 1";
+  EXPECT_EQ(picture.count(2), 13u * 13u);
+  EXPECT_GT(picture.count(3), 50u);
+  EXPECT_EQ(picture.count(0) + picture.count(2) + picture.count(3), picture.pixels().size());
+  EXPECT_EQ(picture.at(20, 0), 0u) << "the sky";
+  EXPECT_EQ(picture.at(20, 30), 0u) << "the floor";
+}
+
+TEST(CameraSense, shows_the_sky_that_the_file_says) {
+  scene::SceneDesc scene = lookout();
+  scene.sky_red = 1;
+  scene.sky_green = 0.5;
+  scene.sky_blue = 0;
+  EXPECT_EQ(Picture(scene).at(20, 0), 0xff8000u);
+}
+
 TEST(Lens, has_each_pixel_once) {
   const scene::CameraDesc camera = *lookout().models[0].camera;
   for (const double tilt : {0.0, 0.4, -1.2, -geom::kPi / 2}) {

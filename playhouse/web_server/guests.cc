@@ -8,6 +8,7 @@
 #include "playhouse/base/assert.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
+#include "playhouse/net/fair_share.h"
 
 namespace playhouse::web_server {
 namespace {
@@ -97,6 +98,22 @@ std::string random_token() {
   std::string token;
   for (const std::uint8_t byte : bytes) token += kLetters[byte % kLetters.size()];
   return token;
+}
+
+GuestBook::GuestBook(std::vector<Guest> guests) : book_(std::make_shared<Book>()) {
+  book_->guests = std::move(guests);
+}
+
+std::optional<Guest> GuestBook::admit(const std::string& token, const std::string& peer) const {
+  if (book_->sent_out.contains(token == "*" ? net::network_of(peer) : token)) return std::nullopt;
+  if (guests().empty()) return Guest{Role::kAdmin, "*", {}};
+  const auto guest = std::ranges::find(guests(), token, &Guest::token);
+  if (guest == guests().end()) return std::nullopt;
+  return *guest;
+}
+
+void GuestBook::send_out(const std::string& token, const std::string& peer) {
+  book_->sent_out.insert(token == "*" ? net::network_of(peer) : token);
 }
 
 }  // namespace playhouse::web_server

@@ -4,6 +4,9 @@
 /// link by which somebody comes carries the token. docs/guests.md.
 
 #include <cstdint>
+#include <initializer_list>
+#include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -30,6 +33,30 @@ struct Guest {
   Role role = Role::kObserver;
   std::string token;  // "*": whoever has none
   std::string name;   // what they are called; empty: as they wish
+};
+
+/// Who may come to a run, and who was sent out of it. A handle: copies speak of the same book, so that who
+/// was sent out of the page does not come back by another door. Thread: one.
+class GuestBook {
+ public:
+  /// No guests: everybody may come, as an admin.
+  GuestBook(std::vector<Guest> guests = {});
+  GuestBook(std::initializer_list<Guest> guests) : GuestBook(std::vector<Guest>(guests)) {}
+
+  /// Who comes with this token ("*": with none) from this peer, "address:port"; nobody where they may not.
+  /// One who was sent out is not let in again: by the token, or by the address where everybody has the same.
+  std::optional<Guest> admit(const std::string& token, const std::string& peer) const;
+  /// Sends out whoever has this token, or comes from the peer's network where they have none.
+  void send_out(const std::string& token, const std::string& peer);
+
+  const std::vector<Guest>& guests() const { return book_->guests; }
+
+ private:
+  struct Book {
+    std::vector<Guest> guests;
+    std::set<std::string, std::less<>> sent_out;  // tokens, and networks of those without one
+  };
+  std::shared_ptr<Book> book_;
 };
 
 /// Longest file of guests.  [B]

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <boost/json/array.hpp>
 #include <boost/json/object.hpp>
 #include <boost/json/serialize.hpp>
@@ -15,7 +14,6 @@
 #include <filesystem>
 #include <functional>
 #include <map>
-#include <mutex>
 #include <optional>
 #include <set>
 #include <utility>
@@ -27,7 +25,10 @@
 #include "playhouse/base/log.h"
 #include "playhouse/net/fair_share.h"
 #include "playhouse/net/http.h"
+#include "playhouse/replicate/physics_text.h"
+#include "playhouse/replicate/snapshot_feed.h"
 #include "playhouse/web_server/driven_robots.h"
+#include "playhouse/web_server/mesh_files.h"
 #include "playhouse/web_server/web_viewer.h"
 #include "playhouse/world/as_scene.h"
 #include "playhouse/world/population.h"
@@ -43,10 +44,12 @@ constexpr std::string_view kNoPage =
     "the "
     "program again.\n";
 
-/// The page loads its own files alone, talks to this server alone, and is shown in nobody's frame, where a
-/// click meant for another site could drive a robot.
+/// The page loads its own files alone (textures of meshes are in files that it has, which is "blob:"), talks
+/// to this server alone, and is shown in nobody's frame, where a click meant for another site could drive a
+/// robot.
 constexpr std::string_view kPagePolicy =
-    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; connect-src 'self'; "
+    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; connect-src 'self' "
+    "blob:; "
     "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
 /// "host:port" or "host" to "host"; the brackets of an IPv6 address stay.
@@ -105,12 +108,13 @@ class WebServer::Impl final : public net::HttpService,
         host_name_(options_.host_name.empty() ? machine_name() : options_.host_name),
         control_(control),
         scene_(world.scene()),
+        engine_(world.engine),
         prototypes_(scene_),
-        newest_(std::make_shared<const replicate::Layout>(world, prototypes_, devices)),
+        mesh_files_(prototypes_.meshes()),
+        feed_(world, prototypes_, std::move(devices)),
+        newest_(feed_.first_layout()),
         driven_(loop, control),
-        ids_given_(newest_->ids_given),
-        devices_(std::move(devices)),
-        layout_(newest_) {}
+        ids_given_(newest_->ids_given) {}
 
   Result<std::uint16_t> listen() {
     auto listener = net::listen_http(loop_, options_.bind, options_.port, *this);
@@ -119,26 +123,10 @@ class WebServer::Impl final : public net::HttpService,
     return listener_->port();
   }
 
-  bool wants_show() const {
-    return watched_.load(std::memory_order_relaxed) != 0 &&
-           std::chrono::steady_clock::now() - capture_time_ >= kFramePeriod;
-  }
+  bool wants_show() const { return feed_.wants_show(); }
 
   void show(const world::World& world, const world::Pace& pace) {
-    capture_time_ = std::chrono::steady_clock::now();
-    {
-      const std::lock_guard lock(mutex_);
-      tick_interest_ = interest_;
-    }
-    if (layout_->population != world.population())
-      layout_ = std::make_shared<const replicate::Layout>(world, prototypes_, devices_, layout_.get());
-    replicate::capture(world, pace, layout_, tick_interest_, back_);
-    {
-      const std::lock_guard lock(mutex_);
-      std::swap(back_, ready_);
-      fresh_ = true;
-    }
-    if (posted_.exchange(true)) return;
+    if (!feed_.show(world, pace)) return;
     loop_.post([weak = weak_from_this()] {
       if (const auto self = weak.lock()) self->serve();
     });
@@ -160,12 +148,8 @@ class WebServer::Impl final : public net::HttpService,
  private:
   /// One turn: the newest snapshot for every viewer, and its next commands.
   void serve() {
-    posted_ = false;
     for (const auto& viewer : viewers_) viewer->new_turn();
-    {
-      const std::lock_guard lock(mutex_);
-      if (std::exchange(fresh_, false)) std::swap(ready_, front_);
-    }
+    feed_.take(front_);
     ids_given_ = std::max(ids_given_, front_.layout->ids_given);
     look_at_past();
     offer();
@@ -206,6 +190,12 @@ class WebServer::Impl final : public net::HttpService,
       return reply;
     }
     const std::string_view path = request.path == "/" ? "/index.html" : std::string_view(request.path);
+    if (const MeshFiles::File* mesh = mesh_files_.find(path)) {
+      reply.content_type = "model/gltf-binary";
+      reply.etag = mesh->etag;
+      reply.text = mesh->bytes;
+      return reply;
+    }
     const auto file = std::ranges::find(options_.page, path, &PageFile::path);
     if (file == options_.page.end()) {
       reply.status = 404;
@@ -244,8 +234,8 @@ class WebServer::Impl final : public net::HttpService,
     viewers_.push_back(
         std::make_unique<WebViewer>(std::move(socket), newest_, *this, ++viewers_ever_, *guest));
     log::info("web: {} watches{} ({} now)", viewers_.back()->peer(), as_whom(*guest), viewers_.size());
-    watched_ = viewers_.size();
-    if (watched_ == 1) control_.record(true);
+    feed_.watch(true);
+    if (viewers_.size() == 1) control_.record(true);
     tell_people();
     viewers_.back()->start(scene_text());
   }
@@ -271,6 +261,7 @@ class WebServer::Impl final : public net::HttpService,
     if (const auto* say = std::get_if<replicate::Say>(&command)) return this->say(*say, from);
     if (const auto* remove = std::get_if<replicate::Remove>(&command)) return this->remove(*remove);
     if (std::holds_alternative<replicate::Save>(command)) return save(from);
+    if (std::holds_alternative<replicate::ShowPhysics>(command)) return show_physics(from);
     if (std::holds_alternative<replicate::Select>(command) ||
         std::holds_alternative<replicate::Look>(command)) {
       interest_changed();
@@ -278,17 +269,12 @@ class WebServer::Impl final : public net::HttpService,
     return {};
   }
 
-  /// Who comes with this request; nobody where they may not. One who was sent out is not let in again: by the
-  /// token, or by the address where everybody has the same.
+  /// Who comes with this request; nobody where they may not.
   std::optional<Guest> guest_of(const net::HttpRequest& request, const std::string& peer) const {
     constexpr std::string_view kToken = "token=";
     const std::string token =
         request.query.starts_with(kToken) ? request.query.substr(kToken.size()) : std::string("*");
-    if (sent_out_.contains(token == "*" ? net::network_of(peer) : token)) return std::nullopt;
-    if (options_.guests.empty()) return Guest{Role::kAdmin, "*", {}};
-    const auto guest = std::ranges::find(options_.guests, token, &Guest::token);
-    if (guest == options_.guests.end()) return std::nullopt;
-    return *guest;
+    return options_.guests.admit(token, peer);
   }
 
   void turn_away(net::WebSocket& socket) {
@@ -298,7 +284,7 @@ class WebServer::Impl final : public net::HttpService,
   }
 
   std::string as_whom(const Guest& guest) const {
-    if (options_.guests.empty()) return {};
+    if (options_.guests.guests().empty()) return {};
     return fmt::format(" as {}{}{}", name_of(guest.role), guest.name.empty() ? "" : " ", guest.name);
   }
 
@@ -307,6 +293,7 @@ class WebServer::Impl final : public net::HttpService,
     const Rights rights = from.rights();
     if (std::holds_alternative<replicate::Select>(command) ||
         std::holds_alternative<replicate::Look>(command) ||
+        std::holds_alternative<replicate::ShowPhysics>(command) ||
         std::holds_alternative<replicate::Acknowledge>(command))
       return {};
     bool may = rights.manages;
@@ -348,12 +335,9 @@ class WebServer::Impl final : public net::HttpService,
     WebViewer* const out = viewer(kick.viewer);
     if (!out) return Error{"", "nobody has this number"};
     if (out == &from) return Error{"", "this is yourself"};
-    const std::string network = net::network_of(out->peer());
-    if (out->guest().token != "*") {
-      sent_out_.insert(out->guest().token);
-    } else if (network != net::network_of(from.peer())) {  // else it would shut the admin out, too
-      sent_out_.insert(network);
-    }
+    // Else it would shut the admin out, too.
+    if (out->guest().token != "*" || net::network_of(out->peer()) != net::network_of(from.peer()))
+      options_.guests.send_out(out->guest().token, out->peer());
     out->close("an admin has sent you out");
     left(*out, "an admin has sent them out");
     return {};
@@ -469,8 +453,18 @@ class WebServer::Impl final : public net::HttpService,
       if (std::string why = control_.why_fixed(); !why.empty()) return Error{"", std::move(why)};
       if (!(newest_->traits[row] & replicate::kDrives)) return Error{"", "no such robot to drive"};
       driven_.drive(drive, &from);
+      if (drive.input != 0) tell_when_driven(drive, from);
       return {};
     });
+  }
+
+  /// From which tick on the command counts: who predicts what it makes of their body knows then how late it
+  /// came. Where the queue is full they hear of the next one.
+  void tell_when_driven(const replicate::Drive& drive, const WebViewer& from) {
+    const auto tell = [input = drive.input, reach = reacher(from)](const world::World& world) {
+      reach([input, tick = world.tick()](WebViewer& viewer) { viewer.driven(input, tick); });
+    };
+    if (!control_.post(tell, drive.model)) log::info("web: {} is not told of a command", from.peer());
   }
 
   bool may_be_moved(std::uint32_t row) const { return newest_->traits[row] & replicate::kMovable; }
@@ -513,6 +507,7 @@ class WebServer::Impl final : public net::HttpService,
                    "nobody can join this world: it has no position with drive \"walk\" (worlds/person.inc)"};
     leave_body(from);
     const auto body = bodies_[&from] = std::make_shared<Body>();
+    body->walk = walk_text(*scene_.models[person->desc].position);
     const std::string& known = from.guest().name;
     return post_change([join, wanted = known.empty() ? join.name : known, body, desc = person->desc,
                         tell = teller(from), weak = weak_from_this(), &loop = loop_](world::World& world) {
@@ -529,6 +524,7 @@ class WebServer::Impl final : public net::HttpService,
   /// The model that a viewer has joined the world as.
   struct Body {
     std::optional<world::ModelId> model;  // none: it has not come yet
+    std::string walk;                     // how it walks, for its viewer
     bool is_left = false;                 // the viewer has gone, or has another one
   };
 
@@ -536,12 +532,21 @@ class WebServer::Impl final : public net::HttpService,
     return model.position && model.position->drive == scene::Drive::kWalk;
   }
 
+  /// What a viewer needs to predict how its body walks.
+  std::string walk_text(const scene::PositionDesc& desc) const {
+    const auto bounds = [&desc](int axis) {
+      return fmt::format("[{},{}]", desc.velocity_bounds[axis].min, desc.velocity_bounds[axis].max);
+    };
+    return fmt::format(R"({{"engine":"{}","ahead":{},"aside":{},"turn":{}}})", engine_, bounds(0), bounds(1),
+                       bounds(3));
+  }
+
   void embody(Body& body, world::ModelId model) {
     body.model = model;
     if (body.is_left) return remove_body(body);
     for (const auto& viewer : viewers_) {
       const auto own = bodies_.find(viewer.get());
-      if (own != bodies_.end() && own->second.get() == &body) viewer->joined(model);
+      if (own != bodies_.end() && own->second.get() == &body) viewer->joined(model, body.walk);
     }
     tell_people();
   }
@@ -595,6 +600,24 @@ class WebServer::Impl final : public net::HttpService,
     return posted;
   }
 
+  Result<void> show_physics(WebViewer& from) {
+    if (!options_.physics_shapes)
+      return Error{"", "a recording does not tell what its physics took bodies for"};
+    if (!from.await_text()) return Error{"", "a large text is on its way already"};
+    const bool posted =
+        control_.post([reach = reacher(from), shapes = options_.physics_shapes](world::World&) {
+          reach([now = std::make_shared<const world::PhysicsShapes>(shapes())](WebViewer& viewer) {
+            Result<std::string> text = replicate::physics_text(*now);
+            if (text) return viewer.send_text(std::make_shared<const std::string>(std::move(*text)));
+            viewer.expect_no_text();
+            viewer.notice(text.error().text);
+          });
+        });
+    if (posted) return {};
+    from.expect_no_text();
+    return Error{"", "the program is too busy to do that"};
+  }
+
   static void send_world(const scene::SceneDesc& standing, double time, WebViewer& viewer) {
     const Result<std::string> text = world::world_file(standing, time, {});
     if (!text) {
@@ -643,7 +666,7 @@ class WebServer::Impl final : public net::HttpService,
 
   void waits() override {
     if (offer_timer_) return;
-    offer_timer_ = loop_.after(std::chrono::duration<double>(kFramePeriod).count(), [this] {
+    offer_timer_ = loop_.after(std::chrono::duration<double>(replicate::kFramePeriod).count(), [this] {
       offer_timer_.reset();
       offer();
     });
@@ -655,8 +678,8 @@ class WebServer::Impl final : public net::HttpService,
     leave_body(viewer);
     muted_.erase(viewer.number());
     std::erase_if(viewers_, [&](const auto& other) { return other.get() == &viewer; });
-    watched_ = viewers_.size();
-    if (watched_ == 0) control_.record(false);
+    feed_.watch(!viewers_.empty());
+    if (viewers_.empty()) control_.record(false);
     interest_changed();
     tell_people();
   }
@@ -686,10 +709,7 @@ class WebServer::Impl final : public net::HttpService,
     }
     interest.selected.assign(selected.begin(), selected.end());
     selected_ = std::move(selected);
-    {
-      const std::lock_guard lock(mutex_);
-      interest_ = std::move(interest);
-    }
+    feed_.set_interest(std::move(interest));
     reconcile_subscriptions();
   }
 
@@ -708,7 +728,7 @@ class WebServer::Impl final : public net::HttpService,
       return posted;
     });
     if (done) return;
-    subscription_timer_ = loop_.after(std::chrono::duration<double>(kFramePeriod).count(),
+    subscription_timer_ = loop_.after(std::chrono::duration<double>(replicate::kFramePeriod).count(),
                                       [this] { reconcile_subscriptions(); });
   }
 
@@ -723,11 +743,14 @@ class WebServer::Impl final : public net::HttpService,
   }
 
   net::IoLoop& loop_;
-  const WebOptions options_;
+  WebOptions options_;
   const std::string host_name_;
   world::Control& control_;
   const scene::SceneDesc& scene_;
+  const std::string engine_;  // its name
   const replicate::Prototypes prototypes_;
+  MeshFiles mesh_files_;
+  replicate::SnapshotFeed feed_;
 
   // web thread
   std::shared_ptr<const replicate::Layout> newest_;  // that viewers were told of
@@ -750,22 +773,6 @@ class WebServer::Impl final : public net::HttpService,
   std::uint64_t hosts_refused_ = 0, origins_refused_ = 0, turned_away_ = 0;
   std::uint32_t viewers_ever_ = 0;
   std::set<std::uint32_t> muted_;                // numbers of viewers
-  std::set<std::string, std::less<>> sent_out_;  // tokens, and networks of those without one
-
-  // who calls wants_show() and show()
-  const replicate::DeviceNames devices_;
-  std::shared_ptr<const replicate::Layout> layout_;  // of the newest capture
-  std::chrono::steady_clock::time_point capture_time_;
-  replicate::Interest tick_interest_;
-  replicate::Snapshot back_;
-
-  // both
-  std::atomic<std::size_t> watched_ = 0;
-  std::atomic<bool> posted_ = false;
-  std::mutex mutex_;  // guards the next three; held for copies of a few words
-  replicate::Interest interest_;
-  replicate::Snapshot ready_;
-  bool fresh_ = false;
 };
 
 WebServer::WebServer(net::IoLoop& loop, WebOptions options, world::Control& control,

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -21,6 +22,7 @@
 #include "playhouse/web_server/guests.h"
 #include "playhouse/web_server/page_files.h"
 #include "playhouse/world/control.h"
+#include "playhouse/world/physics_shapes.h"
 
 namespace playhouse::web_server {
 
@@ -31,8 +33,10 @@ struct WebOptions {
   std::string host_name;           // of this machine; empty: the system is asked
   std::chrono::milliseconds viewer_quiet = std::chrono::seconds(limits::kViewerQuietSeconds);  // for tests
   std::vector<std::string> further_names;  // under which browsers may call us besides
-  std::vector<Guest> guests;               // who may come; none: everybody, as an admin
+  GuestBook guests;                        // who may come
   std::size_t viewers = limits::kViewers;  // at once, at most that
+  /// What physics takes bodies for now; tick thread. None: nobody can tell.
+  std::function<world::PhysicsShapes()> physics_shapes;
 };
 
 struct WebStatus {

@@ -141,7 +141,13 @@ class WebServerTest : public testing::Test {
                  .viewer_quiet = viewer_quiet,
                  .further_names = std::move(further_names),
                  .guests = std::move(guests),
-                 .viewers = viewers},
+                 .viewers = viewers,
+                 .physics_shapes =
+                     [this] {
+                       world::PhysicsShapes shapes;
+                       shapes.bodies = {{small_.world.id({SmallWorld::robot(1)}), {}}};
+                       return shapes;
+                     }},
                 notes_, small_.world, [](world::ModelId model) {
                   return model == SmallWorld::id(0) ? std::vector<std::string>{"position2d:0"}
                                                     : std::vector<std::string>();
@@ -486,6 +492,51 @@ TEST_F(WebServerTest, a_robot_is_driven_until_its_viewer_leaves) {
   }
   EXPECT_TRUE(turn_until([&] { return wheels() == 0; }));
   EXPECT_EQ(small_.world.positions.command[1], geom::Twist{});
+}
+
+TEST_F(WebServerTest, who_numbers_a_command_is_told_from_which_tick_on_it_counts) {
+  WebClient viewer(port_);
+  ASSERT_TRUE(viewer.upgrade());
+  viewer.send_text("{\"do\":\"drive\",\"model\":" + std::to_string(SmallWorld::robot(1)) +
+                   ",\"forward\":0.4,\"sideways\":0,\"turn\":0,\"input\":77}");
+  ASSERT_TRUE(eventually([&] { return notes_.posted() > 0; }));
+  small_.world.tick_ = 4711;
+  std::string text;
+  do {
+    text = next_text(viewer, turning());
+  } while (!text.empty() && text.find("driven") == std::string::npos);
+  EXPECT_THAT(text, HasSubstr("{\"driven\":{\"input\":77,\"tick\":4711}}"));
+  EXPECT_EQ(small_.world.positions.command[1].x, 0.4) << "and it has been carried out by then";
+}
+
+TEST_F(WebServerTest, what_physics_takes_bodies_for_is_told_on_demand_as_often_as_it_is_asked_for) {
+  WebClient viewer(port_);
+  ASSERT_TRUE(viewer.upgrade());
+  for (int k = 0; k < 3; ++k) {
+    viewer.send_text(R"({"do":"physics"})");
+    std::string text;
+    do {
+      text = next_text(viewer, turning());
+    } while (!text.empty() && text.find("physics") == std::string::npos);
+    EXPECT_THAT(text, HasSubstr("{\"physics\":{\"fixed\":[],\n\"bodies\":[{\"model\":5,\"solids\":[]}]}}"));
+  }
+}
+
+TEST_F(WebServerTest, a_full_queue_refuses_to_tell_of_physics_and_does_the_next_time) {
+  WebClient viewer(port_);
+  ASSERT_TRUE(viewer.upgrade());
+  const auto answer = [&] {
+    viewer.send_text(R"({"do":"physics"})");
+    std::string text;
+    do {
+      text = next_text(viewer, turning());
+    } while (text.find("physics") == std::string::npos && text.find("notice") == std::string::npos);
+    return text;
+  };
+  notes_.set_full(true);
+  EXPECT_THAT(answer(), HasSubstr("too busy"));
+  notes_.set_full(false);
+  EXPECT_THAT(answer(), HasSubstr("\"physics\":{"));
 }
 
 TEST_F(WebServerTest, a_wall_is_not_driven) {

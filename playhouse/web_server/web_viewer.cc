@@ -37,8 +37,15 @@ void WebViewer::notice(std::string_view text) {
   socket_->send_text(std::make_shared<const std::string>(fmt::format("{{\"notice\":{}}}", quoted)));
 }
 
-void WebViewer::joined(world::ModelId body) {
-  socket_->send_text(std::make_shared<const std::string>(fmt::format("{{\"joined\":{}}}", body.value)));
+void WebViewer::joined(world::ModelId body, std::string_view walk) {
+  socket_->send_text(
+      std::make_shared<const std::string>(fmt::format(R"({{"joined":{},"walk":{}}})", body.value, walk)));
+}
+
+void WebViewer::driven(std::uint32_t input, std::uint64_t tick) {
+  if (socket_->messages_in_flight() >= limits::kViewerTextMessages) return;
+  socket_->send_text(std::make_shared<const std::string>(
+      fmt::format(R"({{"driven":{{"input":{},"tick":{}}}}})", input, tick)));
 }
 
 void WebViewer::send_text(std::shared_ptr<const std::string> text) {
@@ -80,7 +87,7 @@ void WebViewer::send_frame() {
   if (!newest_ || socket_->messages_in_flight() > 0 || !viewer_.ready()) return;
   const auto now = std::chrono::steady_clock::now();
   // Rows that wait for room in the next frame must not make it come sooner.
-  if (now - frame_time_ < kFramePeriod * 3 / 4) return owner_.waits();
+  if (now - frame_time_ < replicate::kFramePeriod * 3 / 4) return owner_.waits();
   const auto emit = now - frame_time_ >= kSignOfLife ? replicate::Emit::kAlways : replicate::Emit::kIfChanged;
   const replicate::NextFrame next = viewer_.next_frame(*newest_, emit, owner_.changes_texts(), *frame_);
   if (!next.packet) return;

@@ -11,15 +11,13 @@
 #include <vector>
 
 #include "playhouse/net/websocket.h"
+#include "playhouse/replicate/snapshot_feed.h"
 #include "playhouse/replicate/viewer.h"
 #include "playhouse/web_server/guests.h"
 
 namespace playhouse::web_server {
 
 class WebViewer;
-
-/// The least time between two frames of one viewer, and between two captures.
-inline constexpr std::chrono::milliseconds kFramePeriod{33};
 
 /// Who hears of a viewer's commands and its end.
 class WebViewerOwner {
@@ -33,7 +31,7 @@ class WebViewerOwner {
   virtual replicate::ChangesTexts& changes_texts() = 0;
   /// What to tell of the instants to go back to; none: nothing yet.
   virtual std::shared_ptr<const std::string> history() = 0;
-  /// Wants to be offered the newest snapshot again after kFramePeriod, also if it is the same one.
+  /// Wants to be offered the newest snapshot again after replicate::kFramePeriod, also if it is the same one.
   virtual void waits() = 0;
   /// May destroy the viewer.
   virtual void left(WebViewer& viewer, const std::string& why) = 0;
@@ -68,8 +66,11 @@ class WebViewer final : public net::WebSocketEvents {
   /// A line for the person at the page; dropped when many wait already.
   void notice(std::string_view text);
 
-  /// This model is the viewer's own now.
-  void joined(world::ModelId body);
+  /// This model is the viewer's own now; `walk` is JSON text of how it walks.
+  void joined(world::ModelId body, std::string_view walk);
+
+  /// The viewer's command of this number counts in the ticks after this one. Dropped when many texts wait.
+  void driven(std::uint32_t input, std::uint64_t tick);
 
   /// Who watches, as a text of docs/viewer-protocol.md: the newest goes out with the next frame.
   void tell_people(std::string text) { people_ = std::make_shared<const std::string>(std::move(text)); }

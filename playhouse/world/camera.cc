@@ -46,6 +46,7 @@ void set_camera_mode(World& world, CameraRow camera, ControlMode mode) {
 std::size_t bytes_per_pixel(scene::ImageKind image) {
   switch (image) {
     case scene::ImageKind::kColor:
+    case scene::ImageKind::kSegmentation:
       return 3;
     case scene::ImageKind::kDepth:
       return 2;

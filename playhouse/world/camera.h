@@ -29,8 +29,8 @@ void set_camera_mode(World& world, CameraRow camera, ControlMode mode);
 /// How many bytes a pixel of such an image has.
 std::size_t bytes_per_pixel(scene::ImageKind image);
 
-/// Pixels one after the other: red, green, blue; brightness; or distances [mm] with the low byte first, as
-/// they are in the memory of most clients.
+/// Pixels one after the other: red, green, blue; brightness; ids plus 1 with the high byte first, as if they
+/// were colours; or distances [mm] with the low byte first, as they are in the memory of most clients.
 std::vector<std::uint8_t> image_bytes(scene::ImageKind image, std::span<const Pixel> pixels);
 
 }  // namespace playhouse::world

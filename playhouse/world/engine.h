@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "playhouse/world/physics_shapes.h"
 #include "playhouse/world/workers.h"
 #include "playhouse/world/world.h"
 
@@ -23,6 +24,9 @@ class Engine {
 
   /// Rays cast since the start, for benches.
   virtual std::uint64_t rays() const = 0;
+
+  /// What it takes bodies for as they stand now; nothing where it does not tell. Between steps.
+  virtual PhysicsShapes physics_shapes() const { return {}; }
 };
 
 }  // namespace playhouse::world

@@ -9,6 +9,7 @@
 #include "playhouse/base/assert.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/limits.h"
+#include "playhouse/mesh/mesh.h"
 #include "playhouse/scene/camera.h"
 #include "playhouse/world/columns.h"
 #include "playhouse/world/generated/worded.h"
@@ -336,7 +337,7 @@ void Population::derive_parts() {
 }
 
 /// What is carried by something that moves is driven. The rest of a tree is loose if any of it can be lifted
-/// or if it came during the run, unless it has a bitmap, which only walls have.
+/// or if it came during the run, unless it has a bitmap, which only walls have. A mesh may say which it is.
 void Population::derive_mobility(std::uint32_t first) {
   Models& models = world_.models;
   for (std::uint32_t row = first; row < models.size(); ++row) {
@@ -349,6 +350,8 @@ void Population::derive_mobility(std::uint32_t first) {
     const scene::ModelDesc& desc = world_.desc({row});
     if (desc.gripper_return) top = Mobility::kLoose;
     if (!desc.bitmaps.empty()) top = Mobility::kFixed;
+    if (desc.mesh && desc.mesh->physics)
+      top = desc.mesh->physics->is_fixed ? Mobility::kFixed : Mobility::kLoose;
   }
   for (std::uint32_t row = first; row < models.size(); ++row) {
     const bool driven = is_driven(models, row);

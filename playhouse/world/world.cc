@@ -125,7 +125,9 @@ World::Origin World::origin(ModelRow row) const {
 std::uint32_t World::like(ModelRow row) const {
   const std::uint32_t id = models.id[row.index].value, desc = models.desc[row.index];
   const std::uint32_t tree = tree_with({id});
-  return tree != kNone && trees_[tree].top + (id - first_id_[tree]) == desc ? id : first_like_[desc];
+  if (tree != kNone && trees_[tree].top + (id - first_id_[tree]) == desc) return id;
+  // What came may be of a description that the scene's models do not have.
+  return first_like_[desc] != kNone ? first_like_[desc] : ~desc;
 }
 
 scene::SourceLine World::where(ModelRow row) const {

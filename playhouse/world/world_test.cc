@@ -364,7 +364,7 @@ TEST_F(EveryColumn, says_its_unit_and_frame_where_it_has_one) {
       [](const auto& column, const auto& values) {
         using Value = typename std::remove_cvref_t<decltype(values)>::value_type;
         const bool is_pose = std::is_same_v<Value, geom::Pose> || std::is_same_v<Value, geom::Twist> ||
-                             std::is_same_v<Value, geom::Tilt> ||
+                             std::is_same_v<Value, geom::Tilt> || std::is_same_v<Value, geom::Vec3> ||
                              std::is_same_v<Value, geom::SpatialVelocity>;
         EXPECT_EQ(is_pose, std::string_view(column.frame).size() > 0 && !kIsList<Value>) << column.name;
         if (is_pose || std::is_same_v<Value, float>) EXPECT_STRNE(column.unit, "") << column.name;

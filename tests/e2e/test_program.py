@@ -230,6 +230,15 @@ class Examples(HouseTest):
                         self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
                         self.assertNotEqual(done.stdout, "")
 
+    def test_those_of_observe_find_their_server(self):
+        with self.run_house("--observers", 0, world=self.folder / "my.world") as house:
+            here = house.wait_for_line(r"^observers: (\S+)$").group(1)
+            for line in self.examples("observe"):
+                with self.subTest(line):
+                    done = self.shell(line.replace("127.0.0.1", here))
+                    self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
+                    self.assertNotEqual(done.stdout, "")
+
     def test_those_of_check_and_convert_and_kinds_and_bench_end_well(self):
         for command in ("check", "convert", "picture", "film", "kinds", "bench"):
             for line in self.examples(command):

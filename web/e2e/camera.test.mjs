@@ -53,6 +53,24 @@ test('what it sees changes as it drives', async () => {
   assert.notDeepEqual(await colors(0), before);
 });
 
+test('the image is shown large, and the world through its lens', async () => {
+  const { page } = shown;
+  const widthOf = async () => (await page.getByTestId('image').first().boundingBox()).width;
+  const small = await widthOf();
+  await page.getByTestId('enlarge').first().click();
+  assert.ok((await widthOf()) > 2 * small, 'it is more than twice as large');
+  await page.screenshot({ path: join(results, 'camera-large.png') });
+  await page.getByTestId('enlarge').first().click();
+  assert.equal(await widthOf(), small);
+  await page.keyboard.press('i');
+  await page.waitForFunction(() => window.playhouse.eye?.fov > 0);
+  const [eye, robot] = await page.evaluate(() => [window.playhouse.eye, window.playhouse.drawn('r0')]);
+  assert.ok(Math.hypot(eye.x - robot.x, eye.y - robot.y) < 0.5, 'it is on the robot');
+  await page.screenshot({ path: join(results, 'camera-lens.png') });
+  await page.keyboard.press('Escape');
+  await page.waitForFunction(() => window.playhouse.eye === null);
+});
+
 test('the page met no error', () => {
   assert.deepEqual(shown.errors, []);
 });

@@ -63,7 +63,7 @@ test('an admin sees who is there, mutes them and sends them out', async () => {
   await bob.getByText('human, muted').waitFor();
   await page.screenshot({ path: join(results, 'guests.png') });
   await human.page.keyboard.press('Enter');
-  await human.page.getByTestId('answer').fill('hello');
+  await human.page.getByTestId('say').fill('hello');
   await human.page.keyboard.press('Enter');
   await human.page.getByText('an admin has muted you').waitFor();
   await bob.getByTestId('kick').click();

@@ -56,7 +56,7 @@ test('they walk ahead and aside by keys, which the observer sees', async () => {
 test('what they say stands above them', async () => {
   const { page } = human;
   await page.keyboard.press('Enter');
-  await page.getByTestId('answer').fill('hello robots');
+  await page.getByTestId('say').fill('hello robots');
   await page.keyboard.press('Enter');
   await observer.page.waitForFunction(() => window.playhouse.bubbles.some(([who, text]) => who === 'Ada' && text === 'hello robots'));
 });
@@ -64,7 +64,7 @@ test('what they say stands above them', async () => {
 test('who only watches has no body and cannot speak', async () => {
   const before = await observer.page.evaluate(() => window.playhouse.robots.length);
   await observer.page.keyboard.press('Enter');
-  assert.equal(await observer.page.locator('#ask').isVisible(), false);
+  assert.equal(await observer.page.getByTestId('say').isVisible(), false);
   assert.equal(await observer.page.evaluate(() => window.playhouse.robots.length), before);
 });
 

@@ -1,6 +1,6 @@
 import type { Command } from './protocol/commands';
 import { Replica } from './protocol/replica';
-import { parseText, withChanges, type Changes, type History, type People, type Scene, type WorldFile } from './protocol/scene';
+import { parseText, withChanges, type Changes, type Driven, type History, type Joined, type People, type PhysicsShapes, type Scene, type WorldFile } from './protocol/scene';
 
 export type LinkState = 'connecting' | 'live' | 'silent' | 'lost';
 
@@ -12,8 +12,10 @@ export interface LinkEvents {
   history(history: History): void;
   file(world: WorldFile): void;
   people(people: People): void;
-  /** This model, by its id, is the viewer's own now. */
-  joined(model: number): void;
+  /** The viewer's own body has come. */
+  joined(joined: Joined): void;
+  driven(driven: Driven): void;
+  physics(shapes: PhysicsShapes): void;
   notice(text: string): void;
   /** `why` the program ended the connection, where it said so. */
   state(state: LinkState, why: string): void;
@@ -78,7 +80,9 @@ export class Link {
     if ('notice' in message) return this.events.notice(message.notice);
     if ('history' in message) return this.events.history(message.history);
     if ('world' in message) return this.events.file(message.world);
-    if ('joined' in message) return this.events.joined(message.joined);
+    if ('joined' in message) return this.events.joined(message);
+    if ('driven' in message) return this.events.driven(message.driven);
+    if ('physics' in message) return this.events.physics(message.physics);
     if ('people' in message) return this.events.people(message.people);
     if ('changes' in message) return this.follow(message.changes);
     this.tries = 0;

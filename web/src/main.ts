@@ -1,12 +1,14 @@
 import { Driver } from './drive/driver';
+import { OwnBody } from './drive/own_body';
 import { Eyes } from './drive/eyes';
 import { HeldKeys, handsOfAxes, sum, velocityOf, type Hands, type Velocity } from './drive/hands';
 import { Link, type LinkState } from './link';
 import { PicturePage } from './picture_page';
 import type { Command } from './protocol/commands';
 import type { Replica } from './protocol/replica';
-import { wheelsOf, type People, type Scene } from './protocol/scene';
+import { wheelsOf, type Joined, type People, type PhysicsShapes, type Scene } from './protocol/scene';
 import { Ask } from './ui/ask';
+import { Chat } from './ui/chat';
 import { Clock } from './ui/clock';
 import { DevicePanel } from './ui/device_panel';
 import { byId, download } from './ui/dom';
@@ -20,7 +22,7 @@ import { Stick } from './ui/stick';
 import { Toolbar, worldTitle } from './ui/toolbar';
 import { Pointer } from './view/pointer';
 import type { Margins } from './view/camera_rig';
-import { isPerson } from './view/people';
+import { isPerson, kWave } from './view/people';
 import { StageView } from './view/stage_view';
 import { kDarkPage } from './view/theme';
 
@@ -30,6 +32,9 @@ const kNearScale = 60; // pixels per metre: near enough to see a robot's sensors
 const kSensorScale = 8; // pixels per metre: seen from farther away, fans are a fog
 const kNameKey = 'playhouse.name';
 const kNoticeMs = 4000;
+const kWaveMs = 2500;
+const kPauseMs = 250;
+const kPhysicsMs = 1000; // between two times that physics shapes are asked for
 const kLinkTexts: Record<LinkState, string> = {
   connecting: 'connecting',
   live: 'connected',
@@ -59,8 +64,12 @@ class Page {
   private hurry = false;
   private wheels: number | null = null; // of the selected robot
   private live = false;
-  private own: number | null = null; // id of the viewer's body
+  private own: OwnBody | null = null;
+  private physicsAsked = false; // and not come yet
+  private physicsOld = false; // who is there has changed since they were asked for
+  private flown = 0; // ms, the last picture of a flight
   private rights: People = { people: [], you: 0, drives: true, joins: true, manages: true };
+  private sayings = 0; // of the own body, so far
   private enters = false; // it is not known in the scene yet
   private awaited = 0; // models that were asked for and have not come yet
   private readonly pointer: Pointer;
@@ -73,9 +82,12 @@ class Page {
     history: (history) => this.clock.follow(history),
     file: (world) => download(world.file, new Blob([world.text], { type: 'text/plain' })),
     people: (people) => this.showPeople(people),
-    joined: (model) => this.joined(model),
+    joined: (joined) => this.joined(joined),
+    driven: ({ input, tick }) => this.own?.counts(input, tick),
+    physics: (shapes) => this.showPhysics(shapes),
     notice: (text) => {
       this.awaited = 0; // it may tell why nobody comes
+      this.physicsAsked = false; // or why there are no shapes
       this.showNotice(text);
     },
     state: (state, why) => this.showLink(state, why),
@@ -89,12 +101,17 @@ class Page {
     togglePause: () => this.manage({ do: this.replica?.paused ? 'resume' : 'pause' }),
     step: () => this.manage({ do: 'step' }),
     speed: (times) => this.askSpeed(times),
-    layers: () => this.view.applyLayers(),
+    layers: () => {
+      this.view.applyLayers();
+      this.askPhysics();
+    },
     tilt: () => this.tilt(),
     fit: () => this.fit(),
     toggleList: () => byId('robots').classList.toggle('desk'),
     add: (robot) => this.add(robot),
     join: () => this.join(),
+    wave: () => this.wave(),
+    fly: () => this.toggleFlight(),
     save: () => this.manage({ do: 'save' }),
     picture: () => void this.savePicture(),
     help: () => this.help.showModal(),
@@ -116,15 +133,18 @@ class Page {
   });
   private readonly help = byId<HTMLDialogElement>('help');
   private readonly ask = new Ask(byId<HTMLDialogElement>('ask'));
+  private readonly chat = new Chat(byId('chat'), (text) => this.say(text));
   private readonly driveBar = new DriveBar(byId('drive'));
   private readonly stick = new Stick(byId('stick'), () => this.drive());
 
   constructor() {
     fillHelp(this.help);
     byId('robots').classList.add('desk');
+    this.view.lead = (now) => this.leadOwn(now);
     this.pointer = new Pointer(byId('picture'), this.view, {
       select: (row) => this.select(row),
       carry: (row, x, y, a) => this.manage({ do: 'drag', model: this.idOf(row), x, y, a }),
+      flies: (speed) => this.showNotice(`flies at ${speed.toPrecision(2)} m/s`),
       looked: () => this.panel.showFollowed(this.view.followed),
       describe: (what) => this.showNotice(what),
       mayCarry: (row) => (this.live && this.rights.manages && this.scene?.models[row].movable) ?? false,
@@ -151,13 +171,21 @@ class Page {
       speed: replica?.speed ?? 1,
       gliding: view.rig.gliding,
       scans: replica?.scans.size ?? 0,
+      waving: [...(replica?.says ?? [])].filter(([, text]) => text === kWave).map(([row]) => scene?.models[row].name),
       eye: view.rig.eye,
+      flies: view.flight !== null,
+      physics: view.layers.physics ? view.physics.count : 0,
       driven: this.driver.driven,
       hovered: view.hovered === null ? null : (scene?.models[view.hovered].name ?? null),
       labels: [...view.labelled].map((row) => scene?.models[row].name),
+      meshes: view.meshes,
       bubbles: [...view.spoken].map(([row, text]) => [scene?.models[row].name, text]),
       tokens: [...view.tokens].map(([row, count]) => [scene?.models[row].name, count]),
       robots: scene?.models.filter((model) => model.kind === 'position').map((model) => model.name) ?? [],
+      drawn: (name: string) => {
+        const row = rowOf(name);
+        return row < 0 || !view.motion ? null : { x: view.motion.x[row], y: view.motion.y[row], a: view.motion.a[row] };
+      },
       pose: (name: string) => {
         const row = rowOf(name);
         return row < 0 || !replica ? null : { x: replica.x[row] / 1000, y: replica.y[row] / 1000 };
@@ -179,6 +207,7 @@ class Page {
   }
 
   private frame(now: number): void {
+    this.flyOn(now);
     this.view.frame(now);
     this.pointer.update(now);
     this.link.acknowledge();
@@ -193,7 +222,10 @@ class Page {
     this.replica = replica;
     this.looked = '';
     this.awaited = 0;
-    this.leaveEyes();
+    this.physicsAsked = false;
+    if (!this.view.flight) this.leaveEyes();
+    this.chat.clear();
+    this.view.physics.clear();
     this.clock.follow({ ticks: [] });
     this.view.show(scene, replica);
     this.toolbar.showWorld(scene.name);
@@ -202,6 +234,7 @@ class Page {
     this.own = null;
     this.enters = false;
     this.showJoin();
+    this.askPhysics();
     this.robots.show(scene, replica);
     this.select((selected === undefined ? undefined : replica.rows.get(selected)) ?? null);
   }
@@ -219,8 +252,10 @@ class Page {
     this.robots.show(scene, replica);
     this.wheels = wheels === null ? null : now(wheels);
     if (this.enters) this.embody();
-    else if (this.own !== null && !replica.rows.has(this.own)) this.own = null;
+    else if (this.own !== null && !replica.rows.has(this.own.id)) this.own = null;
     this.showJoin();
+    this.physicsOld = true;
+    this.askPhysics();
     const came = replica.rows.get(scene.models.filter(({ id, parent }) => parent < 0 && !before.rows.has(id)).at(-1)?.id ?? -1);
     if (this.awaited > 0 && came !== undefined) {
       --this.awaited;
@@ -240,10 +275,12 @@ class Page {
   private showPacket(): void {
     const { scene, replica } = this;
     if (!scene || !replica) return;
+    this.own?.correct(replica, performance.now());
     this.view.changed(performance.now());
     this.toolbar.showPaused(replica.paused);
     this.toolbar.showSpeed(this.speedWish.over(replica.speed, performance.now()));
     this.clock.show(replica, scene.interval);
+    this.chat.listen(replica, scene.interval);
     this.robots.update();
     this.panel.update();
   }
@@ -290,7 +327,7 @@ class Page {
   /** What the keys drive: the wheels of the selected robot, if this viewer may. */
   private showWheels(): void {
     const { scene, view: { selected: row } } = this;
-    const may = this.rights.drives || (row !== null && this.own !== null && scene?.models[row].id === this.own);
+    const may = this.rights.drives || (row !== null && this.own !== null && scene?.models[row].id === this.own.id);
     this.wheels = row === null || !scene || !may ? null : wheelsOf(scene, this.view.roots, row);
     this.driveBar.show(this.wheels === null ? null : scene!.models[this.wheels]);
     this.stick.show(this.wheels !== null);
@@ -310,13 +347,19 @@ class Page {
     this.view.redraw();
   }
 
-  /** What keys, gamepad and stick want, told to the program. */
-  private drive(): void {
+  /** What keys, gamepad and stick want. */
+  private hands(): Hands {
     const pads = document.hasFocus() ? navigator.getGamepads().filter((pad) => pad?.connected) : [];
-    const hands = sum([this.heldKeys.hands(this.hurry), this.stick.hands(), ...pads.map((pad) => handsOfAxes(pad!.axes))]);
+    return sum([this.heldKeys.hands(this.hurry), this.stick.hands(), ...pads.map((pad) => handsOfAxes(pad!.axes))]);
+  }
+
+  /** The same, told to the program. */
+  private drive(): void {
+    const hands = this.hands();
     const velocity = this.walking(hands) ?? velocityOf(hands);
-    const wheels = this.live && this.wheels !== null ? this.idOf(this.wheels) : null;
-    for (const order of this.driver.next(wheels, velocity, performance.now())) this.link.send({ do: 'drive', ...order });
+    const wheels = this.live && !this.view.flight && this.wheels !== null ? this.idOf(this.wheels) : null;
+    const now = performance.now();
+    for (const order of this.driver.next(wheels, velocity, now)) this.link.send({ do: 'drive', ...(this.own?.number(order, now) ?? order) });
     this.driveBar.showVelocity(velocity);
   }
 
@@ -334,11 +377,12 @@ class Page {
   /** The mouse looks around once the picture has been clicked, until Esc. */
   private listenForLooks(picture: HTMLElement): void {
     picture.addEventListener('click', () => {
-      if (this.view.seenBy) void picture.requestPointerLock();
+      if (this.view.seenBy || this.view.flight) void picture.requestPointerLock();
     });
     document.addEventListener('pointermove', (event) => {
-      if (document.pointerLockElement !== picture || !this.view.seenBy) return;
-      this.view.seenBy.eyes.look(event.movementX, event.movementY);
+      const looks = this.view.flight ?? this.view.seenBy?.eyes;
+      if (document.pointerLockElement !== picture || !looks) return;
+      looks.look(event.movementX, event.movementY);
       this.view.redraw();
     });
     document.addEventListener('pointerlockchange', () => {
@@ -350,23 +394,44 @@ class Page {
   private toggleEyes(): void {
     const { selected: row, motion } = this.view;
     if (this.view.seenBy || row === null || !motion) return this.leaveEyes();
-    this.view.seeThrough({ row, eyes: new Eyes(motion.a[row]) });
+    const seer = cameraOf(this.scene!, this.view.roots, row) ?? row;
+    this.view.seeThrough({ row: seer, eyes: new Eyes(motion.a[seer]) });
+    this.toolbar.showFlies(false);
   }
 
   private leaveEyes(): void {
     if (document.pointerLockElement) document.exitPointerLock();
     this.view.seeThrough(null);
+    this.toolbar.showFlies(false);
+  }
+
+  /** Through the world as a camera that is nobody's, or from above again. */
+  private toggleFlight(): void {
+    if (this.view.flight) return this.leaveEyes();
+    this.letGo();
+    this.follow(null);
+    this.view.fly();
+    this.toolbar.showFlies(true);
+    this.flown = performance.now();
+  }
+
+  private flyOn(now: number): void {
+    const { flight } = this.view;
+    const seconds = Math.min(Math.max(now - this.flown, 0) / 1000, 0.1);
+    this.flown = now;
+    if (flight?.move(this.hands(), seconds)) this.view.redraw();
   }
 
   private showJoin(): void {
     const { scene, own } = this;
+    this.chat.showSpeaks(own !== null);
     this.toolbar.showJoin(own !== null || (this.rights.joins && (scene?.models.some((_, row) => isPerson(scene, row)) ?? false)), own !== null);
   }
 
   /** Into the world as a person, in the middle of the picture; or out of it. */
   private join(): void {
     if (this.own !== null) {
-      this.link.send({ do: 'remove', model: this.own });
+      this.link.send({ do: 'remove', model: this.own.id });
       return this.leaveEyes();
     }
     const at = this.middle();
@@ -379,8 +444,9 @@ class Page {
   }
 
   /** The viewer's body is there. */
-  private joined(model: number): void {
-    this.own = model;
+  private joined(joined: Joined): void {
+    if (!this.scene) return;
+    this.own = new OwnBody(joined, this.scene.interval);
     this.enters = true;
     this.showJoin();
     this.embody();
@@ -388,17 +454,58 @@ class Page {
 
   /** Once both are known, the body and its row, in whichever order they come. */
   private embody(): void {
-    const row = this.own === null ? undefined : this.replica?.rows.get(this.own);
+    const row = this.own === null ? undefined : this.replica?.rows.get(this.own.id);
     if (row === undefined || !this.enters) return;
     this.enters = false;
+    this.askPhysics();
     this.leaveEyes();
     this.select(row);
     this.toggleEyes();
   }
 
-  private say(): void {
-    if (this.own === null) return;
-    this.ask.open('Say', {}, (text) => this.link.send({ do: 'say', text }));
+  /** The own body, where what was told it takes it. */
+  private leadOwn(now: number): { row: number; x: number; y: number; a: number } | null {
+    const row = this.own === null ? undefined : this.replica?.rows.get(this.own.id);
+    const place = row === undefined || !this.live ? null : this.own!.at(now);
+    return place && { row: row!, ...place };
+  }
+
+  /** What physics takes bodies for, where that is of use here. */
+  private askPhysics(): void {
+    if (!this.live || this.physicsAsked || (this.own === null && !this.view.layers.physics)) return;
+    this.physicsAsked = true;
+    this.physicsOld = false;
+    this.link.send({ do: 'physics' });
+  }
+
+  private showPhysics(shapes: PhysicsShapes): void {
+    this.physicsAsked = false;
+    this.own?.meet(shapes);
+    this.view.showPhysics(shapes);
+    if (this.physicsOld) window.setTimeout(() => this.askPhysics(), kPhysicsMs);
+  }
+
+  private say(text: string): void {
+    const { own, replica } = this;
+    if (own === null) return;
+    ++this.sayings;
+    const row = replica?.rows.get(own.id);
+    const again = text !== '' && row !== undefined && replica!.says.get(row) === text;
+    if (!again) return this.link.send({ do: 'say', text });
+    // Others see changes only: the same words once more are said after a pause.
+    this.link.send({ do: 'say', text: '' });
+    window.setTimeout(() => this.link.send({ do: 'say', text }), kPauseMs);
+  }
+
+  /** For a moment; what was said before is over. */
+  private wave(): void {
+    const { own } = this;
+    if (own === null) return;
+    this.say(kWave);
+    const { sayings } = this;
+    window.setTimeout(() => {
+      if (this.own === own && this.sayings === sayings) this.say(''); // unless they spoke meanwhile
+    }, kWaveMs);
   }
 
   private letGo(): void {
@@ -484,13 +591,17 @@ class Page {
       b: () => this.toolbar.toggle('speech'),
       g: () => this.toolbar.toggle('grid'),
       i: () => this.toggleEyes(),
-      Enter: () => this.say(),
+      x: () => this.toolbar.toggle('physics'),
+      o: () => this.toggleFlight(),
+      h: () => this.wave(),
+      k: () => this.chat.toggle(),
+      Enter: () => this.chat.focus(),
       p: () => void this.savePicture(),
       '/': () => this.robots.focus(),
       '?': () => this.help.showModal(),
       c: () => this.copy(),
       Delete: () => this.remove(),
-      Escape: () => (this.view.seenBy ? this.leaveEyes() : this.select(null)),
+      Escape: () => (this.view.seenBy || this.view.flight ? this.leaveEyes() : this.select(null)),
     };
   }
 
@@ -507,13 +618,19 @@ class Page {
       y_min: round(box.y_min),
       x_max: round(box.x_max),
       y_max: round(box.y_max),
-      sensors: (layers.sensors || layers.fiducials) && rig.scale >= kSensorScale,
+      sensors: (layers.sensors || layers.fiducials) && (rig.eye !== null || rig.scale >= kSensorScale),
     };
     const text = JSON.stringify(look);
     if (text === this.looked) return;
     this.looked = text;
     this.link.send(look);
   }
+}
+
+/** The row of the camera of a top-level model; null when it has none. */
+function cameraOf(scene: Scene, roots: Int32Array, row: number): number | null {
+  const camera = scene.models.findIndex((model, part) => roots[part] === row && model.kind === 'camera');
+  return camera < 0 ? null : camera;
 }
 
 /** What lies over the picture at its sides. */

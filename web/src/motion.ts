@@ -28,6 +28,7 @@ export class Motion {
   private periodMs = 100;
   private lastTick = -1;
   private settled = false;
+  private led: { row: number; x: number; y: number; a: number } | null = null;
   private held: { row: number; x: number; y: number; a: number; until: number } | null = null;
 
   /** `before` is the motion of another population of the same world: who stays goes on as it moved. */
@@ -87,6 +88,14 @@ export class Motion {
     this.settled = false;
   }
 
+  /** Draws a model here from now on, wherever packets have it; null: as they have it. */
+  lead(led: { row: number; x: number; y: number; a: number } | null): void {
+    const { led: before } = this;
+    const same = led?.row === before?.row && led?.x === before?.x && led?.y === before?.y && led?.a === before?.a;
+    this.led = led;
+    if (!same) this.settled = false;
+  }
+
   /** Poses for this moment; false when nothing moved since the last call. */
   update(now: number): boolean {
     if (this.settled) return false;
@@ -99,6 +108,7 @@ export class Motion {
       const upright = this.isUpright(i) && !this.tilted.has(this.parent[row]);
       const standing = upright ? null : this.standing(i, t);
       let a = standing ? standing.a : from[i + 3] + t * turn(from[i + 3], to[i + 3]);
+      if (this.led?.row === row) ({ x, y, a } = this.led);
       if (this.held?.row === row) ({ x, y, a } = this.held);
       if (standing) {
         this.placeTilted(row, x, y, to[i + 2], { ...standing, a });

@@ -56,6 +56,7 @@ export class PicturePage {
   async draw(view: View, seen: Area[]): Promise<string> {
     this.held();
     for (const { style } of this.canvases) Object.assign(style, { width: `${view.width}px`, height: `${view.height}px` });
+    await this.view.filesThere();
     this.view.showAreas(seen);
     this.view.advance(this.now + kMomentMs);
     this.view.rig.showFrom(view.left, view.top, view.scale);

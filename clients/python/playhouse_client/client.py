@@ -9,7 +9,9 @@ from .device import Access, Device, did_you_mean
 from .errors import ConnectionLost, PlayerError, RequestRefused, RequestTimeout, WireError
 from .generated import INTERFACES, common, find_message, player, simulation
 from .models import DeviceAddress, Model, ask_models, families
-from .proxies import Aio, Bumper, Camera, Fiducial, Laser, Opaque, Position2d, Ptz, Ranger, Simulation, Sonar
+from .proxies import (
+    Aio, Bumper, Camera, Fiducial, Gps, Imu, Laser, Opaque, PointCloud3d, Position2d, Position3d, Ptz, Ranger, Simulation, Sonar,
+)
 from .robot import Robot
 from .session import Session
 from .wire import Kind, c_string, text
@@ -22,6 +24,7 @@ P = TypeVar("P", bound=Device)
 _PROXIES: Dict[str, Type[Device]] = {
     "position2d": Position2d, "ranger": Ranger, "laser": Laser, "sonar": Sonar, "fiducial": Fiducial,
     "aio": Aio, "bumper": Bumper, "camera": Camera, "ptz": Ptz, "opaque": Opaque, "simulation": Simulation,
+    "position3d": Position3d, "imu": Imu, "gps": Gps, "pointcloud3d": PointCloud3d,
 }
 _Place = Tuple[int, str, int]  # port, interface, index
 
@@ -178,6 +181,18 @@ class Client:
 
     def opaque(self, index: int = 0, access: Access = Access.ALL) -> Opaque:
         return self._open(Opaque, "opaque", index, access)
+
+    def position3d(self, index: int = 0, access: Access = Access.ALL) -> Position3d:
+        return self._open(Position3d, "position3d", index, access)
+
+    def imu(self, index: int = 0, access: Access = Access.ALL) -> Imu:
+        return self._open(Imu, "imu", index, access)
+
+    def gps(self, index: int = 0, access: Access = Access.ALL) -> Gps:
+        return self._open(Gps, "gps", index, access)
+
+    def pointcloud3d(self, index: int = 0, access: Access = Access.ALL) -> PointCloud3d:
+        return self._open(PointCloud3d, "pointcloud3d", index, access)
 
     def simulation(self, index: int = 0, access: Access = Access.ALL) -> Simulation:
         return self._open(Simulation, "simulation", index, access)

@@ -28,12 +28,13 @@ class DeviceAddress(NamedTuple):
 
 class Model(NamedTuple):
     """One model of the world: its full name, its type ("position", whatever macro made it), the name of the model that
-    carries it (empty: none does), and its own devices."""
+    carries it (empty: none does), its own devices, and its id, which no other model of the run ever has."""
 
     name: str
     type: str
     parent: str
     devices: List[DeviceAddress]
+    id: int
 
 
 def ask_models(simulator: Device) -> List[Model]:
@@ -52,7 +53,7 @@ def ask_models(simulator: Device) -> List[Model]:
 
 
 def parse_models(lines: str) -> List[Model]:
-    """The models of one answer, a line each: index, name, type, parent and devices between TABs. Raises WireError."""
+    """The models of one answer, a line each: id, name, type, parent and devices between TABs. Raises WireError."""
     return [_parse_line(line) for line in lines.split("\n") if line]
 
 
@@ -75,8 +76,10 @@ def _parse_line(line: str) -> Model:
     fields = line.split("\t")
     if len(fields) != 5:
         raise WireError(f"a line of the list of models has {len(fields)} fields instead of 5: {line!r}")
+    if not _is_number(fields[0]):
+        raise WireError(f"{fields[0]!r} in the list of models is no id")
     name, kind, parent = map(_unescaped, fields[1:4])
-    return Model(name, kind, parent, [_parse_device(word, name) for word in fields[4].split()])
+    return Model(name, kind, parent, [_parse_device(word, name) for word in fields[4].split()], int(fields[0]))
 
 
 def _parse_device(word: str, model: str) -> DeviceAddress:

@@ -8,11 +8,12 @@ first data of the device. next_data() and updates() wait.
 import collections
 import math
 import struct
-from typing import Deque, Iterator, List, NamedTuple, Optional, Tuple, cast
+from typing import Any, Deque, Iterator, List, NamedTuple, Optional, Tuple, cast
 
 from .device import Device
 from .errors import InvalidValue, RequestRefused, RunEnded, WireError
-from .generated import aio, bumper, camera, common, fiducial, laser, opaque, position2d, ptz, ranger, simulation, sonar
+from .generated import aio, bumper, camera, common, fiducial, gps, imu, laser, opaque, pointcloud3d, position2d, position3d, ptz, ranger
+from .generated import simulation, sonar
 from .wire import MessageType, Struct, c_string, text
 
 
@@ -145,6 +146,16 @@ class Image(NamedTuple):
             raise InvalidValue(f"the picture has fewer bytes than pixels: {len(self.data)}")
         return struct.unpack_from(channel, self.data, first)
 
+    def model_id(self, column: int, row: int) -> Optional[int]:
+        """Of a picture of a camera with `image "segmentation"`: the id of the model that the pixel shows, as client.models()
+        has it, up to 24 bits; None where it shows none. Raises InvalidValue as pixel(), and for other formats."""
+        channels = self.pixel(column, row)
+        if len(channels) != 3:
+            raise InvalidValue("which model a pixel shows is told by RGB888 alone")
+        red, green, blue = channels
+        number = red << 16 | green << 8 | blue
+        return number - 1 if number > 0 else None
+
 
 _CHANNELS = {camera.FORMAT_MONO8: ("<B", 1), camera.FORMAT_MONO16: ("<H", 2), camera.FORMAT_RGB888: ("<3B", 3)}
 
@@ -157,6 +168,53 @@ class View(NamedTuple):
     zoom: float
     pan_speed: float = 0.0
     tilt_speed: float = 0.0
+
+
+class State3d(NamedTuple):
+    """The data of a base that moves in space: its own estimate of where it is and how it stands, how it moves (m/s and
+    rad/s along and about its own axes), and whether it is blocked. `time` is the server's, in s."""
+
+    pose: Pose3d
+    velocity: Pose3d
+    stalled: bool
+    time: float
+
+
+class Inertia(NamedTuple):
+    """What an inertial unit feels along and about its own axes: acceleration with gravity, so that (0, 0, 9.81) is at
+    rest and level, in m/s^2; turn rates in rad/s; the direction of the magnetic field, in a unit of the server's."""
+
+    acceleration: Tuple[float, float, float]
+    turn_rate: Tuple[float, float, float]
+    field: Tuple[float, float, float]
+
+
+class Fix(NamedTuple):
+    """Where on the earth a receiver believes to be: latitude and longitude in degrees, altitude in m above the ellipsoid
+    (WGS84), easting and northing of UTM in m; its speed in m/s, its course in rad, clockwise from north; expected errors
+    in m. `quality` is 0 where it has no fix, and then the rest means nothing. `time` is the server's, in s."""
+
+    latitude: float
+    longitude: float
+    altitude: float
+    easting: float
+    northing: float
+    speed: float
+    course: float
+    quality: int
+    satellites: int
+    horizontal_error: float
+    vertical_error: float
+    time: float
+
+
+class Point(NamedTuple):
+    """A point of a cloud, in m in the frame of the sensor, and its color: red, green, blue, alpha from 0 to 255."""
+
+    x: float
+    y: float
+    z: float
+    color: Tuple[int, int, int, int]
 
 
 class Position2d(Device):
@@ -433,6 +491,141 @@ class Bumper(Device):
         """Where the switches sit on the robot."""
         geom = cast(bumper.Geom, _answer(self.request(bumper.REQ_GET_GEOM)))
         return [Face(_pose3d(one.pose), one.length, one.radius) for one in geom.bumper_def]
+
+
+class Position3d(Device):
+    """A mobile base in space. Closing it while it moves stops it first."""
+
+    _moving = False
+
+    @property
+    def state(self) -> State3d:
+        data, time = self._stamped(position3d.DATA_STATE)
+        return State3d(_pose3d(data.pos), _pose3d(data.vel), bool(data.stall), time)
+
+    def updates(self, timeout: Optional[float] = None) -> Iterator[State3d]:
+        """Reads for ever: one State3d for each time new data have come. Raises RequestTimeout."""
+        while True:
+            self.next_data(timeout)
+            yield self.state
+
+    def drive(self, vx: float, va: float = 0.0, vy: float = 0.0, vz: float = 0.0) -> None:
+        """Forward, to the left and upwards in m/s, turning in rad/s, until the next command."""
+        self._insist_on_finite(vx=vx, va=va, vy=vy, vz=vz)
+        self._moving = (vx, vy, vz, va) != (0.0, 0.0, 0.0, 0.0)
+        self.command(position3d.CMD_SET_VEL, position3d.CmdVel(common.Pose3d(vx, vy, vz, 0.0, 0.0, va), 1))
+
+    def stop(self) -> None:
+        self.drive(0.0)
+
+    def go_to(self, pose: Pose3d) -> None:
+        """To a pose in the frame of State3d.pose, with the driver's own planning."""
+        self._insist_on_finite(**pose._asdict())
+        self._moving = True
+        self.command(position3d.CMD_SET_POS, position3d.CmdPos(common.Pose3d(*pose), common.Pose3d(), 1))
+
+    def set_motor_power(self, on: bool) -> None:
+        self.request(position3d.REQ_MOTOR_POWER, position3d.PowerConfig(int(on)))
+
+    def set_odometry(self, pose: Pose3d) -> None:
+        """What State3d.pose shall say now."""
+        self._insist_on_finite(**pose._asdict())
+        self.request(position3d.REQ_SET_ODOM, position3d.SetOdomReq(common.Pose3d(*pose)))
+
+    def reset_odometry(self) -> None:
+        self.request(position3d.REQ_RESET_ODOM)
+
+    def geometry(self) -> Geometry:
+        return _geometry(_answer(self.request(position3d.REQ_GET_GEOM)))
+
+    def close(self) -> None:
+        if self._open and self._moving and not self.gone and self._session.connection.alive:
+            self.stop()
+        super().close()
+
+
+class Imu(Device):
+    """An inertial unit. Which of its data it sends is up to send(); a server sends those of `pose` at first."""
+
+    def send(self, datatype: MessageType) -> None:
+        """One of imu.DATA_STATE (`pose`), DATA_CALIB (`inertia`), DATA_QUAT (`inertia` and `quaternion`), DATA_EULER
+        (`inertia` and `attitude`) and DATA_FULLSTATE (`pose` and `velocity`), for all who have the device open."""
+        self.request(imu.REQ_SET_DATATYPE, imu.DatatypeConfig(datatype.subtype))
+
+    @property
+    def pose(self) -> Pose3d:
+        """Where it believes to be."""
+        data = self._newest_of(imu.DATA_STATE, imu.DATA_FULLSTATE)
+        return _pose3d(data.pose)
+
+    @property
+    def velocity(self) -> Pose3d:
+        """How it believes to move, along and about its own axes."""
+        return _pose3d(self._stamped(imu.DATA_FULLSTATE)[0].vel)
+
+    @property
+    def inertia(self) -> Inertia:
+        data = self._newest_of(imu.DATA_CALIB, imu.DATA_QUAT, imu.DATA_EULER)
+        one = data if isinstance(data, imu.DataCalib) else data.calib_data
+        return Inertia((one.accel_x, one.accel_y, one.accel_z), (one.gyro_x, one.gyro_y, one.gyro_z),
+                       (one.magn_x, one.magn_y, one.magn_z))
+
+    @property
+    def attitude(self) -> Tuple[float, float, float]:
+        """Roll, pitch and yaw, in rad."""
+        turns = self._stamped(imu.DATA_EULER)[0].orientation
+        return turns.proll, turns.ppitch, turns.pyaw
+
+    @property
+    def quaternion(self) -> Tuple[float, float, float, float]:
+        """Its attitude, the real part first."""
+        data = self._stamped(imu.DATA_QUAT)[0]
+        return data.q0, data.q1, data.q2, data.q3
+
+    def reset_orientation(self, all_axes: bool = False) -> None:
+        """Makes the present heading 0, or the whole present attitude the reference."""
+        self.request(imu.REQ_RESET_ORIENTATION, imu.ResetOrientationConfig(int(all_axes)))
+
+    def reset_attitude(self, roll: float, pitch: float, yaw: float) -> None:
+        """What its attitude shall be now, in rad."""
+        self._insist_on_finite(roll=roll, pitch=pitch, yaw=yaw)
+        self.request(imu.REQ_RESET_EULER, imu.ResetEulerConfig(common.Pose3d(0.0, 0.0, 0.0, roll, pitch, yaw)))
+
+    def _newest_of(self, *kinds: MessageType) -> Any:
+        known = [self._stamped(kind) for kind in kinds if self.latest(kind) is not None]
+        return max(known, key=lambda each: each[1])[0] if known else self._stamped(kinds[0])[0]
+
+
+class Gps(Device):
+    """A satellite receiver."""
+
+    @property
+    def fix(self) -> Fix:
+        data, time = self._stamped(gps.DATA_STATE)
+        return Fix(data.latitude * 1e-7, data.longitude * 1e-7, data.altitude * 1e-3, data.utm_e, data.utm_n, data.speed,
+                   data.course, data.quality, data.num_sats, data.err_horz, data.err_vert, time)
+
+    def updates(self, timeout: Optional[float] = None) -> Iterator[Fix]:
+        """Reads for ever: one Fix for each time new data have come. Raises RequestTimeout."""
+        while True:
+            self.next_data(timeout)
+            yield self.fix
+
+
+class PointCloud3d(Device):
+    """Points in space, as of a lidar with several rings."""
+
+    @property
+    def points(self) -> List[Point]:
+        data, _ = self._stamped(pointcloud3d.DATA_STATE)
+        return [Point(one.point.px, one.point.py, one.point.pz,
+                      (one.color.red, one.color.green, one.color.blue, one.color.alpha)) for one in data.points]
+
+    def updates(self, timeout: Optional[float] = None) -> Iterator[List[Point]]:
+        """Reads for ever: one list for each time new data have come. Raises RequestTimeout."""
+        while True:
+            self.next_data(timeout)
+            yield self.points
 
 
 class Aio(Device):

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Dict, List, cast
 from .device import Device
 from .errors import RequestRefused
 from .models import DeviceAddress, Model
-from .proxies import Aio, Bumper, Camera, Fiducial, Laser, Opaque, Position2d, Ptz, Ranger, Sonar
+from .proxies import Aio, Bumper, Camera, Fiducial, Gps, Imu, Laser, Opaque, PointCloud3d, Position2d, Position3d, Ptz, Ranger, Sonar
 
 if TYPE_CHECKING:
     from .client import Client
@@ -16,7 +16,7 @@ class Robot:
 
     `name` and `type` are those of the world file; `models` are the model itself and what it carries, `devices` the
     addresses of all their devices. `position2d`, `laser`, `ranger`, `sonar`, `fiducial`, `bumper`, `camera`, `ptz`,
-    `opaque` and `aio` are the first of their kind, `lasers` and so on all of them, opened on first use. Leaving a
+    `opaque`, `aio`, `position3d`, `imu`, `gps` and `pointcloud3d` are the first of their kind, `lasers` and so on all of them, opened on first use. Leaving a
     `with` block, or close(), closes what was opened here; a moving robot is stopped first.
     """
 
@@ -81,6 +81,22 @@ class Robot:
         return cast(Aio, self.device("aio"))
 
     @property
+    def position3d(self) -> Position3d:
+        return cast(Position3d, self.device("position3d"))
+
+    @property
+    def imu(self) -> Imu:
+        return cast(Imu, self.device("imu"))
+
+    @property
+    def gps(self) -> Gps:
+        return cast(Gps, self.device("gps"))
+
+    @property
+    def pointcloud3d(self) -> PointCloud3d:
+        return cast(PointCloud3d, self.device("pointcloud3d"))
+
+    @property
     def position2ds(self) -> List[Position2d]:
         return cast(List[Position2d], self._all("position2d"))
 
@@ -119,6 +135,22 @@ class Robot:
     @property
     def aios(self) -> List[Aio]:
         return cast(List[Aio], self._all("aio"))
+
+    @property
+    def position3ds(self) -> List[Position3d]:
+        return cast(List[Position3d], self._all("position3d"))
+
+    @property
+    def imus(self) -> List[Imu]:
+        return cast(List[Imu], self._all("imu"))
+
+    @property
+    def gpses(self) -> List[Gps]:
+        return cast(List[Gps], self._all("gps"))
+
+    @property
+    def pointcloud3ds(self) -> List[PointCloud3d]:
+        return cast(List[PointCloud3d], self._all("pointcloud3d"))
 
     def close(self) -> None:
         """Closes the devices that were opened here, the last opened first. They open again when they are used."""

@@ -67,11 +67,11 @@ class Lines(unittest.TestCase):
     def test_a_line_is_a_model_with_its_devices(self) -> None:
         self.assertEqual(
             parse_models("4\ta\\tb\\\\n\\n\tranger\tr 0\t6665:ranger:1 1:laser:2\n"),
-            [Model(NAME, "ranger", "r 0", [DeviceAddress(6665, "ranger", 1, NAME), DeviceAddress(1, "laser", 2, NAME)])],
+            [Model(NAME, "ranger", "r 0", [DeviceAddress(6665, "ranger", 1, NAME), DeviceAddress(1, "laser", 2, NAME)], 4)],
         )
 
     def test_lines_that_make_no_sense_are_an_error(self) -> None:
-        for line in ("x\n", "0\ta\tb\tc\td\te\n", "0\ta\tb\tc\tlaser:0\n", "0\ta\tb\tc\t1:laser:\n"):
+        for line in ("x\n", "x\ta\tb\tc\t\n", "0\ta\tb\tc\td\te\n", "0\ta\tb\tc\tlaser:0\n", "0\ta\tb\tc\t1:laser:\n"):
             with self.assertRaisesRegex(WireError, "list of models"):
                 parse_models(line)
 

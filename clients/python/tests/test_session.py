@@ -11,7 +11,7 @@ from playhouse_client import (
     RequestTimeout, WireError, connect,
 )
 from playhouse_client.connection import Message
-from playhouse_client.generated import aio, bumper, camera, common, laser, player, position2d, ptz
+from playhouse_client.generated import aio, bumper, camera, common, gps, imu, laser, player, pointcloud3d, position2d, position3d, ptz
 from playhouse_client.wire import Kind
 
 DATA_REQUEST = player.REQ_DATA.subtype
@@ -183,6 +183,7 @@ class Reading(unittest.TestCase):
             camera.Data(1, 2, 16, camera.FORMAT_MONO16, 1, camera.COMPRESS_RAW, bytes([0x34, 0x12, 0, 0])),
             camera.Data(2, 1, 24, camera.FORMAT_RGB888, 1, camera.COMPRESS_JPEG, b"\xff\xd8"),
             camera.Data(2, 1, 24, camera.FORMAT_RGB888, 1, camera.COMPRESS_RAW, bytes([1, 2, 3, 4, 5])),
+            camera.Data(2, 1, 24, camera.FORMAT_RGB888, 1, camera.COMPRESS_RAW, bytes([0, 0, 0, 0, 0, 1])),
         ]
 
         def rounds(peer: Peer, message: Message) -> None:
@@ -195,10 +196,13 @@ class Reading(unittest.TestCase):
             client.read()
             self.assertEqual((eye.image.pixel(0, 0), eye.image.pixel(1, 0)), ((1, 2, 3), (4, 5, 6)))
             self.assertEqual(eye.image.time, 2.5)
+            self.assertEqual(eye.image.model_id(1, 0), 0x040505)
             with self.assertRaisesRegex(InvalidValue, "2, 0 is outside the 2 x 1 picture"):
                 eye.image.pixel(2, 0)
             client.read()
             self.assertEqual((eye.image.pixel(0, 0), eye.image.pixel(0, 1)), ((0x1234,), (0,)))
+            with self.assertRaisesRegex(InvalidValue, "RGB888 alone"):
+                eye.image.model_id(0, 0)
             client.read()
             self.assertTrue(eye.image.is_jpeg)
             with self.assertRaisesRegex(InvalidValue, "raw MONO8, MONO16 and RGB888 alone"):
@@ -207,6 +211,8 @@ class Reading(unittest.TestCase):
             self.assertEqual(eye.image.pixel(0, 0), (1, 2, 3))
             with self.assertRaisesRegex(InvalidValue, "fewer bytes than pixels: 5"):
                 eye.image.pixel(1, 0)
+            client.read()
+            self.assertEqual((eye.image.model_id(0, 0), eye.image.model_id(1, 0)), (None, 0), "none, and the first model")
 
     def test_a_bumper_tells_which_switches_are_pressed_and_where_they_are(self) -> None:
         front = bumper.Define(common.Pose3d(0.25, 0.0, 0.1, 0.0, 0.0, 0.5), 0.5, 0.0)
@@ -220,6 +226,61 @@ class Reading(unittest.TestCase):
             self.assertEqual(next(skirt.updates()), [False, True, True])
             self.assertEqual(skirt.pressed, [False, True, True])
             self.assertEqual(skirt.faces(), [Face(Pose3d(0.25, 0.0, 0.1, 0.0, 0.0, 0.5), 0.5, 0.0)])
+
+    def test_an_inertial_unit_tells_what_it_feels_and_how_it_stands(self) -> None:
+        felt = imu.DataCalib(0.5, 0.25, 9.75, 0.0, 0.0, 1.5, 0.0, 0.5, -0.5)
+        at = common.Pose3d(1.0, 2.0, 3.0, 0.0, 0.0, 0.5)
+
+        def rounds(peer: Peer, message: Message) -> None:
+            peer.answer(message)
+            peer.data(imu.DATA_STATE, imu.DataState(common.Pose3d()), timestamp=1.0)
+            peer.data(imu.DATA_EULER, imu.DataEuler(felt, common.Orientation3d(0.1, 0.2, 0.3)), timestamp=2.0)
+            peer.data(imu.DATA_QUAT, imu.DataQuat(felt, 1.0, 0.0, 0.0, 0.0), timestamp=3.0)
+            peer.data(imu.DATA_FULLSTATE, imu.DataFullstate(at, common.Pose3d(0.25), common.Pose3d()), timestamp=4.0)
+            peer.synch()
+
+        with FakeServer(script(rounds)) as server, connect(server.address) as client, client.imu(0) as unit:
+            with self.assertRaises(NoData):
+                unit.inertia
+            unit.send(imu.DATA_EULER)
+            unit.next_data()
+            self.assertEqual(unit.inertia, ((0.5, 0.25, 9.75), (0.0, 0.0, 1.5), (0.0, 0.5, -0.5)))
+            self.assertEqual(unit.attitude, (0.1, 0.2, 0.3))
+            self.assertEqual(unit.quaternion, (1.0, 0.0, 0.0, 0.0))
+            self.assertEqual(unit.pose, Pose3d(1.0, 2.0, 3.0, 0.0, 0.0, 0.5), "the newer of two kinds of data")
+            self.assertEqual(unit.velocity.x, 0.25)
+            unit.reset_orientation()
+            with self.assertRaisesRegex(InvalidValue, "yaw is nan"):
+                unit.reset_attitude(0.0, 0.0, float("nan"))
+            assert server.peer is not None
+            asked = [m for m in server.peer.received if m[11] == 60 and m[19] == Kind.REQ]
+            self.assertEqual([m[40:] for m in asked], [b"\0\0\0\x04", b"\0\0\0\0"], "euler, and the heading")
+
+    def test_a_receiver_tells_degrees_and_metres_and_a_cloud_points(self) -> None:
+        def rounds(peer: Peer, message: Message) -> None:
+            peer.data(gps.DATA_STATE, gps.Data(1, 0, 507747000, -60839000, 220500, 0.5, 1.5, 294000.0, 5628000.0, 1, 8, 10, 15, 2.0, 3.0))
+            red = pointcloud3d.Element(common.Point3d(1.0, 2.0, 3.0), common.Color(255, 200, 0, 0))
+            peer.data(pointcloud3d.DATA_STATE, pointcloud3d.Data([red]))
+            peer.data(position3d.DATA_STATE, position3d.Data(common.Pose3d(1.0, 2.0, 3.0, 0.1, 0.2, 0.3), common.Pose3d(0.5), 1))
+            peer.answer(message)
+            peer.synch()
+
+        with FakeServer(script(rounds)) as server, connect(server.address) as client:
+            receiver, cloud, base = client.gps(0), client.pointcloud3d(0), client.position3d(0)
+            fix = next(receiver.updates())
+            self.assertAlmostEqual(fix.latitude, 50.7747, delta=1e-9)
+            self.assertAlmostEqual(fix.longitude, -6.0839, delta=1e-9)
+            self.assertEqual((fix.altitude, fix.quality, fix.satellites, fix.horizontal_error), (220.5, 1, 8, 2.0))
+            self.assertEqual(cloud.points, [(1.0, 2.0, 3.0, (200, 0, 0, 255))])
+            self.assertEqual(base.state.pose.roll, 0.1)
+            self.assertTrue(base.state.stalled)
+            with self.assertRaisesRegex(ValueError, "vz is inf"):
+                base.drive(0.1, vz=float("inf"))
+            base.drive(0.5, 0.25)
+            base.close()
+            assert server.peer is not None
+            sent = [position3d.CmdVel.decode(m[40:]) for m in server.peer.received if m[19] == Kind.CMD]
+            self.assertEqual([(one.vel.px, one.vel.pyaw) for one in sent], [(0.5, 0.25), (0.0, 0.0)], "stopped as it closes")
 
     def test_analog_inputs_are_voltages_and_outputs_are_set_one_by_one(self) -> None:
         def rounds(peer: Peer, message: Message) -> None:

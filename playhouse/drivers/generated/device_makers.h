@@ -15,9 +15,11 @@ namespace playhouse::drivers {
 /// `model` fits the interface (model_interfaces.h).
 std::unique_ptr<SimulatedDevice> make_speech_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_position2d_device(Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_position3d_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_ranger_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_laser_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_sonar_device(Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_pointcloud3d_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_fiducial_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_blobfinder_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_bumper_device(Simulation& simulation, world::ModelRow model);
@@ -32,6 +34,8 @@ std::unique_ptr<SimulatedDevice> make_ptz_device(Simulation& simulation, world::
 std::unique_ptr<SimulatedDevice> make_detector_ranger_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_detector_fiducial_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_aio_device(Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_imu_device(Simulation& simulation, world::ModelRow model);
+std::unique_ptr<SimulatedDevice> make_gps_device(Simulation& simulation, world::ModelRow model);
 std::unique_ptr<SimulatedDevice> make_power_device(Simulation& simulation, world::ModelRow model);
 
 struct DeviceMaker {
@@ -42,9 +46,11 @@ struct DeviceMaker {
 inline constexpr DeviceMaker kDeviceMakers[] = {
     {12, std::nullopt, make_speech_device},
     {4, scene::ModelKind::kPosition, make_position2d_device},
+    {30, scene::ModelKind::kPosition, make_position3d_device},
     {62, scene::ModelKind::kRanger, make_ranger_device},
     {6, scene::ModelKind::kRanger, make_laser_device},
     {5, scene::ModelKind::kRanger, make_sonar_device},
+    {61, scene::ModelKind::kRanger, make_pointcloud3d_device},
     {10, scene::ModelKind::kFiducial, make_fiducial_device},
     {7, scene::ModelKind::kBlobfinder, make_blobfinder_device},
     {14, scene::ModelKind::kBumper, make_bumper_device},
@@ -59,6 +65,8 @@ inline constexpr DeviceMaker kDeviceMakers[] = {
     {62, scene::ModelKind::kDetector, make_detector_ranger_device},
     {10, scene::ModelKind::kDetector, make_detector_fiducial_device},
     {21, scene::ModelKind::kCustom, make_aio_device},
+    {60, scene::ModelKind::kImu, make_imu_device},
+    {13, scene::ModelKind::kGps, make_gps_device},
     {2, std::nullopt, make_power_device},
 };
 

@@ -38,7 +38,13 @@ void AutoDevices::follow(const world::World& world, const world::Change& change)
     for (std::uint32_t part = 0; part < change.count; ++part) go(world, {change.model.value + part});
   if (change.kind != Kind::kSpawn) return;
   const world::ModelRow top = world.row(change.model);
-  if (top) come(world, {{top}});  // else it went again before anybody could look
+  // Else it went again before anybody could look, or came with what it is attached to.
+  if (top && !knows(change.model, change.count)) come(world, {{top}});
+}
+
+bool AutoDevices::knows(world::ModelId first, std::uint32_t count) const {
+  const auto end = given_.lower_bound({first.value + count});
+  return std::any_of(given_.lower_bound(first), end, [](const auto& each) { return !each.second.gone; });
 }
 
 void AutoDevices::come(const world::World& world, std::span<const world::ModelRow> tops) {

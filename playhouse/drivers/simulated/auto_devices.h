@@ -37,6 +37,8 @@ class AutoDevices {
  private:
   void follow(const world::World& world, const world::Change& change);
   void come(const world::World& world, std::span<const world::ModelRow> tops);
+  /// Some of `count` models from this one on have devices.
+  bool knows(world::ModelId first, std::uint32_t count) const;
   void go(const world::World& world, world::ModelId model);
   void go_and_come_back(const world::World& world);
   void make(const world::World& world, std::span<const MappedDevice> devices);

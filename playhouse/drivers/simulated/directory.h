@@ -39,6 +39,10 @@ class Directory {
 /// where that is not `port`.
 std::vector<std::string> device_names(const Directory& directory, world::ModelId model, std::uint32_t port);
 
+/// The devices of a model and of all inside it, as "position2d:7 laser:7": in the order of the tree, without
+/// ports.
+std::string devices_below(const world::World& world, const Directory& directory, world::ModelRow model);
+
 /// The answer to a client that asks for the names of models and their devices (docs/drivers.md).
 struct ModelList {
   std::string text;        // one line per model: id, name, type, parent's name, devices; separated by tabs

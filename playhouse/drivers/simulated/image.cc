@@ -31,13 +31,14 @@ cam::Data image_of(const scene::CameraDesc& camera, std::span<const world::Pixel
   cam::Data data;
   data.width = static_cast<std::uint32_t>(camera.width);
   data.height = static_cast<std::uint32_t>(camera.height);
-  const bool in_color = camera.image == ImageKind::kColor, in_depth = camera.image == ImageKind::kDepth;
-  data.bpp = static_cast<std::uint32_t>(8 * world::bytes_per_pixel(camera.image));
-  data.format = in_color ? cam::kFormatRgb888 : in_depth ? cam::kFormatMono16 : cam::kFormatMono8;
+  const bool in_color = camera.image == ImageKind::kColor, in_gray = camera.image == ImageKind::kGray;
+  const std::size_t size = world::bytes_per_pixel(camera.image);
+  data.bpp = static_cast<std::uint32_t>(8 * size);
+  data.format = size == 3 ? cam::kFormatRgb888 : size == 2 ? cam::kFormatMono16 : cam::kFormatMono8;
   data.fdiv = 1;
   data.compression = cam::kCompressRaw;
   data.image = world::image_bytes(camera.image, pixels);
-  if (in_depth || camera.compression == scene::ImageCompression::kRaw) return data;
+  if (!(in_color || in_gray) || camera.compression == scene::ImageCompression::kRaw) return data;
   data.image = compressed(data.image, static_cast<int>(data.width), static_cast<int>(data.height), in_color,
                           static_cast<int>(camera.quality));
   data.compression = cam::kCompressJpeg;

@@ -29,6 +29,8 @@ bool has(const world::World& world, world::ModelRow model, Need need) {
       return std::ranges::any_of(sensors, [](const auto& sensor) { return sensor.samples > 1; });
     case Need::kSeveralSensors:
       return sensors.size() > 1;
+    case Need::kRings:
+      return std::ranges::any_of(sensors, [](const auto& sensor) { return sensor.rings > 1; });
     case Need::kRobot:
       return is_robot(world, model);
   }

@@ -20,13 +20,6 @@ bool are_finite(Number... number) {
   return (std::isfinite(number) && ...);
 }
 
-/// Goes to a pose in the frame of its odometry. [m, rad]
-Change goal_command(world::ModelId robot, const geom::Pose& goal_O) {
-  return [=](world::World& world) {
-    if (const world::PositionRow row = world.position(robot)) world::command_position(world, row, goal_O);
-  };
-}
-
 /// Keeps a speed and a heading in the frame of its odometry. [m/s, rad]
 Change heading_command(world::ModelId robot, double speed, double heading_O) {
   return [=](world::World& world) {
@@ -41,6 +34,23 @@ Change velocity_command(world::ModelId robot, const geom::Twist& velocity) {
   return [=](world::World& world) {
     if (const world::PositionRow row = world.position(robot)) world::command_velocity(world, row, velocity);
   };
+}
+
+Change goal_command(world::ModelId robot, const geom::Pose& goal_O) {
+  return [=](world::World& world) {
+    if (const world::PositionRow row = world.position(robot)) world::command_position(world, row, goal_O);
+  };
+}
+
+bool set_odometry_of(world::World& world, world::ModelId robot, const geom::Pose& X_OM) {
+  const world::PositionRow row = world.position(robot);
+  return row && world::set_odometry(world, row, X_OM);
+}
+
+bool set_motor(world::World& world, world::ModelId robot, bool on) {
+  const world::PositionRow row = world.position(robot);
+  if (row) world.positions.motor_on[row.index] = on;
+  return static_cast<bool>(row);
 }
 
 Position2d::Position2d(Simulation& simulation, world::ModelRow model)
@@ -113,9 +123,7 @@ void Position2d::request(const device::Message& message, device::Replier replier
       if (const auto value = wire::decode<p2d::PowerConfig>(message.body)) {
         ask_world(std::move(replier),
                   [id = model(), on = value->state != 0](world::World& world) -> std::optional<Bytes> {
-                    const world::PositionRow robot = world.position(id);
-                    if (!robot) return std::nullopt;
-                    world.positions.motor_on[robot.index] = on;
+                    if (!set_motor(world, id, on)) return std::nullopt;
                     return Bytes();
                   });
       }
@@ -127,8 +135,7 @@ void Position2d::request(const device::Message& message, device::Replier replier
 
 void Position2d::set_odometry(const geom::Pose& X_OM, device::Replier replier) {
   ask_world(std::move(replier), [id = model(), X_OM](world::World& world) -> std::optional<Bytes> {
-    const world::PositionRow robot = world.position(id);
-    if (!robot || !world::set_odometry(world, robot, X_OM)) return std::nullopt;
+    if (!set_odometry_of(world, id, X_OM)) return std::nullopt;
     return Bytes();
   });
 }

@@ -8,6 +8,12 @@ namespace playhouse::drivers {
 
 /// Drives at a velocity, if the robot is still there. Finite. [m/s, rad/s, in the robot's frame]
 Change velocity_command(world::ModelId robot, const geom::Twist& velocity);
+/// Goes to a pose in the frame of its odometry. [m, rad]
+Change goal_command(world::ModelId robot, const geom::Pose& goal_O);
+/// What its odometry shall say now; false if it is gone or that is no place. [m, rad]
+bool set_odometry_of(world::World& world, world::ModelId robot, const geom::Pose& X_OM);
+/// False if it is gone.
+bool set_motor(world::World& world, world::ModelId robot, bool on);
 
 class Position2d final : public SimulatedDevice {
  public:

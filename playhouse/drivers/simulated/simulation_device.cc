@@ -159,6 +159,8 @@ void SimulationDevice::property(const device::Message& message, device::Replier 
   const auto request = wire::decode<sim::PropertyReq>(message.body);
   if (!request) return;
   if (message.subtype == sim::kReqSetProperty) {
+    if (wire::text(request->prop) == "robot")
+      return joined_.join(*request, message.caller, std::move(replier));
     if (ask_for_world(simulation(), *request, message.caller, replier)) return;
     ask_world(std::move(replier), [r = *request](world::World& world) -> std::optional<Bytes> {
       if (!set_property(world, wire::text(r.name), wire::text(r.prop), r.value)) return std::nullopt;
@@ -170,10 +172,21 @@ void SimulationDevice::property(const device::Message& message, device::Replier 
     list_models(request->index, std::move(replier));
     return;
   }
+  if (wire::text(request->prop) == "devices") return list_devices(*request, std::move(replier));
   ask_world(std::move(replier), [r = *request](world::World& world) mutable -> std::optional<Bytes> {
     std::optional<std::string> value = get_property(world, wire::text(r.name), wire::text(r.prop));
     if (!value) return std::nullopt;
     r.value = std::move(*value);
+    return wire::encode(r);
+  });
+}
+
+/// Of a model and all inside it.
+void SimulationDevice::list_devices(const sim::PropertyReq& request, device::Replier replier) {
+  ask_world(std::move(replier), [this, r = request](world::World& world) mutable -> std::optional<Bytes> {
+    const world::ModelRow row = find_or_warn(world, r.name);
+    if (!row) return std::nullopt;
+    r.value = wire::c_string(devices_below(world, simulation().directory(), row));
     return wire::encode(r);
   });
 }

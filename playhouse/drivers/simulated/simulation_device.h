@@ -11,14 +11,16 @@
 #include <set>
 #include <string>
 
+#include "playhouse/drivers/simulated/joined_robots.h"
 #include "playhouse/drivers/simulated/simulated_device.h"
 #include "playhouse/wire/generated/common.h"
+#include "playhouse/wire/generated/simulation.h"
 
 namespace playhouse::drivers {
 
 class SimulationDevice final : public SimulatedDevice {
  public:
-  explicit SimulationDevice(Simulation& simulation) : SimulatedDevice(simulation, {}) {}
+  explicit SimulationDevice(Simulation& simulation) : SimulatedDevice(simulation, {}), joined_(simulation) {}
 
   std::span<const Served> served() const override;
   device::Taken command(const device::Message& message) override;
@@ -31,7 +33,9 @@ class SimulationDevice final : public SimulatedDevice {
   void pose_3d(const device::Message& message, device::Replier replier);
   void property(const device::Message& message, device::Replier replier);
   void list_models(std::uint32_t first, device::Replier replier);
+  void list_devices(const wire::simulation::PropertyReq& request, device::Replier replier);
 
+  JoinedRobots joined_;
   std::atomic<std::uint64_t> newest_reset_ = 0, newest_save_ = 0;  // that was posted
 
   // Tick thread.

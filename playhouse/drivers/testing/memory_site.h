@@ -15,6 +15,7 @@
 
 #include "playhouse/drivers/registry.h"
 #include "playhouse/drivers/testing/still_engine.h"
+#include "playhouse/net/simulated.h"
 
 namespace playhouse::drivers::testing {
 
@@ -89,6 +90,7 @@ class MemorySite final : public Surroundings {
     if (holders.empty()) added_[device.row].second->stop(device);
   }
   void post(std::function<void()> task) override { posted_.push_back(std::move(task)); }
+  net::Network& network() override { return network_; }
   Result<std::unique_ptr<Simulation>> open_world(const std::string& path) override {
     opened.push_back(path);
     scene_ = scene_of(world_text_);
@@ -103,6 +105,7 @@ class MemorySite final : public Surroundings {
   std::vector<std::string> opened;
 
  private:
+  net::SimulatedNetwork network_{1};
   std::string world_text_;
   scene::SceneDesc scene_;
   std::vector<std::pair<device::Address, device::Driver*>> added_;

@@ -161,6 +161,34 @@ bool capture_custom(const world::World& world, std::uint32_t row, std::vector<st
   return true;
 }
 
+std::uint32_t row_of_imu(const world::World& world, std::uint32_t model) {
+  return world.models.kind[model] == scene::ModelKind::kImu ? world.models.part[model] : world::ModelRow::kNone;
+}
+
+bool capture_imu(const world::World& world, std::uint32_t row, std::vector<std::int32_t>& out) {
+  if (world.imus.measured_tick[row] == 0) return false;
+  out.push_back(quantize(world.imus.reading[row].v.x, 1000));
+  out.push_back(quantize(world.imus.reading[row].v.y, 1000));
+  out.push_back(quantize(world.imus.reading[row].v.z, 1000));
+  out.push_back(quantize(world.imus.reading[row].w.x, 1000));
+  out.push_back(quantize(world.imus.reading[row].w.y, 1000));
+  out.push_back(quantize(world.imus.reading[row].w.z, 1000));
+  out.push_back(quantize_angle(world.imus.X_WE[row].a));
+  return true;
+}
+
+std::uint32_t row_of_gps(const world::World& world, std::uint32_t model) {
+  return world.models.kind[model] == scene::ModelKind::kGps ? world.models.part[model] : world::ModelRow::kNone;
+}
+
+bool capture_gps(const world::World& world, std::uint32_t row, std::vector<std::int32_t>& out) {
+  if (world.receivers.measured_tick[row] == 0) return false;
+  out.push_back(quantize(world.receivers.position[row].x, 1000));
+  out.push_back(quantize(world.receivers.position[row].y, 1000));
+  out.push_back(quantize(world.receivers.position[row].z, 1000));
+  return true;
+}
+
 std::uint32_t row_of_pack(const world::World& world, std::uint32_t model) {
   return world::trait_row(world.packs, model);
 }
@@ -184,9 +212,11 @@ constexpr Code kCodesOfWifi[] = {Code::kVarint, Code::kZigzag, Code::kVarint};
 constexpr Code kCodesOfCamera[] = {Code::kVarint};
 constexpr Code kCodesOfDetector[] = {Code::kVarint, Code::kVarint, Code::kTurn, Code::kVarint, Code::kVarint};
 constexpr Code kCodesOfCustom[] = {Code::kZigzag};
+constexpr Code kCodesOfImu[] = {Code::kZigzag, Code::kZigzag, Code::kZigzag, Code::kZigzag, Code::kZigzag, Code::kZigzag, Code::kTurn};
+constexpr Code kCodesOfGps[] = {Code::kZigzag, Code::kZigzag, Code::kZigzag};
 constexpr Code kCodesOfPack[] = {Code::kZigzag, Code::kZigzag, Code::kZigzag, Code::kVarint};
 
-constexpr View kViews[12] = {
+constexpr View kViews[14] = {
     {When::kSelected, false, false, kCodesOfPosition, row_of_position, capture_position},
     {When::kShown, true, true, kCodesOfFiducial, row_of_fiducial, capture_fiducial},
     {When::kShown, true, true, kCodesOfBlobfinder, row_of_blobfinder, capture_blobfinder},
@@ -198,6 +228,8 @@ constexpr View kViews[12] = {
     {When::kSelected, true, true, kCodesOfCamera, row_of_camera, capture_camera},
     {When::kShown, true, true, kCodesOfDetector, row_of_detector, capture_detector},
     {When::kShown, true, true, kCodesOfCustom, row_of_custom, capture_custom},
+    {When::kShown, true, false, kCodesOfImu, row_of_imu, capture_imu},
+    {When::kShown, true, false, kCodesOfGps, row_of_gps, capture_gps},
     {When::kSelected, false, false, kCodesOfPack, row_of_pack, capture_pack},
 };
 
@@ -241,6 +273,8 @@ bool may_be_watched(scene::ModelKind kind) {
     case scene::ModelKind::kCamera:
     case scene::ModelKind::kDetector:
     case scene::ModelKind::kCustom:
+    case scene::ModelKind::kImu:
+    case scene::ModelKind::kGps:
       return true;
     default:
       return false;
@@ -308,7 +342,7 @@ void tell_camera(const scene::ModelDesc& model, std::string& text) {
   if (!model.camera) return;
   text += ",\"resolution\":[" + number(model.camera->width) + ',' + number(model.camera->height) + "]";
   text += ",\"view\":[" + number(model.camera->fov_horizontal) + ',' + number(model.camera->fov_vertical) + "]";
-  static constexpr std::string_view kWordsOfImage[] = {"color", "gray", "depth"};
+  static constexpr std::string_view kWordsOfImage[] = {"color", "gray", "depth", "segmentation"};
   text += ",\"shows\":" + quoted(kWordsOfImage[static_cast<std::size_t>(model.camera->image)]);
 }
 
@@ -321,6 +355,11 @@ void tell_detector(const scene::ModelDesc& model, std::string& text) {
 void tell_custom(const scene::ModelDesc& model, std::string& text) {
   if (!model.custom) return;
   fmt::format_to(std::back_inserter(text), ",\"library\":{}", quoted(model.custom->library));
+}
+
+void tell_gps(const scene::ModelDesc& model, std::string& text) {
+  if (!model.gps) return;
+  fmt::format_to(std::back_inserter(text), ",\"satellites\":{}", number(model.gps->satellites));
 }
 
 }  // namespace
@@ -356,6 +395,9 @@ void tell_kind(const scene::ModelDesc& model, std::string& text) {
       break;
     case scene::ModelKind::kCustom:
       tell_custom(model, text);
+      break;
+    case scene::ModelKind::kGps:
+      tell_gps(model, text);
       break;
     default:
       break;
@@ -395,6 +437,10 @@ std::string_view kind_name(scene::ModelKind kind) {
       return "detector";
     case scene::ModelKind::kCustom:
       return "custom";
+    case scene::ModelKind::kImu:
+      return "imu";
+    case scene::ModelKind::kGps:
+      return "gps";
   }
   return "";
 }

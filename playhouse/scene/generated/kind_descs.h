@@ -30,6 +30,8 @@ enum class ModelKind : std::uint8_t {
   kCamera = 11,
   kDetector = 12,
   kCustom = 13,
+  kImu = 14,
+  kGps = 15,
 };
 
 /// A plain body; its words are those of every model, whatever its kind.
@@ -56,9 +58,12 @@ struct PlainDesc {
   /// Driving it takes 10 W for each kg and m/s, and for each rad/s. In the plane nothing is pushed, so that
   /// it means nothing else; it is kept for engines with forces. [kg]
   double mass = 0;
-  /// How much its faces rub. In the plane nothing slides, so that it means nothing, as in Stage; it is kept
-  /// for engines with forces.
+  /// How much its faces rub. In the plane nothing slides, so that it means nothing there, as in Stage; the
+  /// arena multiplies it with that of what it touches.
   double friction = 0;
+  /// Shares of its friction along its x and y, in the arena: with [0.1 1] it slides along its x, as a sledge.
+  double friction_x = 1;
+  double friction_y = 1;
   /// What it is made of, as "glass": a name that detectors may look for, or through.
   std::string material;
   /// Time between two measurements of a sensor, at least a tick. [s]
@@ -275,13 +280,13 @@ struct WifiDesc {
 };
 
 /// What a pixel says.
-enum class ImageKind : std::uint8_t { kColor, kGray, kDepth };
+enum class ImageKind : std::uint8_t { kColor, kGray, kDepth, kSegmentation };
 
-/// How images are sent; those of distances always raw.
+/// How images are sent; those of distances and of models always raw.
 enum class ImageCompression : std::uint8_t { kRaw, kJpeg };
 
-/// A camera: takes images of the bodies, the floor and the sky, in colours, in grey, or of distances, and
-/// pans, tilts and zooms.
+/// A camera: takes images of the bodies, the floor and the sky, in colours, in grey, of distances, or of
+/// which model is where, and pans, tilts and zooms.
 struct CameraDesc {
   /// The size of the image. [px]
   double width = 32;
@@ -308,7 +313,7 @@ struct CameraDesc {
   double pantilt_speed = geom::radians(90);
   /// What a pixel says.
   ImageKind image = ImageKind::kColor;
-  /// How images are sent; those of distances always raw.
+  /// How images are sent; those of distances and of models always raw.
   ImageCompression compression = ImageCompression::kRaw;
   /// That of JPEG files, in percent.
   std::uint32_t quality = 85;
@@ -375,6 +380,55 @@ struct CustomDesc {
   friend bool operator==(const CustomDesc&, const CustomDesc&) = default;
 };
 
+/// An inertial measurement unit: feels how it is accelerated, with gravity, and how fast it turns, and tells
+/// how it stands.
+struct ImuDesc {
+  /// Errors along each axis: the density of white noise, and that of the noise by which the bias wanders.
+  /// [m/s^2/sqrt(Hz), m/s^3/sqrt(Hz)]
+  double acceleration_white = 0;
+  double acceleration_walk = 0;
+  /// The same of the turn rate about each axis. [rad/s/sqrt(Hz), rad/s^2/sqrt(Hz)]
+  double gyro_white = 0;
+  double gyro_walk = 0;
+  /// The standard deviation of the bias of each axis with which it begins. [m/s^2]
+  double acceleration_bias = 0;
+  /// The same of the turn rate about each axis. [rad/s]
+  double gyro_bias = 0;
+  /// More than this along an axis reads as this, here 16 times the gravity of the earth. [m/s^2]
+  double acceleration_range = 156.906;
+  /// More than this about an axis reads as this, here 2000 degrees per second. [rad/s]
+  double gyro_range = 34.9066;
+
+  friend bool operator==(const ImuDesc&, const ImuDesc&) = default;
+};
+
+/// A satellite receiver: tells where on the earth it is, as the world's latitude, longitude and altitude have
+/// it.
+struct GpsDesc {
+  /// Standard deviations of the errors that every fix has anew, to the east and to the north, and upwards.
+  /// [m]
+  double noise_horizontal = 0;
+  double noise_vertical = 0;
+  /// Standard deviations of the errors that vary slowly, as what the air and the satellites' clocks add. [m]
+  double drift_horizontal = 0;
+  double drift_vertical = 0;
+  /// After this time the errors that vary slowly have lost all but a share of 1/e of what they were (Gauss-
+  /// Markov process of first order). [s]
+  double drift_time = 300;
+  /// The standard deviation of its velocity, to the east and to the north. [m/s]
+  double velocity_noise = 0;
+  /// How many it hears; with less than four it has no fix.
+  std::uint32_t satellites = 8;
+  /// How well they are spread over the sky, as it is told: dilutions of precision.
+  double hdop = 1;
+  double vdop = 1.5;
+
+  friend bool operator==(const GpsDesc&, const GpsDesc&) = default;
+};
+
+/// How its beams fail, beyond their noise, at surfaces that are far away, dark, slanted, shiny or clear.
+enum class RangerErrors : std::uint8_t { kNone, kLidar };
+
 /// One transducer or scanner of a ranger.
 struct RangerSensorDesc {
   /// Where the sensor is in the ranger. [frame X_BS, m, m, m, rad]
@@ -388,6 +442,21 @@ struct RangerSensorDesc {
   double fov = geom::radians(5.729577951308232);
   /// How many beams it has.
   std::uint32_t samples = 1;
+  /// How many rows of beams it has, one above the other, as lidars with several lasers do. `samples` is how
+  /// many beams each row has.
+  std::uint32_t rings = 1;
+  /// The elevations of the lowest ring and of the highest, between which the others are spread evenly. With
+  /// the stage engine all are level. [rad]
+  double ring_lowest = 0;
+  double ring_highest = 0;
+  /// How its beams fail, beyond their noise, at surfaces that are far away, dark, slanted, shiny or clear.
+  RangerErrors errors = RangerErrors::kNone;
+  /// Of error "lidar": how far away it still sees a surface that it looks at straight on and that returns a
+  /// tenth of the light. [m]
+  double range_dark = 10;
+  /// Of error "lidar": the standard deviation of a range that is told by the weakest echo that it notices. It
+  /// falls as echoes get stronger. [m]
+  double noise_weak = 0;
   /// Errors: a standard deviation, a fraction of the range, and the angle by which a beam may be turned. [m,
   /// 1, rad]
   double noise_constant = 0;
@@ -425,12 +494,40 @@ struct WorldDesc {
   double interval = 0.1;
   /// Told to clients as the resolution of ranges; geometry here is exact. [m]
   double resolution = 0.02;
+  /// How fast what falls gets faster, in the arena, and what an imu feels that stands still; 1.62 is the
+  /// moon's. [m/s^2]
+  double gravity = 9.81;
+  /// What the ground is made of, in the arena: a material, as of models (docs/arena.md).
+  std::string ground = "concrete";
   /// Simulated time after which the run ends; 0: never. [s]
   double quit_time = 0;
   /// Times real time; 0 or less: as fast as possible.
   double speedup = 1;
   /// The run starts paused.
   bool paused = false;
+  /// The color of the sky in the images of cameras, as shares from 0 to 1.
+  double sky_red = 0.6235;
+  double sky_green = 0.7686;
+  double sky_blue = 0.9098;
+  /// Where the sun is, seen from the world, and how bright; one that is not above the horizon has set. Of
+  /// cameras of the arena engine. [rad, rad, 1]
+  double sun_heading = geom::radians(-125);
+  double sun_elevation = geom::radians(50);
+  double sun_brightness = 1;
+  /// How far one sees: at this distance fog leaves 5 % of a contrast; 0: there is none. Of cameras of the
+  /// arena engine. [m]
+  double fog = 0;
+  /// The color of the fog, as shares from 0 to 1. Of cameras of the arena engine.
+  double fog_red = 0.8;
+  double fog_green = 0.82;
+  double fog_blue = 0.84;
+  /// Where on the earth the point 0 0 0 is, positive to the north (WGS84): what gps receivers tell follows
+  /// from it. x is east there, y north. [rad]
+  double latitude = 0;
+  /// The same, positive to the east. [rad]
+  double longitude = 0;
+  /// The same, above the ellipsoid. [m]
+  double altitude = 0;
 
   friend bool operator==(const WorldDesc&, const WorldDesc&) = default;
 };
@@ -449,6 +546,8 @@ struct KindDescs {
   std::optional<CameraDesc> camera;  // kCamera
   std::optional<DetectorDesc> detector;  // kDetector
   std::optional<CustomDesc> custom;  // kCustom
+  std::optional<ImuDesc> imu;  // kImu
+  std::optional<GpsDesc> gps;  // kGps
 
   friend bool operator==(const KindDescs&, const KindDescs&) = default;
 };

@@ -25,7 +25,7 @@ constexpr Meaning kOld_model_polygon{.how = Meaning::How::kNested, .part = "bloc
 constexpr Meaning kOld_model_blocks{.how = Meaning::How::kCount, .part = "block"};
 constexpr SaidWord kOld_model_block_part_words[] = {{"z", "0 1"}};
 constexpr Meaning kOld_model_block{.how = Meaning::How::kNested, .part = "block", .part_words = kOld_model_block_part_words};
-constexpr Word kWordsOfModel[59] = {
+constexpr Word kWordsOfModel[61] = {
     {.name = "name", .use = Use::kRead, .type = "text", .told = "the type and its number, as position:0", .doc = "What the model is called; inside a parent it is parent.name, with a leading / it stands as it is."},
     {.name = "pose", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .otherwise = "[0 0 0 0]", .doc = "Where the model is in its parent."},
     {.name = "origin", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .otherwise = "[0 0 0 0]", .doc = "Where body and sensors are, from the pose."},
@@ -33,7 +33,8 @@ constexpr Word kWordsOfModel[59] = {
     {.name = "color", .use = Use::kRead, .type = "color", .told = "the kind's own", .doc = "The name of an X11 color, or random, which is the same in each run."},
     {.name = "color_rgba", .use = Use::kRead, .type = "rgba", .form = "[red green blue alpha]", .told = "the kind's own", .doc = "The color as shares from 0 to 1; counts where there is no color."},
     {.name = "bitmap", .use = Use::kRead, .type = "text", .doc = "An image, PNG, PGM, PPM, PBM or BMP, whose dark pixels (first channel up to 127) are solid and fill the size."},
-    {.name = "noblocks", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "There is no box where there are neither blocks nor a bitmap."},
+    {.name = "mesh", .use = Use::kRead, .type = "text", .doc = "A file of a modelling program, COLLADA, glTF or OBJ: how the model looks, and its body. It fills the size where that is said, else it has its own. See docs/meshes.md."},
+    {.name = "noblocks", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "There is no box where there are neither blocks nor a bitmap nor a mesh."},
     {.name = "boundary", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "Four walls stand inside the edges of the size, beside a bitmap or blocks."},
     {.name = "stack_children", .use = Use::kRead, .type = "flag", .otherwise = "1", .doc = "Models inside this one stand on top of it."},
     {.name = "obstacle_return", .use = Use::kRead, .type = "flag", .otherwise = "1", .doc = "It collides."},
@@ -42,7 +43,8 @@ constexpr Word kWordsOfModel[59] = {
     {.name = "fiducial_key", .use = Use::kRead, .type = "integer", .otherwise = "0", .doc = "Finders see marks of their own key only."},
     {.name = "gripper_return", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "Grippers see it, and take it up with all its parts: it has to be at the top level, and holds nothing that drives."},
     {.name = "mass", .use = Use::kRead, .type = "number", .unit = "kg", .otherwise = "0", .limits = "not negative", .doc = "Driving it takes 10 W for each kg and m/s, and for each rad/s. In the plane nothing is pushed, so that it means nothing else; it is kept for engines with forces."},
-    {.name = "friction", .use = Use::kRead, .type = "number", .otherwise = "0", .limits = "not negative", .doc = "How much its faces rub. In the plane nothing slides, so that it means nothing, as in Stage; it is kept for engines with forces."},
+    {.name = "friction", .use = Use::kRead, .type = "number", .otherwise = "0", .limits = "not negative", .doc = "How much its faces rub. In the plane nothing slides, so that it means nothing there, as in Stage; the arena multiplies it with that of what it touches."},
+    {.name = "friction_axes", .use = Use::kRead, .type = "tuple", .form = "[x y]", .otherwise = "[1 1]", .limits = "from 0 to 1", .doc = "Shares of its friction along its x and y, in the arena: with [0.1 1] it slides along its x, as a sledge."},
     {.name = "material", .use = Use::kRead, .type = "text", .otherwise = "\"\"", .doc = "What it is made of, as \"glass\": a name that detectors may look for, or through."},
     {.name = "update_interval", .use = Use::kRead, .type = "number", .unit = "ms", .otherwise = "100", .limits = "not negative", .doc = "Time between two measurements of a sensor, at least a tick."},
     {.name = "alwayson", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "It moves or measures although nobody has opened it."},
@@ -106,8 +108,9 @@ constexpr Word kWordsOfPosition[12] = {
     {.name = "steer", .use = Use::kOld},
 };
 
-constexpr KindInterface kInterfacesOfPosition[1] = {
+constexpr KindInterface kInterfacesOfPosition[2] = {
     {"position2d", 4, Index::kRobot, Need::kNothing, Need::kNothing, false},
+    {"position3d", 30, Index::kRobot, Need::kNothing, Need::kNothing, false},
 };
 
 constexpr std::string_view kOld_ranger_range_max_to[] = {"range.1"};
@@ -143,10 +146,11 @@ constexpr Word kWordsOfRanger[11] = {
     {.name = "laser_sample_skip", .use = Use::kOld},
 };
 
-constexpr KindInterface kInterfacesOfRanger[3] = {
+constexpr KindInterface kInterfacesOfRanger[4] = {
     {"ranger", 62, Index::kCount, Need::kNothing, Need::kNothing, false},
     {"laser", 6, Index::kRobot, Need::kScanner, Need::kScanner, false},
     {"sonar", 5, Index::kRobot, Need::kNothing, Need::kSeveralSensors, false},
+    {"pointcloud3d", 61, Index::kCount, Need::kRings, Need::kRings, false},
 };
 
 constexpr std::string_view kOld_fiducial_range_to[] = {"range_max"};
@@ -272,8 +276,8 @@ constexpr Word kWordsOfCamera[12] = {
     {.name = "tilt_limits", .use = Use::kRead, .type = "tuple", .form = "[min max]", .unit = "deg", .otherwise = "[-25 25]", .doc = "How far clients may turn it down and up."},
     {.name = "zoom_limits", .use = Use::kRead, .type = "tuple", .form = "[min max]", .unit = "deg", .otherwise = "[5 70]", .limits = "from 1 to 170", .doc = "The smallest and the largest horizontal field of view that clients may ask for."},
     {.name = "pantilt_speed", .use = Use::kRead, .type = "angle", .unit = "deg", .otherwise = "90", .limits = "not negative", .doc = "How fast it turns at most, and changes its field of view, in a second."},
-    {.name = "image", .use = Use::kRead, .type = "choice", .form = "\"color\" | \"gray\" | \"depth\"", .otherwise = "\"color\"", .doc = "What a pixel says. \"color\": red, green and blue; \"gray\": how bright it is; \"depth\": how far it is along the way that the camera looks, in mm; 0 where nothing is in range."},
-    {.name = "compression", .use = Use::kRead, .type = "choice", .form = "\"raw\" | \"jpeg\"", .otherwise = "\"raw\"", .doc = "How images are sent; those of distances always raw. \"raw\": as rows of pixels; \"jpeg\": as a JPEG file."},
+    {.name = "image", .use = Use::kRead, .type = "choice", .form = "\"color\" | \"gray\" | \"depth\" | \"segmentation\"", .otherwise = "\"color\"", .doc = "What a pixel says. \"color\": red, green and blue; \"gray\": how bright it is; \"depth\": how far it is along the way that the camera looks, in mm; 0 where nothing is in range; \"segmentation\": which model it is: its id plus 1, in 24 bits; 0 where there is none in range."},
+    {.name = "compression", .use = Use::kRead, .type = "choice", .form = "\"raw\" | \"jpeg\"", .otherwise = "\"raw\"", .doc = "How images are sent; those of distances and of models always raw. \"raw\": as rows of pixels; \"jpeg\": as a JPEG file."},
     {.name = "quality", .use = Use::kRead, .type = "count", .otherwise = "85", .limits = "from 1 to 100", .doc = "That of JPEG files, in percent."},
     {.name = "noise", .use = Use::kRead, .type = "tuple", .form = "[value depth]", .otherwise = "[0 0]", .limits = "from 0 to 1", .doc = "Errors of a pixel: the standard deviation of red, green and blue each, as a share of the brightest, and that of distances, as a share of them."},
 };
@@ -314,6 +318,32 @@ constexpr KindInterface kInterfacesOfCustom[1] = {
     {"aio", 21, Index::kCount, Need::kNothing, Need::kNothing, false},
 };
 
+constexpr Word kWordsOfImu[6] = {
+    {.name = "acceleration_noise", .use = Use::kRead, .type = "tuple", .form = "[white walk]", .unit = "m/s^2/sqrt(Hz), m/s^3/sqrt(Hz)", .otherwise = "[0 0]", .limits = "from 0 to 1000", .doc = "Errors along each axis: the density of white noise, and that of the noise by which the bias wanders."},
+    {.name = "gyro_noise", .use = Use::kRead, .type = "tuple", .form = "[white walk]", .unit = "rad/s/sqrt(Hz), rad/s^2/sqrt(Hz)", .otherwise = "[0 0]", .limits = "from 0 to 1000", .doc = "The same of the turn rate about each axis."},
+    {.name = "acceleration_bias", .use = Use::kRead, .type = "number", .unit = "m/s^2", .otherwise = "0", .limits = "not negative", .doc = "The standard deviation of the bias of each axis with which it begins."},
+    {.name = "gyro_bias", .use = Use::kRead, .type = "number", .unit = "rad/s", .otherwise = "0", .limits = "not negative", .doc = "The same of the turn rate about each axis."},
+    {.name = "acceleration_range", .use = Use::kRead, .type = "number", .unit = "m/s^2", .otherwise = "156.906", .limits = "above 0", .doc = "More than this along an axis reads as this, here 16 times the gravity of the earth."},
+    {.name = "gyro_range", .use = Use::kRead, .type = "number", .unit = "rad/s", .otherwise = "34.9066", .limits = "above 0", .doc = "More than this about an axis reads as this, here 2000 degrees per second."},
+};
+
+constexpr KindInterface kInterfacesOfImu[1] = {
+    {"imu", 60, Index::kCount, Need::kNothing, Need::kNothing, false},
+};
+
+constexpr Word kWordsOfGps[6] = {
+    {.name = "noise", .use = Use::kRead, .type = "tuple", .form = "[horizontal vertical]", .unit = "m", .otherwise = "[0 0]", .limits = "from 0 to 1000000", .doc = "Standard deviations of the errors that every fix has anew, to the east and to the north, and upwards."},
+    {.name = "drift", .use = Use::kRead, .type = "tuple", .form = "[horizontal vertical]", .unit = "m", .otherwise = "[0 0]", .limits = "from 0 to 1000000", .doc = "Standard deviations of the errors that vary slowly, as what the air and the satellites' clocks add."},
+    {.name = "drift_time", .use = Use::kRead, .type = "number", .unit = "s", .otherwise = "300", .limits = "above 0", .doc = "After this time the errors that vary slowly have lost all but a share of 1/e of what they were (Gauss-Markov process of first order)."},
+    {.name = "velocity_noise", .use = Use::kRead, .type = "number", .unit = "m/s", .otherwise = "0", .limits = "not negative", .doc = "The standard deviation of its velocity, to the east and to the north."},
+    {.name = "satellites", .use = Use::kRead, .type = "count", .otherwise = "8", .limits = "from 0 to 64", .doc = "How many it hears; with less than four it has no fix."},
+    {.name = "dop", .use = Use::kRead, .type = "tuple", .form = "[horizontal vertical]", .otherwise = "[1 1.5]", .limits = "from 0 to 100", .doc = "How well they are spread over the sky, as it is told: dilutions of precision."},
+};
+
+constexpr KindInterface kInterfacesOfGps[1] = {
+    {"gps", 13, Index::kCount, Need::kNothing, Need::kNothing, false},
+};
+
 constexpr std::string_view kOld_block_height_to[] = {"z.1"};
 constexpr Meaning kOld_block_height{.how = Meaning::How::kWords, .to = kOld_block_height_to};
 constexpr Word kWordsOfBlock[7] = {
@@ -332,12 +362,17 @@ constexpr std::string_view kOld_sensor_range_min_to[] = {"range.0"};
 constexpr Meaning kOld_sensor_range_min{.how = Meaning::How::kWords, .to = kOld_sensor_range_min_to};
 constexpr std::string_view kOld_sensor_view_to[] = {"range.0", "range.1", "fov"};
 constexpr Meaning kOld_sensor_view{.how = Meaning::How::kWords, .to = kOld_sensor_view_to};
-constexpr Word kWordsOfSensor[14] = {
+constexpr Word kWordsOfSensor[19] = {
     {.name = "pose", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .otherwise = "[0 0 0 0]", .doc = "Where the sensor is in the ranger."},
     {.name = "size", .use = Use::kRead, .type = "size", .form = "[x y z]", .unit = "m", .otherwise = "[0.02 0.02 0.02]", .doc = "For drawing; beams start at half its height above the pose."},
     {.name = "range", .use = Use::kRead, .type = "tuple", .form = "[min max]", .unit = "m", .otherwise = "[0 5]", .limits = "0 <= min <= max", .doc = "The nearest and the farthest thing that it reports."},
     {.name = "fov", .use = Use::kRead, .type = "angle", .unit = "deg", .otherwise = "5.729577951308232", .limits = "not negative", .doc = "Beams spread over this angle, half to each side, the first rightmost; a single one looks ahead."},
     {.name = "samples", .use = Use::kRead, .type = "count", .otherwise = "1", .limits = "from 1 to 65536", .doc = "How many beams it has."},
+    {.name = "rings", .use = Use::kRead, .type = "count", .otherwise = "1", .limits = "from 1 to 256", .doc = "How many rows of beams it has, one above the other, as lidars with several lasers do. `samples` is how many beams each row has."},
+    {.name = "ring_fov", .use = Use::kRead, .type = "tuple", .form = "[lowest highest]", .unit = "deg", .otherwise = "[0 0]", .limits = "from -89 to 89", .doc = "The elevations of the lowest ring and of the highest, between which the others are spread evenly. With the stage engine all are level."},
+    {.name = "error", .use = Use::kRead, .type = "choice", .form = "\"none\" | \"lidar\"", .otherwise = "\"none\"", .doc = "How its beams fail, beyond their noise, at surfaces that are far away, dark, slanted, shiny or clear. \"none\": they do not; \"lidar\": as light does: what comes back of it follows from colour, material, incidence and distance, and what is too weak is not seen; with the arena engine (docs/arena.md)."},
+    {.name = "range_dark", .use = Use::kRead, .type = "length", .unit = "m", .otherwise = "10", .limits = "above 0", .doc = "Of error \"lidar\": how far away it still sees a surface that it looks at straight on and that returns a tenth of the light."},
+    {.name = "noise_weak", .use = Use::kRead, .type = "length", .unit = "m", .otherwise = "0", .limits = "not negative", .doc = "Of error \"lidar\": the standard deviation of a range that is told by the weakest echo that it notices. It falls as echoes get stronger."},
     {.name = "noise", .use = Use::kRead, .type = "tuple", .form = "[constant proportional angular]", .unit = "m, 1, deg", .otherwise = "[0 0 0]", .doc = "Errors: a standard deviation, a fraction of the range, and the angle by which a beam may be turned."},
     {.name = "color", .use = Use::kRead, .type = "color", .told = "blue, which one can see through", .doc = "The name of an X11 color, or random, which is the same in each run."},
     {.name = "color_rgba", .use = Use::kRead, .type = "rgba", .form = "[red green blue alpha]", .otherwise = "[0 0 1 0.15]", .doc = "The color as shares from 0 to 1; counts where there is no color."},
@@ -409,15 +444,25 @@ constexpr Word kWordsOfWindow[51] = {
 
 constexpr std::string_view kOld_world_threadpool_to[] = {"threads"};
 constexpr Meaning kOld_world_threadpool{.how = Meaning::How::kWords, .to = kOld_world_threadpool_to};
-constexpr Word kWordsOfWorld[21] = {
+constexpr Word kWordsOfWorld[31] = {
     {.name = "name", .use = Use::kRead, .type = "text", .told = "the file's path", .doc = "The name of the world."},
     {.name = "interval_sim", .use = Use::kRead, .type = "number", .unit = "ms", .otherwise = "100", .limits = "above 0", .doc = "Simulated time of one tick, in whole microseconds."},
     {.name = "resolution", .use = Use::kRead, .type = "number", .unit = "m", .otherwise = "0.02", .limits = "above 0", .doc = "Told to clients as the resolution of ranges; geometry here is exact."},
+    {.name = "gravity", .use = Use::kRead, .type = "number", .unit = "m/s^2", .otherwise = "9.81", .limits = "not negative", .doc = "How fast what falls gets faster, in the arena, and what an imu feels that stands still; 1.62 is the moon's."},
+    {.name = "ground", .use = Use::kRead, .type = "text", .otherwise = "\"concrete\"", .doc = "What the ground is made of, in the arena: a material, as of models (docs/arena.md)."},
     {.name = "quit_time", .use = Use::kRead, .type = "number", .unit = "s", .otherwise = "0", .limits = "not negative", .doc = "Simulated time after which the run ends; 0: never."},
+    {.name = "robot_types", .use = Use::kRead, .type = "texts", .doc = "Words of defines, of robots and of sensors that these may carry: `playhouse robot` makes robots of them while the world runs (docs/robot-client.md). None of them stands in the world at the start."},
     {.name = "unit_length", .use = Use::kRead, .type = "choice", .form = "\"m\" | \"cm\" | \"mm\"", .otherwise = "\"m\"", .doc = "The unit of all lengths in the file."},
     {.name = "unit_angle", .use = Use::kRead, .type = "choice", .form = "\"degrees\" | \"radians\"", .otherwise = "\"degrees\"", .doc = "The unit of all angles in the file."},
     {.name = "speedup", .use = Use::kRead, .type = "number", .otherwise = "1", .doc = "Times real time; 0 or less: as fast as possible."},
     {.name = "paused", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "The run starts paused."},
+    {.name = "sky", .use = Use::kRead, .type = "tuple", .form = "[red green blue]", .otherwise = "[0.6235 0.7686 0.9098]", .limits = "from 0 to 1", .doc = "The color of the sky in the images of cameras, as shares from 0 to 1."},
+    {.name = "sun", .use = Use::kRead, .type = "tuple", .form = "[heading elevation brightness]", .unit = "deg, deg, 1", .otherwise = "[-125 50 1]", .doc = "Where the sun is, seen from the world, and how bright; one that is not above the horizon has set. Of cameras of the arena engine."},
+    {.name = "fog", .use = Use::kRead, .type = "length", .unit = "m", .otherwise = "0", .limits = "not negative", .doc = "How far one sees: at this distance fog leaves 5 % of a contrast; 0: there is none. Of cameras of the arena engine."},
+    {.name = "fog_color", .use = Use::kRead, .type = "tuple", .form = "[red green blue]", .otherwise = "[0.8 0.82 0.84]", .limits = "from 0 to 1", .doc = "The color of the fog, as shares from 0 to 1. Of cameras of the arena engine."},
+    {.name = "latitude", .use = Use::kRead, .type = "angle", .unit = "deg", .otherwise = "0", .doc = "Where on the earth the point 0 0 0 is, positive to the north (WGS84): what gps receivers tell follows from it. x is east there, y north."},
+    {.name = "longitude", .use = Use::kRead, .type = "angle", .unit = "deg", .otherwise = "0", .doc = "The same, positive to the east."},
+    {.name = "altitude", .use = Use::kRead, .type = "number", .unit = "m", .otherwise = "0", .doc = "The same, above the ellipsoid."},
     {.name = "show_clock", .use = Use::kSilent},
     {.name = "show_clock_interval", .use = Use::kSilent},
     {.name = "threads", .use = Use::kSilent},
@@ -437,7 +482,7 @@ constexpr KindInterface kInterfacesOfWorld[1] = {
     {"simulation", 31, Index::kOne, Need::kNothing, Need::kNothing, false},
 };
 
-constexpr Kind kKinds[19] = {
+constexpr Kind kKinds[21] = {
     {.name = "model", .doc = "A plain body; its words are those of every model, whatever its kind.", .entity = EntityForm::kModel, .table = "models", .kind = ModelKind::kPlain, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfModel, .interfaces = kInterfacesOfModel},
     {.name = "position", .doc = "A robot that drives in the plane.", .entity = EntityForm::kModel, .table = "positions", .kind = ModelKind::kPosition, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfPosition, .interfaces = kInterfacesOfPosition},
     {.name = "ranger", .doc = "Range finders of any kind: a laser has one sensor with many samples, a ring of sonars many with one.", .entity = EntityForm::kModel, .table = "rangers", .kind = ModelKind::kRanger, .simulated = true, .solid = false, .size = {0.15, 0.15, 0.2}, .color = {0, 0, 0.5f, 1}, .words = kWordsOfRanger, .interfaces = kInterfacesOfRanger},
@@ -449,9 +494,11 @@ constexpr Kind kKinds[19] = {
     {.name = "gripper", .doc = "Two paddles that close around a thing and carry it.", .entity = EntityForm::kModel, .table = "grippers", .kind = ModelKind::kGripper, .simulated = true, .solid = true, .size = {0.2, 0.3, 0.2}, .color = {0.3f, 0.3f, 0.3f, 1}, .words = kWordsOfGripper, .interfaces = kInterfacesOfGripper},
     {.name = "actuator", .doc = "A joint that slides or turns, with what it carries.", .entity = EntityForm::kModel, .table = "actuators", .kind = ModelKind::kActuator, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfActuator, .interfaces = kInterfacesOfActuator},
     {.name = "wifi", .doc = "A radio: tells which others of its network it hears, and how well, and carries messages between them.", .entity = EntityForm::kModel, .table = "wifis", .kind = ModelKind::kWifi, .simulated = true, .solid = false, .size = {0, 0, 0}, .color = {0.2f, 0.6f, 0.9f, 1}, .words = kWordsOfWifi, .interfaces = kInterfacesOfWifi},
-    {.name = "camera", .doc = "A camera: takes images of the bodies, the floor and the sky, in colours, in grey, or of distances, and pans, tilts and zooms.", .entity = EntityForm::kModel, .table = "cameras", .kind = ModelKind::kCamera, .simulated = true, .solid = true, .size = {0.1, 0.07, 0.05}, .color = {0, 0, 0, 1}, .words = kWordsOfCamera, .interfaces = kInterfacesOfCamera},
+    {.name = "camera", .doc = "A camera: takes images of the bodies, the floor and the sky, in colours, in grey, of distances, or of which model is where, and pans, tilts and zooms.", .entity = EntityForm::kModel, .table = "cameras", .kind = ModelKind::kCamera, .simulated = true, .solid = true, .size = {0.1, 0.07, 0.05}, .color = {0, 0, 0, 1}, .words = kWordsOfCamera, .interfaces = kInterfacesOfCamera},
     {.name = "detector", .doc = "A sensor made up in the world file: what it sees, what it sees through, how far, how finely and how well (docs/detectors.md).", .entity = EntityForm::kModel, .table = "detectors", .kind = ModelKind::kDetector, .simulated = true, .solid = false, .size = {0.1, 0.1, 0.1}, .color = {0.4f, 0.1f, 0.6f, 1}, .words = kWordsOfDetector, .interfaces = kInterfacesOfDetector},
     {.name = "custom", .doc = "A model or a sensor whose code is in a shared library.", .entity = EntityForm::kModel, .table = "customs", .kind = ModelKind::kCustom, .simulated = true, .solid = true, .size = {0.1, 0.1, 0.1}, .color = {1, 0.5f, 0, 1}, .words = kWordsOfCustom, .interfaces = kInterfacesOfCustom},
+    {.name = "imu", .doc = "An inertial measurement unit: feels how it is accelerated, with gravity, and how fast it turns, and tells how it stands.", .entity = EntityForm::kModel, .table = "imus", .kind = ModelKind::kImu, .simulated = true, .solid = false, .size = {0.03, 0.03, 0.01}, .color = {0.1f, 0.4f, 0.2f, 1}, .words = kWordsOfImu, .interfaces = kInterfacesOfImu},
+    {.name = "gps", .doc = "A satellite receiver: tells where on the earth it is, as the world's latitude, longitude and altitude have it.", .entity = EntityForm::kModel, .table = "receivers", .kind = ModelKind::kGps, .simulated = true, .solid = false, .size = {0.06, 0.06, 0.02}, .color = {0.9f, 0.9f, 0.9f, 1}, .words = kWordsOfGps, .interfaces = kInterfacesOfGps},
     {.name = "block", .doc = "A prism, as a part of a model's body; all blocks together are stretched to fill the model's size.", .entity = EntityForm::kPart, .inside = "model", .simulated = true, .words = kWordsOfBlock},
     {.name = "sensor", .doc = "One transducer or scanner of a ranger.", .entity = EntityForm::kPart, .inside = "ranger", .table = "sensors", .simulated = true, .words = kWordsOfSensor},
     {.name = "pack", .doc = "A battery, from which a model draws, and what is inside it and has none of its own.", .entity = EntityForm::kTrait, .table = "packs", .simulated = true, .interfaces = kInterfacesOfPack, .has = has_pack},
@@ -464,7 +511,7 @@ constexpr SaidWord kOldType_puck_words[] = {{"size", "0.08 0.08 0.1"}, {"gripper
 constexpr SaidWord kOldType_charger_words[] = {{"joules", "-1"}, {"give_watts", "1000"}};
 constexpr SaidWord kOldType_laser_part_words[] = {{"range", "0 8"}, {"fov", "180"}, {"samples", "180"}};
 constexpr SaidWord kOldType_sonar_part_words[] = {{"range", "0 5"}, {"fov", "15"}};
-constexpr OldType kOldTypes[20] = {
+constexpr OldType kOldTypes[19] = {
     {.name = "map", .instead = "write model( bitmap \"file.png\" size [x y z] boundary 1 ), or the floorplan macro of map.inc", .is_read = true, .type = "model", .words = kOldType_map_words},
     {.name = "environment", .instead = "write model( bitmap \"file.png\" size [x y z] boundary 1 )"},
     {.name = "box", .instead = "write model( size [x y z] )", .is_read = true, .type = "model"},
@@ -475,7 +522,6 @@ constexpr OldType kOldTypes[20] = {
     {.name = "audio", .instead = "leave it out; any model has say \"text\"", .is_read = true},
     {.name = "speech", .instead = "leave it out; any model has say \"text\"", .is_read = true},
     {.name = "truth", .instead = "leave it out; every model's pose is known by its name", .is_read = true},
-    {.name = "gps", .instead = "leave it out; write localization \"gps\" in the position", .is_read = true},
     {.name = "laser", .instead = "write ranger( sensor( range [0 8] fov 180 samples 180 ) )", .is_read = true, .type = "ranger", .part = "sensor", .part_words = kOldType_laser_part_words},
     {.name = "sonar", .instead = "write ranger( sensor( pose [x y z heading] range [0 5] fov 15 ) ... )", .is_read = true, .type = "ranger", .part = "sensor", .part_words = kOldType_sonar_part_words},
     {.name = "fiducialfinder", .instead = "write fiducial", .is_read = true, .type = "fiducial"},

@@ -160,7 +160,7 @@ void read(const Properties& properties, CameraDesc& to) {
   to.zoom_max = zoom_limits[1];
   to.pantilt_speed = properties.angle("pantilt_speed", to.pantilt_speed);
   require(to.pantilt_speed >= 0, properties, "pantilt_speed", "must not be negative");
-  static constexpr std::string_view kWordsOfImage[] = {"color", "gray", "depth"};
+  static constexpr std::string_view kWordsOfImage[] = {"color", "gray", "depth", "segmentation"};
   to.image = static_cast<ImageKind>(read_choice(properties, "image", kWordsOfImage, static_cast<std::size_t>(to.image)));
   static constexpr std::string_view kWordsOfCompression[] = {"raw", "jpeg"};
   to.compression = static_cast<ImageCompression>(read_choice(properties, "compression", kWordsOfCompression, static_cast<std::size_t>(to.compression)));
@@ -214,6 +214,50 @@ void read(const Properties& properties, CustomDesc& to) {
   to.library = properties.text("library", to.library);
 }
 
+void read(const Properties& properties, ImuDesc& to) {
+  double acceleration_noise[2] = {to.acceleration_white, to.acceleration_walk};
+  properties.tuple("acceleration_noise", "NN", acceleration_noise, "[white walk]");
+  require(acceleration_noise[0] >= 0 && acceleration_noise[0] <= 1000 && acceleration_noise[1] >= 0 && acceleration_noise[1] <= 1000, properties, "acceleration_noise", "needs numbers from 0 to 1000");
+  to.acceleration_white = acceleration_noise[0];
+  to.acceleration_walk = acceleration_noise[1];
+  double gyro_noise[2] = {to.gyro_white, to.gyro_walk};
+  properties.tuple("gyro_noise", "NN", gyro_noise, "[white walk]");
+  require(gyro_noise[0] >= 0 && gyro_noise[0] <= 1000 && gyro_noise[1] >= 0 && gyro_noise[1] <= 1000, properties, "gyro_noise", "needs numbers from 0 to 1000");
+  to.gyro_white = gyro_noise[0];
+  to.gyro_walk = gyro_noise[1];
+  to.acceleration_bias = properties.number("acceleration_bias", to.acceleration_bias);
+  require(to.acceleration_bias >= 0, properties, "acceleration_bias", "must not be negative");
+  to.gyro_bias = properties.number("gyro_bias", to.gyro_bias);
+  require(to.gyro_bias >= 0, properties, "gyro_bias", "must not be negative");
+  to.acceleration_range = properties.number("acceleration_range", to.acceleration_range);
+  require(to.acceleration_range > 0, properties, "acceleration_range", "must be above 0 m/s^2");
+  to.gyro_range = properties.number("gyro_range", to.gyro_range);
+  require(to.gyro_range > 0, properties, "gyro_range", "must be above 0 rad/s");
+}
+
+void read(const Properties& properties, GpsDesc& to) {
+  double noise[2] = {to.noise_horizontal, to.noise_vertical};
+  properties.tuple("noise", "LL", noise, "[horizontal vertical]");
+  require(noise[0] >= 0 && noise[0] <= 1000000 && noise[1] >= 0 && noise[1] <= 1000000, properties, "noise", "needs numbers from 0 to 1000000");
+  to.noise_horizontal = noise[0];
+  to.noise_vertical = noise[1];
+  double drift[2] = {to.drift_horizontal, to.drift_vertical};
+  properties.tuple("drift", "LL", drift, "[horizontal vertical]");
+  require(drift[0] >= 0 && drift[0] <= 1000000 && drift[1] >= 0 && drift[1] <= 1000000, properties, "drift", "needs numbers from 0 to 1000000");
+  to.drift_horizontal = drift[0];
+  to.drift_vertical = drift[1];
+  to.drift_time = properties.number("drift_time", to.drift_time);
+  require(to.drift_time > 0, properties, "drift_time", "must be above 0 s");
+  to.velocity_noise = properties.number("velocity_noise", to.velocity_noise);
+  require(to.velocity_noise >= 0, properties, "velocity_noise", "must not be negative");
+  to.satellites = read_count(properties, "satellites", to.satellites, 0, 64);
+  double dop[2] = {to.hdop, to.vdop};
+  properties.tuple("dop", "NN", dop, "[horizontal vertical]");
+  require(dop[0] >= 0 && dop[0] <= 100 && dop[1] >= 0 && dop[1] <= 100, properties, "dop", "needs numbers from 0 to 100");
+  to.hdop = dop[0];
+  to.vdop = dop[1];
+}
+
 }  // namespace
 
 void read(const Properties& properties, std::size_t row, PlainDesc& to) {
@@ -230,6 +274,11 @@ void read(const Properties& properties, std::size_t row, PlainDesc& to) {
   to.mass = at_least_zero(properties, "mass", to.mass, "no mass is meant");
   to.friction = properties.number("friction", to.friction);
   to.friction = at_least_zero(properties, "friction", to.friction, "no friction is meant");
+  double friction_axes[2] = {to.friction_x, to.friction_y};
+  properties.tuple("friction_axes", "NN", friction_axes, "[x y]");
+  require(friction_axes[0] >= 0 && friction_axes[0] <= 1 && friction_axes[1] >= 0 && friction_axes[1] <= 1, properties, "friction_axes", "needs numbers from 0 to 1");
+  to.friction_x = friction_axes[0];
+  to.friction_y = friction_axes[1];
   to.material = properties.text("material", to.material);
   to.update_interval = read_milliseconds(properties, "update_interval", to.update_interval);
   to.update_interval = at_least_zero(properties, "update_interval", to.update_interval, "every tick is meant");
@@ -268,6 +317,18 @@ void read(const Properties& properties, std::size_t row, RangerSensorDesc& to) {
   require(to.fov >= 0, properties, "fov", "must not be negative");
   static_assert(limits::kRangerSamples == 65536);
   to.samples = read_count(properties, "samples", to.samples, 1, limits::kRangerSamples);
+  to.rings = read_count(properties, "rings", to.rings, 1, 256);
+  double ring_fov[2] = {to.ring_lowest, to.ring_highest};
+  properties.tuple("ring_fov", "AA", ring_fov, "[lowest highest]");
+  require(ring_fov[0] >= geom::radians(-89) && ring_fov[0] <= geom::radians(89) && ring_fov[1] >= geom::radians(-89) && ring_fov[1] <= geom::radians(89), properties, "ring_fov", "needs numbers from -89 to 89");
+  to.ring_lowest = ring_fov[0];
+  to.ring_highest = ring_fov[1];
+  static constexpr std::string_view kWordsOfError[] = {"none", "lidar"};
+  to.errors = static_cast<RangerErrors>(read_choice(properties, "error", kWordsOfError, static_cast<std::size_t>(to.errors)));
+  to.range_dark = properties.length("range_dark", to.range_dark);
+  require(to.range_dark > 0, properties, "range_dark", "must be above 0");
+  to.noise_weak = properties.length("noise_weak", to.noise_weak);
+  require(to.noise_weak >= 0, properties, "noise_weak", "must not be negative");
   double noise[3] = {to.noise_constant, to.noise_proportional, to.noise_angular};
   properties.tuple("noise", "LNA", noise, "[constant proportional angular]");
   to.noise_constant = noise[0];
@@ -294,10 +355,35 @@ void read(const Properties& properties, WorldDesc& to) {
   require(to.interval > 0, properties, "interval_sim", "must be above 0 ms");
   to.resolution = properties.number("resolution", to.resolution);
   require(to.resolution > 0, properties, "resolution", "must be above 0 m");
+  to.gravity = properties.number("gravity", to.gravity);
+  to.gravity = at_least_zero(properties, "gravity", to.gravity, "no gravity is meant");
+  to.ground = properties.text("ground", to.ground);
   to.quit_time = properties.number("quit_time", to.quit_time);
   to.quit_time = at_least_zero(properties, "quit_time", to.quit_time, "no end is meant");
   to.speedup = properties.number("speedup", to.speedup);
   to.paused = properties.flag("paused", to.paused);
+  double sky[3] = {to.sky_red, to.sky_green, to.sky_blue};
+  properties.tuple("sky", "NNN", sky, "[red green blue]");
+  require(sky[0] >= 0 && sky[0] <= 1 && sky[1] >= 0 && sky[1] <= 1 && sky[2] >= 0 && sky[2] <= 1, properties, "sky", "needs numbers from 0 to 1");
+  to.sky_red = sky[0];
+  to.sky_green = sky[1];
+  to.sky_blue = sky[2];
+  double sun[3] = {to.sun_heading, to.sun_elevation, to.sun_brightness};
+  properties.tuple("sun", "AAN", sun, "[heading elevation brightness]");
+  to.sun_heading = sun[0];
+  to.sun_elevation = sun[1];
+  to.sun_brightness = sun[2];
+  to.fog = properties.length("fog", to.fog);
+  require(to.fog >= 0, properties, "fog", "must not be negative");
+  double fog_color[3] = {to.fog_red, to.fog_green, to.fog_blue};
+  properties.tuple("fog_color", "NNN", fog_color, "[red green blue]");
+  require(fog_color[0] >= 0 && fog_color[0] <= 1 && fog_color[1] >= 0 && fog_color[1] <= 1 && fog_color[2] >= 0 && fog_color[2] <= 1, properties, "fog_color", "needs numbers from 0 to 1");
+  to.fog_red = fog_color[0];
+  to.fog_green = fog_color[1];
+  to.fog_blue = fog_color[2];
+  to.latitude = properties.angle("latitude", to.latitude);
+  to.longitude = properties.angle("longitude", to.longitude);
+  to.altitude = properties.number("altitude", to.altitude);
 }
 
 void read_kind(const Properties& properties, ModelKind kind, KindDescs& to) {
@@ -335,6 +421,12 @@ void read_kind(const Properties& properties, ModelKind kind, KindDescs& to) {
     case ModelKind::kCustom:
       read(properties, to.custom.emplace());
       break;
+    case ModelKind::kImu:
+      read(properties, to.imu.emplace());
+      break;
+    case ModelKind::kGps:
+      read(properties, to.gps.emplace());
+      break;
     case ModelKind::kPlain:
     case ModelKind::kRanger:
     case ModelKind::kLightindicator:
@@ -366,6 +458,10 @@ bool is_described(ModelKind kind, const KindDescs& by) {
       return by.detector.has_value();
     case ModelKind::kCustom:
       return by.custom.has_value();
+    case ModelKind::kImu:
+      return by.imu.has_value();
+    case ModelKind::kGps:
+      return by.gps.has_value();
     default:
       return true;
   }

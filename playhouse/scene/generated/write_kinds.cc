@@ -105,7 +105,7 @@ void write(const CameraDesc& from, const CameraDesc& unsaid, Words& to) {
   const double zoom_limits[] = {from.zoom_min, from.zoom_max};
   if (from.zoom_min != unsaid.zoom_min || from.zoom_max != unsaid.zoom_max) to.tuple("zoom_limits", "AA", zoom_limits);
   if (from.pantilt_speed != unsaid.pantilt_speed) to.angle("pantilt_speed", from.pantilt_speed);
-  static constexpr std::string_view kWordsOfImage[] = {"color", "gray", "depth"};
+  static constexpr std::string_view kWordsOfImage[] = {"color", "gray", "depth", "segmentation"};
   if (from.image != unsaid.image) to.text("image", kWordsOfImage[static_cast<std::size_t>(from.image)]);
   static constexpr std::string_view kWordsOfCompression[] = {"raw", "jpeg"};
   if (from.compression != unsaid.compression) to.text("compression", kWordsOfCompression[static_cast<std::size_t>(from.compression)]);
@@ -139,6 +139,29 @@ void write(const CustomDesc& from, const CustomDesc& unsaid, Words& to) {
   if (from.library != unsaid.library) to.text("library", from.library);
 }
 
+void write(const ImuDesc& from, const ImuDesc& unsaid, Words& to) {
+  const double acceleration_noise[] = {from.acceleration_white, from.acceleration_walk};
+  if (from.acceleration_white != unsaid.acceleration_white || from.acceleration_walk != unsaid.acceleration_walk) to.tuple("acceleration_noise", "NN", acceleration_noise);
+  const double gyro_noise[] = {from.gyro_white, from.gyro_walk};
+  if (from.gyro_white != unsaid.gyro_white || from.gyro_walk != unsaid.gyro_walk) to.tuple("gyro_noise", "NN", gyro_noise);
+  if (from.acceleration_bias != unsaid.acceleration_bias) to.number("acceleration_bias", from.acceleration_bias);
+  if (from.gyro_bias != unsaid.gyro_bias) to.number("gyro_bias", from.gyro_bias);
+  if (from.acceleration_range != unsaid.acceleration_range) to.number("acceleration_range", from.acceleration_range);
+  if (from.gyro_range != unsaid.gyro_range) to.number("gyro_range", from.gyro_range);
+}
+
+void write(const GpsDesc& from, const GpsDesc& unsaid, Words& to) {
+  const double noise[] = {from.noise_horizontal, from.noise_vertical};
+  if (from.noise_horizontal != unsaid.noise_horizontal || from.noise_vertical != unsaid.noise_vertical) to.tuple("noise", "LL", noise);
+  const double drift[] = {from.drift_horizontal, from.drift_vertical};
+  if (from.drift_horizontal != unsaid.drift_horizontal || from.drift_vertical != unsaid.drift_vertical) to.tuple("drift", "LL", drift);
+  if (from.drift_time != unsaid.drift_time) to.number("drift_time", from.drift_time);
+  if (from.velocity_noise != unsaid.velocity_noise) to.number("velocity_noise", from.velocity_noise);
+  if (from.satellites != unsaid.satellites) to.integer("satellites", from.satellites);
+  const double dop[] = {from.hdop, from.vdop};
+  if (from.hdop != unsaid.hdop || from.vdop != unsaid.vdop) to.tuple("dop", "NN", dop);
+}
+
 void write(const RangerSensorDesc& from, const RangerSensorDesc& unsaid, Words& to) {
   if (from.X_BS != unsaid.X_BS) to.pose("pose", from.X_BS);
   if (from.size != unsaid.size) to.size("size", from.size);
@@ -146,6 +169,13 @@ void write(const RangerSensorDesc& from, const RangerSensorDesc& unsaid, Words& 
   if (from.range_min != unsaid.range_min || from.range_max != unsaid.range_max) to.tuple("range", "LL", range);
   if (from.fov != unsaid.fov) to.angle("fov", from.fov);
   if (from.samples != unsaid.samples) to.integer("samples", from.samples);
+  if (from.rings != unsaid.rings) to.integer("rings", from.rings);
+  const double ring_fov[] = {from.ring_lowest, from.ring_highest};
+  if (from.ring_lowest != unsaid.ring_lowest || from.ring_highest != unsaid.ring_highest) to.tuple("ring_fov", "AA", ring_fov);
+  static constexpr std::string_view kWordsOfError[] = {"none", "lidar"};
+  if (from.errors != unsaid.errors) to.text("error", kWordsOfError[static_cast<std::size_t>(from.errors)]);
+  if (from.range_dark != unsaid.range_dark) to.length("range_dark", from.range_dark);
+  if (from.noise_weak != unsaid.noise_weak) to.length("noise_weak", from.noise_weak);
   const double noise[] = {from.noise_constant, from.noise_proportional, from.noise_angular};
   if (from.noise_constant != unsaid.noise_constant || from.noise_proportional != unsaid.noise_proportional || from.noise_angular != unsaid.noise_angular) to.tuple("noise", "LNA", noise);
   if (from.color != unsaid.color) to.color(from.color);
@@ -165,6 +195,8 @@ void write(const PlainDesc& from, const PlainDesc& unsaid, double z, Words& to) 
   if (from.gripper_return != unsaid.gripper_return) to.flag("gripper_return", from.gripper_return);
   if (from.mass != unsaid.mass) to.number("mass", from.mass);
   if (from.friction != unsaid.friction) to.number("friction", from.friction);
+  const double friction_axes[] = {from.friction_x, from.friction_y};
+  if (from.friction_x != unsaid.friction_x || from.friction_y != unsaid.friction_y) to.tuple("friction_axes", "NN", friction_axes);
   if (from.material != unsaid.material) to.text("material", from.material);
   if (from.update_interval != unsaid.update_interval) to.milliseconds("update_interval", from.update_interval);
   if (from.alwayson != unsaid.alwayson) to.flag("alwayson", from.alwayson);
@@ -197,9 +229,21 @@ void write(const WorldDesc& from, const WorldDesc& unsaid, Words& to) {
   if (from.name != unsaid.name) to.text("name", from.name);
   if (from.interval != unsaid.interval) to.milliseconds("interval_sim", from.interval);
   if (from.resolution != unsaid.resolution) to.number("resolution", from.resolution);
+  if (from.gravity != unsaid.gravity) to.number("gravity", from.gravity);
+  if (from.ground != unsaid.ground) to.text("ground", from.ground);
   if (from.quit_time != unsaid.quit_time) to.number("quit_time", from.quit_time);
   if (from.speedup != unsaid.speedup) to.number("speedup", from.speedup);
   if (from.paused != unsaid.paused) to.flag("paused", from.paused);
+  const double sky[] = {from.sky_red, from.sky_green, from.sky_blue};
+  if (from.sky_red != unsaid.sky_red || from.sky_green != unsaid.sky_green || from.sky_blue != unsaid.sky_blue) to.tuple("sky", "NNN", sky);
+  const double sun[] = {from.sun_heading, from.sun_elevation, from.sun_brightness};
+  if (from.sun_heading != unsaid.sun_heading || from.sun_elevation != unsaid.sun_elevation || from.sun_brightness != unsaid.sun_brightness) to.tuple("sun", "AAN", sun);
+  if (from.fog != unsaid.fog) to.length("fog", from.fog);
+  const double fog_color[] = {from.fog_red, from.fog_green, from.fog_blue};
+  if (from.fog_red != unsaid.fog_red || from.fog_green != unsaid.fog_green || from.fog_blue != unsaid.fog_blue) to.tuple("fog_color", "NNN", fog_color);
+  if (from.latitude != unsaid.latitude) to.angle("latitude", from.latitude);
+  if (from.longitude != unsaid.longitude) to.angle("longitude", from.longitude);
+  if (from.altitude != unsaid.altitude) to.number("altitude", from.altitude);
 }
 
 void write_kind(const KindDescs& from, const Units& units, Entity& to) {
@@ -215,6 +259,8 @@ void write_kind(const KindDescs& from, const Units& units, Entity& to) {
   if (from.camera) write(*from.camera, {}, words);
   if (from.detector) write(*from.detector, {}, words);
   if (from.custom) write(*from.custom, {}, words);
+  if (from.imu) write(*from.imu, {}, words);
+  if (from.gps) write(*from.gps, {}, words);
   for (const RangerSensorDesc& part : from.sensors) {
     Words words_of_part(units, to.parts.emplace_back(Entity{"sensor", {}, {}}).words);
     write(part, {}, words_of_part);

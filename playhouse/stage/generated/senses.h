@@ -19,6 +19,8 @@ std::unique_ptr<SensePhase> make_wifi_sense(unsigned workers);
 std::unique_ptr<SensePhase> make_camera_sense(unsigned workers);
 std::unique_ptr<SensePhase> make_detector_sense(unsigned workers);
 std::unique_ptr<SensePhase> make_custom_sense(unsigned workers);
+std::unique_ptr<SensePhase> make_imu_sense(unsigned workers);
+std::unique_ptr<SensePhase> make_gps_sense(unsigned workers);
 
 /// Who makes the phase of each kind; an engine that measures otherwise has makers of its own.
 struct SenseMakers {
@@ -32,6 +34,8 @@ struct SenseMakers {
   Make camera = make_camera_sense;
   Make detector = make_detector_sense;
   Make custom = make_custom_sense;
+  Make imu = make_imu_sense;
+  Make gps = make_gps_sense;
 };
 
 inline void add_senses(Senses& senses, unsigned workers, const SenseMakers& makers = {}) {
@@ -44,6 +48,8 @@ inline void add_senses(Senses& senses, unsigned workers, const SenseMakers& make
   senses.add(makers.camera(workers));
   senses.add(makers.detector(workers));
   senses.add(makers.custom(workers));
+  senses.add(makers.imu(workers));
+  senses.add(makers.gps(workers));
 }
 
 }  // namespace playhouse::stage

@@ -34,6 +34,8 @@ inline constexpr auto kColumns<Sensors> = std::tuple{
     Column{"sensors.beam_count", Role::kDerived, "", "", "", &Sensors::beam_count},
     Column{"sensors.ranges", Role::kSensed, "m", "", "sense", &Sensors::ranges, Per::kBeam},
     Column{"sensors.intensities", Role::kSensed, "1", "", "sense", &Sensors::intensities, Per::kBeam},
+    Column{"sensors.ring_ranges", Role::kSensed, "m", "", "sense", &Sensors::ring_ranges},
+    Column{"sensors.ring_intensities", Role::kSensed, "1", "", "sense", &Sensors::ring_intensities},
 };
 
 template <>
@@ -152,6 +154,35 @@ inline constexpr auto kColumns<Customs> = std::tuple{
 };
 
 template <>
+inline constexpr auto kColumns<Imus> = std::tuple{
+    Column{"imus.model", Role::kDerived, "", "", "", &Imus::model},
+    Column{"imus.reading", Role::kSensed, "m/s^2, m/s^2, m/s^2, rad/s, rad/s, rad/s", "v_B", "sense", &Imus::reading},
+    Column{"imus.bias", Role::kSensed, "m/s^2, m/s^2, m/s^2, rad/s, rad/s, rad/s", "v_B", "sense", &Imus::bias},
+    Column{"imus.X_WB", Role::kSensed, "m, m, m, rad", "X_WB", "sense", &Imus::X_WB},
+    Column{"imus.tilt_WB", Role::kSensed, "rad", "X_WB", "sense", &Imus::tilt_WB},
+    Column{"imus.v_WB", Role::kSensed, "m/s", "v_W", "sense", &Imus::v_WB},
+    Column{"imus.X_WE", Role::kSensed, "m, m, m, rad", "X_WB", "sense", &Imus::X_WE},
+    Column{"imus.tilt_WE", Role::kSensed, "rad", "X_WB", "sense", &Imus::tilt_WE},
+    Column{"imus.v_WE", Role::kSensed, "m/s", "v_W", "sense", &Imus::v_WE},
+    Column{"imus.heading_error", Role::kSensed, "rad", "", "sense", &Imus::heading_error},
+    Column{"imus.reference_heading", Role::kMotion, "rad", "", "devices", &Imus::reference_heading},
+    Column{"imus.reference_tilt", Role::kMotion, "rad", "X_WB", "devices", &Imus::reference_tilt},
+    Column{"imus.noted_tick", Role::kSensed, "", "", "sense", &Imus::noted_tick},
+    Column{"imus.measured_tick", Role::kSensed, "", "", "sense", &Imus::measured_tick},
+};
+
+template <>
+inline constexpr auto kColumns<Receivers> = std::tuple{
+    Column{"receivers.model", Role::kDerived, "", "", "", &Receivers::model},
+    Column{"receivers.position", Role::kSensed, "m", "X_WB", "sense", &Receivers::position},
+    Column{"receivers.velocity", Role::kSensed, "m/s", "v_W", "sense", &Receivers::velocity},
+    Column{"receivers.drift", Role::kSensed, "m", "X_WB", "sense", &Receivers::drift},
+    Column{"receivers.p_WB", Role::kSensed, "m", "X_WB", "sense", &Receivers::p_WB},
+    Column{"receivers.noted_tick", Role::kSensed, "", "", "sense", &Receivers::noted_tick},
+    Column{"receivers.measured_tick", Role::kSensed, "", "", "sense", &Receivers::measured_tick},
+};
+
+template <>
 inline constexpr auto kColumns<Packs> = std::tuple{
     Column{"packs.model", Role::kDerived, "", "", "", &Packs::model},
     Column{"packs.stored", Role::kMotion, "J", "", "energy", &Packs::stored},
@@ -192,6 +223,10 @@ template <>
 inline constexpr scene::ModelKind kKindOf<Detectors> = scene::ModelKind::kDetector;
 template <>
 inline constexpr scene::ModelKind kKindOf<Customs> = scene::ModelKind::kCustom;
+template <>
+inline constexpr scene::ModelKind kKindOf<Imus> = scene::ModelKind::kImu;
+template <>
+inline constexpr scene::ModelKind kKindOf<Receivers> = scene::ModelKind::kGps;
 
 /// The trait whose models have a row each; of other tables there is none.
 template <typename Table>
@@ -203,10 +238,10 @@ inline constexpr auto kTraitTable = nullptr;
 template <>
 inline constexpr auto kTraitTable<Packs> = &Tables::packs;
 
-inline constexpr std::tuple kTables{&Tables::models, &Tables::positions, &Tables::rangers, &Tables::sensors, &Tables::fiducials, &Tables::blobfinders, &Tables::bumpers, &Tables::blinkenlights, &Tables::lightindicators, &Tables::grippers, &Tables::actuators, &Tables::wifis, &Tables::cameras, &Tables::detectors, &Tables::customs, &Tables::packs};
+inline constexpr std::tuple kTables{&Tables::models, &Tables::positions, &Tables::rangers, &Tables::sensors, &Tables::fiducials, &Tables::blobfinders, &Tables::bumpers, &Tables::blinkenlights, &Tables::lightindicators, &Tables::grippers, &Tables::actuators, &Tables::wifis, &Tables::cameras, &Tables::detectors, &Tables::customs, &Tables::imus, &Tables::receivers, &Tables::packs};
 
 /// Those of kinds: a row for each model of the kind, in the order of the models.
-inline constexpr std::tuple kKindTables{&Tables::positions, &Tables::rangers, &Tables::fiducials, &Tables::blobfinders, &Tables::bumpers, &Tables::blinkenlights, &Tables::lightindicators, &Tables::grippers, &Tables::actuators, &Tables::wifis, &Tables::cameras, &Tables::detectors, &Tables::customs};
+inline constexpr std::tuple kKindTables{&Tables::positions, &Tables::rangers, &Tables::fiducials, &Tables::blobfinders, &Tables::bumpers, &Tables::blinkenlights, &Tables::lightindicators, &Tables::grippers, &Tables::actuators, &Tables::wifis, &Tables::cameras, &Tables::detectors, &Tables::customs, &Tables::imus, &Tables::receivers};
 
 /// Those of traits: a row for each model that has it, in the order of the models.
 inline constexpr std::tuple kTraitTables{&Tables::packs};

@@ -26,6 +26,8 @@ using WifiRow = Row<struct WifiTable>;
 using CameraRow = Row<struct CameraTable>;
 using DetectorRow = Row<struct DetectorTable>;
 using CustomRow = Row<struct CustomTable>;
+using ImuRow = Row<struct ImuTable>;
+using GpsRow = Row<struct GpsTable>;
 using PackRow = Row<struct PackTable>;
 
 /// A robot that drives in the plane.
@@ -57,8 +59,10 @@ struct Sensors {
   std::vector<RangerRow> ranger;  // The ranger that it is part of.
   std::vector<std::uint32_t> first_beam;  // Its first beam, the rightmost.
   std::vector<std::uint32_t> beam_count;  // How many beams it has.
-  std::vector<float> ranges;  // Along the beam; the largest range where nothing is hit. [m] (beams)
+  std::vector<float> ranges;  // Along the beam; the largest range where nothing is hit. Of several rings the one that is nearest to level. [m] (beams)
   std::vector<float> intensities;  // The ranger_return of what was hit, else 0. (beams)
+  std::vector<std::vector<float>> ring_ranges;  // Along the beams of all its rings, from the lowest to the highest, each from the right to the left; empty with one ring, and with the stage engine. [m]
+  std::vector<std::vector<float>> ring_intensities;  // What came back along those beams.
   std::size_t size() const { return ranger.size(); }
 };
 
@@ -236,7 +240,7 @@ struct Wifis {
 
 /// A pixel of an image.
 struct Pixel {
-  std::uint32_t sample = 0;  // 0xRRGGBB, brightness from 0 to 255, or mm; 0 where nothing is in range.
+  std::uint32_t sample = 0;  // 0xRRGGBB, brightness from 0 to 255, mm, or an id plus 1; the last two 0 where nothing is in range.
   friend bool operator==(const Pixel&, const Pixel&) = default;
 };
 
@@ -252,8 +256,8 @@ void each_part(const Pixel& value, const Visit& visit) {
   visit(sample);
 }
 
-/// A camera: takes images of the bodies, the floor and the sky, in colours, in grey, or of distances, and
-/// pans, tilts and zooms.
+/// A camera: takes images of the bodies, the floor and the sky, in colours, in grey, of distances, or of
+/// which model is where, and pans, tilts and zooms.
 struct Cameras {
   std::vector<ModelRow> model;  // The model that sees.
   std::vector<ControlMode> mode;  // What commands mean: a velocity, or a position.
@@ -336,6 +340,39 @@ struct Customs {
   std::size_t size() const { return model.size(); }
 };
 
+/// An inertial measurement unit: feels how it is accelerated, with gravity, and how fast it turns, and tells
+/// how it stands.
+struct Imus {
+  std::vector<ModelRow> model;  // The model that measures.
+  std::vector<geom::SpatialVelocity> reading;  // What it feels, with its errors: acceleration without that of free fall, and turn rates, means since the measurement before. [m/s^2, m/s^2, m/s^2, rad/s, rad/s, rad/s]
+  std::vector<geom::SpatialVelocity> bias;  // Errors that wander. [m/s^2, m/s^2, m/s^2, rad/s, rad/s, rad/s]
+  std::vector<geom::Pose> X_WB;  // Where it was when it measured. [m, m, m, rad]
+  std::vector<geom::Tilt> tilt_WB;  // How it stood then. [rad]
+  std::vector<geom::Vec3> v_WB;  // How it moved then, along x, y and z. [m/s]
+  std::vector<geom::Pose> X_WE;  // Where it believes to be: its reading integrated twice, from where it measured first. [m, m, m, rad]
+  std::vector<geom::Tilt> tilt_WE;  // How it believes to stand. [rad]
+  std::vector<geom::Vec3> v_WE;  // How it believes to move, along x, y and z. [m/s]
+  std::vector<double> heading_error;  // By how much its heading has drifted: the errors of its turn rate, integrated. [rad]
+  std::vector<double> reference_heading;  // The heading that is 0 for it, as a client has it. [rad]
+  std::vector<geom::Tilt> reference_tilt;  // The tilt that is none for it, as a client has it. [rad]
+  std::vector<std::uint64_t> noted_tick;  // Tick at which it was there; 0: it never measured.
+  std::vector<std::uint64_t> measured_tick;  // Tick of the newest measurement; 0: none yet.
+  std::size_t size() const { return model.size(); }
+};
+
+/// A satellite receiver: tells where on the earth it is, as the world's latitude, longitude and altitude have
+/// it.
+struct Receivers {
+  std::vector<ModelRow> model;  // The model that receives.
+  std::vector<geom::Vec3> position;  // Where it believes to be, x, y and z. [m]
+  std::vector<geom::Vec3> velocity;  // How fast it believes to move along x, y and z, a mean since the fix before. [m/s]
+  std::vector<geom::Vec3> drift;  // The part of its error that varies slowly, along x, y and z. [m]
+  std::vector<geom::Vec3> p_WB;  // Where it was when it measured, x, y and z. [m]
+  std::vector<std::uint64_t> noted_tick;  // Tick at which it was there; 0: it never measured.
+  std::vector<std::uint64_t> measured_tick;  // Tick of the newest fix; 0: none yet.
+  std::size_t size() const { return model.size(); }
+};
+
 /// A battery, from which a model draws, and what is inside it and has none of its own.
 struct Packs {
   std::vector<ModelRow> model;  // The model that has it.
@@ -378,6 +415,8 @@ struct Tables {
   Cameras cameras;
   Detectors detectors;
   Customs customs;
+  Imus imus;
+  Receivers receivers;
   Packs packs;
 };
 

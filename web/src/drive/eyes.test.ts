@@ -22,7 +22,7 @@ describe('Eyes', () => {
 
   it('walk ahead and aside by W A S D, and turn by Q and E', () => {
     const eyes = new Eyes(0);
-    expect(eyes.walk({ forward: 0.5, sideways: 0, turn: 1 }, 0)).toEqual({ forward: 0.75, sideways: 0.8, turn: 0 });
+    expect(eyes.walk({ forward: 0.5, sideways: 0, turn: 1 }, 0)).toEqual({ forward: 1, sideways: 0.8, turn: 0 });
     expect(eyes.walk({ forward: 0, sideways: 1, turn: 0 }, 0).turn).toBeCloseTo(1.8);
   });
 });

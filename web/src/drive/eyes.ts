@@ -5,7 +5,7 @@ const kUpMost = 1.4; // rad, up or down
 const kTurnGain = 6; // 1/s
 const kTurnMost = 3; // rad/s
 const kTurnLeast = 0.01; // rad; nearer than this is there
-const kWalk: Velocity = { forward: 1.5, sideways: 0.8, turn: 1.8 }; // at full hands
+const kWalk: Velocity = { forward: 2, sideways: 0.8, turn: 1.8 }; // at full hands
 
 /** Where somebody looks who sees the world through a model's eyes: by the mouse at once, and the body follows. */
 export class Eyes {

@@ -19,5 +19,10 @@ function panel(model: Model, { replica, row, refresh, codes }: PanelTools): Node
   });
   const degrees = (model.view ?? []).map((angle) => Math.round((angle * 180) / Math.PI));
   const detail = el('span', { class: 'detail' }, `${width} × ${height}, ${degrees.join(' × ')}°`);
-  return [el('h3', {}, 'Camera', ...codes(model), detail), canvas];
+  const enlarge = el('button', { class: 'enlarge', 'data-testid': 'enlarge', 'aria-pressed': 'false', title: 'The image large, or small again' }, 'Large');
+  enlarge.onclick = () => {
+    const large = canvas.closest('#panel')?.classList.toggle('large') ?? false;
+    enlarge.setAttribute('aria-pressed', String(large));
+  };
+  return [el('h3', {}, 'Camera', ...codes(model), detail), enlarge, canvas];
 }

@@ -6,7 +6,7 @@ export type Command =
   | { do: 'speed'; times_real_time: number }
   | { do: 'rewind'; tick: number }
   | { do: 'drag'; model: number; x: number; y: number; a: number }
-  | { do: 'drive'; model: number; forward: number; sideways: number; turn: number }
+  | { do: 'drive'; model: number; forward: number; sideways: number; turn: number; input?: number }
   | { do: 'copy'; model: number; x: number; y: number; a: number }
   | { do: 'add'; robot: number; x: number; y: number; a: number } // place in scene.addable
   | { do: 'join'; name: string; x: number; y: number; a: number }
@@ -15,6 +15,7 @@ export type Command =
   | { do: 'mute'; viewer: number; on: boolean }
   | { do: 'kick'; viewer: number }
   | { do: 'save' }
+  | { do: 'physics' }
   | { do: 'select'; model: number | null }
   | { do: 'look'; x_min: number; y_min: number; x_max: number; y_max: number; sensors: boolean }
   | { do: 'ack'; frame: number };

@@ -1,5 +1,6 @@
 /** The scene as the program describes it once, and who comes and goes later (docs/viewer-protocol.md). Metres and radians. */
 
+import type { Walk } from '../drive/walker';
 import type { Kind, KindStart } from './generated/views';
 
 export type { Sensor } from './generated/views';
@@ -20,6 +21,7 @@ export interface Prototype extends KindStart {
   origin?: Pose;
   size: [number, number, number];
   shape?: number; // row of shapes
+  mesh?: string; // address of a binary glTF of the body, from that of the page
   moving?: number; // how many of its solids, the last, its kind draws
   movable?: boolean;
   nose?: boolean; // what it wants drawn beside its body
@@ -103,7 +105,27 @@ export interface People {
   manages: boolean;
 }
 
-type Message = { scene: Scene } | { people: People } | { changes: Changes } | { history: History } | { world: WorldFile } | { joined: number } | { notice: string };
+/** What physics takes something for: an upright prism, or the corners of what is convex. [m] */
+export type PhysicsSolid = { z: [min: number, max: number]; loop: number[] } | { corners: number[] };
+
+export interface PhysicsShapes {
+  fixed: PhysicsSolid[]; // in the world
+  bodies: { model: number; solids: PhysicsSolid[] }[]; // by id, in the frame of the model
+}
+
+/** The viewer's own body, and how it walks. */
+export interface Joined {
+  joined: number; // id
+  walk: Walk;
+}
+
+/** A command of the viewer's, by its number, counts in the ticks after this one. */
+export interface Driven {
+  input: number;
+  tick: number;
+}
+
+type Message = { scene: Scene } | { people: People } | { changes: Changes } | { history: History } | { world: WorldFile } | Joined | { driven: Driven } | { physics: PhysicsShapes } | { notice: string };
 
 /** A text message: the scene, changes of its population, instants to go back to, a file, or a line for the person who watches. */
 export function parseText(text: string): Message {
@@ -112,7 +134,9 @@ export function parseText(text: string): Message {
   if ('notice' in message && typeof message.notice === 'string') return { notice: message.notice };
   if ('history' in message) return { history: historyOf(message.history as HistoryText) };
   if ('world' in message) return { world: message.world as WorldFile };
-  if ('joined' in message) return { joined: message.joined as number };
+  if ('joined' in message) return message as Joined;
+  if ('driven' in message) return { driven: message.driven as Driven };
+  if ('physics' in message) return { physics: message.physics as PhysicsShapes };
   if ('people' in message) return { people: message as People };
   if ('gone' in message) return { changes: message as Changes };
   if ('protocol' in message && message.protocol === 3) return { scene: sceneOf(message as SceneText) };

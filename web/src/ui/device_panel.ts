@@ -44,6 +44,7 @@ export class DevicePanel {
     this.parts = parts;
     if (same) return this.update();
     this.refreshers = [];
+    this.box.classList.remove('large');
     this.box.replaceChildren(this.head(scene, roots, row), ...this.place(scene.models[row].id));
     for (const part of rows) this.box.append(...this.part(scene.models[part]));
     this.box.hidden = false;
@@ -66,6 +67,7 @@ export class DevicePanel {
     this.row = null;
     this.refreshers = [];
     this.parts = [];
+    this.box.classList.remove('large');
     this.box.hidden = true;
     delete this.box.dataset.robot;
     this.box.replaceChildren();

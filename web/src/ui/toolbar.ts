@@ -15,6 +15,10 @@ export interface ToolbarEvents {
   add(robot: number): void;
   /** Comes into the world as a person, or leaves it. */
   join(): void;
+  /** Waves a hand. */
+  wave(): void;
+  /** Flies through the world, or looks from above again. */
+  fly(): void;
   /** The world as it stands, as a file. */
   save(): void;
   /** What is on the screen, as a file. */
@@ -30,6 +34,7 @@ const kLayers: [keyof Layers, string, string][] = [
   ['names', 'Names', 'N'],
   ['speech', 'Speech and flags', 'B'],
   ['grid', 'Grid', 'G'],
+  ['physics', 'Physics shapes', 'X'],
 ];
 
 const kNarrow = window.matchMedia('(max-width: 720px)');
@@ -60,6 +65,8 @@ export class Toolbar {
   private readonly addButton = el('button', { 'aria-haspopup': 'true', 'aria-expanded': 'false', 'data-testid': 'add', title: 'Another robot, in the middle of the picture' }, 'Add');
   private readonly saveButton = el('button', { class: 'desk', 'data-testid': 'save', title: 'The world as it stands now, as a world file' }, 'Save world');
   private readonly joinButton = el('button', { 'data-testid': 'join', hidden: true, title: 'Come into the world as a person' }, 'Join');
+  private readonly waveButton = el('button', { 'data-testid': 'wave', hidden: true, title: 'Wave (H)' }, 'Wave');
+  private readonly flyButton = el('button', { class: 'desk', 'data-testid': 'fly', 'aria-pressed': 'false', title: 'Fly through the world (O)' }, 'Fly');
   private readonly boxes = new Map<keyof Layers, HTMLInputElement>();
   private readonly stepButton = el('button', { 'data-testid': 'step', title: 'One tick (.)', 'aria-label': 'Step' }, icon('step'), el('span', { class: 'desk' }, ' Step'));
   private readonly tiltButton = el('button', { 'data-testid': 'tilt', title: 'From above or tilted (T)' });
@@ -83,6 +90,8 @@ export class Toolbar {
     fit.onclick = events.fit;
     help.onclick = events.help;
     this.joinButton.onclick = events.join;
+    this.waveButton.onclick = events.wave;
+    this.flyButton.onclick = events.fly;
     this.saveButton.onclick = events.save;
     picture.onclick = events.picture;
     this.tiltButton.onclick = events.tilt;
@@ -93,7 +102,7 @@ export class Toolbar {
     bar.append(
       el('span', { class: 'brand' }, this.dot, el('span', { class: 'desk' }, 'Playhouse'), this.world),
       list, el('span', { class: 'rule' }), this.pause, this.stepButton, this.speeds, el('span', { class: 'gap' }),
-      this.joinButton, this.menu(people.button, people.sheet), this.menu(this.addButton, this.addSheet), this.saveButton, picture, this.tiltButton, fit, this.layerMenu(), help,
+      this.waveButton, this.joinButton, this.menu(people.button, people.sheet), this.menu(this.addButton, this.addSheet), this.saveButton, picture, this.flyButton, this.tiltButton, fit, this.layerMenu(), help,
     );
     this.showPaused(false);
     this.showTilted(false);
@@ -113,7 +122,7 @@ export class Toolbar {
   }
 
   private showAllowed(): void {
-    this.joinButton.disabled = !this.live;
+    this.joinButton.disabled = this.waveButton.disabled = !this.live;
     for (const control of [this.pause, this.stepButton, this.speeds, this.addButton, this.saveButton]) control.disabled = !this.live || !this.manages;
   }
 
@@ -139,6 +148,7 @@ export class Toolbar {
   /** Whether somebody can join, and whether the viewer has. */
   showJoin(possible: boolean, joined: boolean): void {
     this.joinButton.hidden = !possible;
+    this.waveButton.hidden = !joined;
     setText(this.joinButton, joined ? 'Leave' : 'Join');
   }
 
@@ -156,6 +166,10 @@ export class Toolbar {
     const all = kSpeeds.includes(rounded) ? kSpeeds : [rounded, ...kSpeeds];
     this.speeds.replaceChildren(...all.map((value) => el('option', { value: String(value) }, speedText(value))));
     this.speeds.value = String(rounded);
+  }
+
+  showFlies(flies: boolean): void {
+    this.flyButton.setAttribute('aria-pressed', String(flies));
   }
 
   showTilted(tilted: boolean): void {

@@ -7,6 +7,7 @@ import type { Motion } from '../motion';
 import { orientationOf } from '../orientation';
 import type { Replica } from '../protocol/replica';
 import type { Model, Pose, Scene, Solid } from '../protocol/scene';
+import { MeshBatch } from './meshes';
 import { isPerson } from './people';
 import { edgesOf, geometryOf, heightOf } from './shapes';
 import type { Theme } from './theme';
@@ -17,6 +18,8 @@ interface Batch {
   edges: LineSegments | null; // outlines
   rows: number[];
   origins: Pose[];
+  file?: MeshBatch; // how they look, where that is more than their shape
+  hidden?: boolean; // the file is drawn instead
   shade?: KindPage['shade'];
 }
 
@@ -36,13 +39,15 @@ export class Bodies {
     private readonly replica: Replica,
     private readonly motion: Motion,
     theme: Theme,
+    /** Called when something looks otherwise by itself: a file has come. */
+    private readonly changed: () => void,
   ) {
     this.shown = new Uint32Array(scene.models.length);
     const alike = new Map<string, number[]>();
     scene.models.forEach((model, row) => {
       if (model.shape === undefined || isPerson(scene, row)) return;
       const shaded = shadeOf(model) ? model.kind : '';
-      const key = `${model.shape}/${model.moving ?? 0}/${replica.color[row] & 0xff}/${shaded}`;
+      const key = `${model.mesh ?? ''}/${model.shape}/${model.moving ?? 0}/${replica.color[row] & 0xff}/${shaded}`;
       const rows = alike.get(key);
       if (rows) rows.push(row);
       else alike.set(key, [row]);
@@ -53,13 +58,26 @@ export class Bodies {
     this.move();
   }
 
+  /** How many files are there and drawn. */
+  get files(): number {
+    return this.batches.filter(({ hidden }) => hidden).length;
+  }
+
+  /** When all files are there. */
+  async filesThere(): Promise<void> {
+    await Promise.all(this.batches.map(({ file }) => file?.ready));
+  }
+
   /** Moves every body to where the motion says. */
   move(): void {
     for (const batch of this.batches) {
       batch.rows.forEach((row, k) => {
-        batch.mesh.setMatrixAt(k, this.bodyMatrix(row, batch.origins[k]));
+        const matrix = this.bodyMatrix(row, batch.origins[k]);
+        batch.mesh.setMatrixAt(k, matrix);
+        batch.file?.place(k, matrix);
       });
       batch.mesh.instanceMatrix.needsUpdate = true;
+      batch.file?.placed();
     }
     if (!this.noses) return;
     const { mesh, rows } = this.noses;
@@ -69,7 +87,7 @@ export class Bodies {
 
   /** Leaves out outlines where they would be most of what is seen. */
   adapt(pixelsPerMetre: number): void {
-    for (const { edges } of this.batches) if (edges) edges.visible = pixelsPerMetre >= kOutlineScale;
+    for (const { edges, hidden } of this.batches) if (edges) edges.visible = !hidden && pixelsPerMetre >= kOutlineScale;
   }
 
   /** Takes over the colours that changed. */
@@ -98,7 +116,8 @@ export class Bodies {
   }
 
   dispose(): void {
-    for (const { mesh, edges } of [...this.batches, ...(this.noses ? [this.noses] : [])]) {
+    for (const { mesh, edges, file } of [...this.batches, ...(this.noses ? [this.noses] : [])]) {
+      file?.dispose();
       mesh.geometry.dispose(); // of the graphics card's memory; a cached one is sent there again
       mesh.dispose();
       (mesh.material as MeshLambertMaterial).dispose();
@@ -108,7 +127,7 @@ export class Bodies {
   }
 
   private addBatch(rows: number[], theme: Theme): void {
-    const { shape, moving } = this.scene.models[rows[0]];
+    const { shape, moving, mesh: address } = this.scene.models[rows[0]];
     const { geometry, edges: outline } = drawnOf(this.scene.shapes[shape!], moving ?? 0);
     if (!geometry) return;
     const alpha = (this.replica.color[rows[0]] & 0xff) / 255;
@@ -119,7 +138,20 @@ export class Bodies {
     const edges = followers(outline, mesh, alpha, theme);
     this.group.add(mesh, edges);
     const origins = rows.map((row): Pose => this.scene.models[row].origin ?? [0, 0, 0, 0]);
-    this.batches.push({ mesh, edges, rows, origins, shade: shadeOf(this.scene.models[rows[0]]) });
+    const batch: Batch = { mesh, edges, rows, origins, shade: shadeOf(this.scene.models[rows[0]]) };
+    this.batches.push(batch);
+    if (address !== undefined) this.addFile(batch, address);
+  }
+
+  /** Draws the file instead of the shape, which is its outline in the plane, from when it is there. */
+  private addFile(batch: Batch, address: string): void {
+    batch.file = new MeshBatch(address, batch.rows.length, () => {
+      batch.hidden = true;
+      batch.mesh.visible = batch.edges!.visible = false;
+      this.move();
+      this.changed();
+    });
+    this.group.add(batch.file.group);
   }
 
   private makeNoses(): Batch | null {

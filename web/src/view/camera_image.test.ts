@@ -21,3 +21,10 @@ test('what is near is brighter than what is far, and nothing is black', () => {
   expect(far).toBeGreaterThan(0);
   expect(nothing).toBe(0);
 });
+
+test('models have colours that differ, and nothing is black', () => {
+  const [a, b, none] = [painted([1], 'segmentation'), painted([2], 'segmentation'), painted([0], 'segmentation')];
+  expect(a).not.toEqual(b);
+  expect(Math.max(...a.slice(0, 3))).toBeGreaterThan(63);
+  expect(none).toEqual([0, 0, 0, 255]);
+});

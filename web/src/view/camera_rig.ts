@@ -23,6 +23,7 @@ export interface Eye {
   z: number;
   yaw: number;
   pitch: number;
+  fov?: number; // rad, up and down; none: as people see
 }
 
 /** Pixels at each side of the screen. */
@@ -185,6 +186,14 @@ export class CameraRig {
     return { x: ((p.x + 1) / 2) * this.width, y: ((1 - p.y) / 2) * this.height };
   }
 
+  /** Pixels per metre at a point, about. */
+  scaleAt(x: number, y: number, z: number): number {
+    if (this.camera === this.flat) return this.scale;
+    const camera = this.eye ? this.eyes : this.deep;
+    const far = Math.max(camera.position.distanceTo(new Vector3(x, y, z)), 0.1);
+    return this.height / 2 / far / Math.tan((camera.fov * Math.PI) / 360);
+  }
+
   /** The part of the floor that is on the screen; clipped where the view reaches the horizon. */
   view(): Box {
     if (this.eye) {
@@ -205,8 +214,19 @@ export class CameraRig {
     return box;
   }
 
-  private placeEye({ x, y, z, yaw, pitch }: Eye): void {
+  /** An eye that sees what is in the middle now from the same side, as near as a person would have to be. */
+  eyeHere(): Eye {
+    if (this.eye) return { ...this.eye, fov: undefined };
+    const pitch = Math.max(this.pitch - Math.PI / 2, -1.5);
+    const far = this.height / 2 / this.scale / Math.tan((kEyeFov * Math.PI) / 360);
+    const yaw = this.yaw + Math.PI / 2;
+    const back = far * Math.cos(pitch);
+    return { x: this.x - back * Math.cos(yaw), y: this.y - back * Math.sin(yaw), z: -far * Math.sin(pitch), yaw, pitch };
+  }
+
+  private placeEye({ x, y, z, yaw, pitch, fov }: Eye): void {
     const { eyes } = this;
+    eyes.fov = fov === undefined ? kEyeFov : (fov * 180) / Math.PI;
     eyes.position.set(x, y, z);
     eyes.up.set(0, 0, 1);
     eyes.lookAt(x + Math.cos(yaw) * Math.cos(pitch), y + Math.sin(yaw) * Math.cos(pitch), z + Math.sin(pitch));

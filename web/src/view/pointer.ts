@@ -5,6 +5,8 @@ export interface PointerEvents {
   /** A person carries a model to here. */
   carry(row: number, x: number, y: number, a: number): void;
   looked(): void;
+  /** So fast from now on. [m/s] */
+  flies(speed: number): void;
   /** A click on what cannot be selected: what it is. */
   describe(what: string): void;
   mayCarry(row: number): boolean;
@@ -16,6 +18,7 @@ const kHoverPeriodMs = 80;
 const kTurnStep = Math.PI / 18;
 const kMouseReach = 5; // px
 const kFingerReach = 18; // px: less precise
+const kFaster = 1.25; // by a notch of the wheel, in flight
 const kCloseScale = 140; // pixels per metre
 
 interface Carried {
@@ -95,7 +98,7 @@ export class Pointer {
 
   private grip(event: PointerEvent): void {
     const { motion, rig } = this.view;
-    const row = this.pick(event);
+    const row = this.looks ? null : this.pick(event);
     const at = rig.floorAt(event.offsetX, event.offsetY);
     if (row === null || !motion || !at || !this.events.mayCarry(row)) return;
     this.carried = { row, dx: motion.x[row] - at.x, dy: motion.y[row] - at.y, a: motion.a[row] };
@@ -107,7 +110,9 @@ export class Pointer {
     const now = { x: event.offsetX, y: event.offsetY };
     if (!this.moved && Math.hypot(now.x - this.start.x, now.y - this.start.y) < kClickSlack) return;
     this.moved = true;
-    if (this.down.size === 2) this.pinch(event.pointerId, before, now);
+    if (this.looks) {
+      if (!document.pointerLockElement) this.looks.look(now.x - before.x, now.y - before.y);
+    } else if (this.down.size === 2) this.pinch(event.pointerId, before, now);
     else if (this.carried) this.carry(now);
     else if (this.turning) this.view.rig.turn((before.x - now.x) * 0.006, (before.y - now.y) * 0.006);
     else this.pan(before, now);
@@ -124,7 +129,13 @@ export class Pointer {
     this.carried = null;
   }
 
+  /** Who looks around from inside of the world, by dragging too. */
+  private get looks(): { look(dx: number, dy: number): void } | null {
+    return this.view.flight ?? this.view.seenBy?.eyes ?? null;
+  }
+
   private click(event: PointerEvent): void {
+    if (this.looks) return; // it has the mouse look around
     const row = this.pick(event);
     this.events.select(row);
     const what = row === null ? this.view.describe(event.offsetX, event.offsetY) : null;
@@ -182,6 +193,9 @@ export class Pointer {
     if (this.carried && this.moved) {
       this.carried.a += Math.sign(event.deltaY) * kTurnStep;
       this.carryTo(this.carriedAt.x, this.carriedAt.y);
+    } else if (this.view.flight) {
+      this.view.flight.faster(event.deltaY < 0 ? kFaster : 1 / kFaster);
+      this.events.flies(this.view.flight.speed);
     } else {
       const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 16 : 1;
       this.view.rig.zoom(Math.exp(-event.deltaY * lines * 0.0015), event.offsetX, event.offsetY);

@@ -12,10 +12,13 @@ import { Areas, type Area } from './areas';
 import { Bodies } from './bodies';
 import { Bubbles } from './bubbles';
 import { CameraRig, kTilted, type Box, type Margins } from './camera_rig';
+import { Flight } from './flight';
 import { FloorMarks } from './floor_marks';
+import { frameOf } from './frames';
 import { Ground } from './ground';
 import { Labels } from './labels';
 import { isPerson, People } from './people';
+import { PhysicsShapes } from './physics_shapes';
 import { heightOf } from './shapes';
 import { thingAt } from './things';
 import { themeNow, type Theme } from './theme';
@@ -33,6 +36,7 @@ export interface Layers {
   names: boolean;
   speech: boolean; // what models say, and flags that they carry
   grid: boolean;
+  physics: boolean; // what physics takes bodies for
 }
 
 /** Everything that is drawn of one scene. */
@@ -53,9 +57,10 @@ class Drawn {
     rig: CameraRig,
     canvas: HTMLCanvasElement,
     theme: Theme,
+    changed: () => void,
     before: Drawn | null = null,
   ) {
-    this.bodies = new Bodies(scene, replica, motion, theme);
+    this.bodies = new Bodies(scene, replica, motion, theme, changed);
     this.people = new People(scene, replica, motion, before?.people);
     const stage = { scene, replica, motion, theme };
     this.drawings = [new FloorMarks(stage), ...kKindPages.flatMap(({ drawings }) => drawings?.(stage) ?? [])];
@@ -74,12 +79,17 @@ class Drawn {
 /** The picture: draws the world when something in it changed, and answers what is under the pointer. */
 export class StageView {
   readonly rig = new CameraRig();
-  readonly layers: Layers = { sensors: true, fiducials: true, trails: true, names: true, speech: true, grid: true };
+  readonly layers: Layers = { sensors: true, fiducials: true, trails: true, names: true, speech: true, grid: true, physics: false };
   selected: number | null = null;
   hovered: number | null = null;
   followed: number | null = null;
   /** Through whose eyes the world is seen, and where they look. */
   seenBy: { row: number; eyes: Eyes } | null = null;
+  /** Where a model is drawn before packets say so; asked for before each picture. */
+  lead: (now: number) => { row: number; x: number; y: number; a: number } | null = () => null;
+  /** Who flies through the world, and sees it from there. */
+  flight: Flight | null = null;
+  readonly physics = new PhysicsShapes();
   motion: Motion | null = null;
   roots: Int32Array = new Int32Array();
 
@@ -108,15 +118,24 @@ export class StageView {
     this.ring.renderOrder = 10;
     this.ring.visible = false;
     this.floor.position.z = -0.01;
-    this.picture.add(this.ring, this.areas.object, this.floor);
+    this.picture.add(this.ring, this.areas.object, this.floor, this.physics.group);
     this.floor.visible = false;
     this.applyTheme();
+  }
+
+  /** How many files of meshes are drawn. */
+  get meshes(): number {
+    return this.drawn?.bodies.files ?? 0;
+  }
+
+  async filesThere(): Promise<void> {
+    await this.drawn?.bodies.filesThere();
   }
 
   /** Shows another scene; the camera stays when it is the same world again. */
   show(scene: Scene, replica: Replica): void {
     const again = this.drawn?.scene.name === scene.name;
-    this.seeThrough(null);
+    if (!this.flight) this.seeThrough(null);
     this.drop();
     this.draws(scene, replica, new Motion(scene, replica), null);
     if (!again) this.frameAsTheFileWants();
@@ -137,7 +156,7 @@ export class StageView {
   private draws(scene: Scene, replica: Replica, motion: Motion, before: Drawn | null): void {
     this.motion = motion;
     this.roots = rootsOf(scene);
-    this.drawn = new Drawn(scene, replica, motion, this.rig, this.overlay, this.theme, before);
+    this.drawn = new Drawn(scene, replica, motion, this.rig, this.overlay, this.theme, () => (this.dirty = true), before);
     this.picture.add(this.drawn.group);
     this.applyLayers();
   }
@@ -159,6 +178,7 @@ export class StageView {
 
   applyLayers(): void {
     const { drawn, layers } = this;
+    this.physics.group.visible = layers.physics;
     if (drawn) {
       for (const drawing of drawn.drawings) drawing.object.visible = this.shows(drawing);
       drawn.trails.object.visible = layers.trails;
@@ -207,19 +227,42 @@ export class StageView {
   /** The world as a model of this row sees it, who looks there; null: from above. */
   seeThrough(seenBy: { row: number; eyes: Eyes } | null): void {
     this.seenBy = seenBy;
+    this.flight = null;
     this.rig.eye = null;
     this.floor.visible = seenBy !== null;
     this.applyTheme();
     this.dirty = true;
   }
 
-  /** At the eyes of a person, on top of a robot. */
+  /** Flies from where the world is looked at now. */
+  fly(): void {
+    const eye = this.rig.eyeHere();
+    this.seeThrough(null);
+    this.followed = null;
+    this.flight = new Flight(eye);
+    this.rig.eye = eye;
+    this.floor.visible = true;
+    this.applyTheme();
+  }
+
+  /** Physics takes bodies for other shapes. */
+  showPhysics(shapes: Parameters<PhysicsShapes['show']>[0]): void {
+    this.physics.show(shapes);
+    this.dirty = true;
+  }
+
+  /** At the eyes of a person, in the lens of a camera, on top of a robot. */
   private placeEye(): void {
     const { seenBy, motion, drawn } = this;
     if (drawn) drawn.people.hidden = seenBy?.row ?? null;
     if (!seenBy || !motion || !drawn) return;
     const { row, eyes } = seenBy;
-    const { size } = drawn.scene.models[row];
+    const { size, kind, origin, view } = drawn.scene.models[row];
+    if (kind === 'camera') {
+      const { x, y, z, a } = frameOf(motion, row, origin);
+      this.rig.eye = { x, y, z: z + size[2] / 2, yaw: a, pitch: eyes.pitch, fov: view?.[1] };
+      return;
+    }
     const height = isPerson(drawn.scene, row) ? kEyeHeight * size[2] : size[2] + kAbove;
     this.rig.eye = { x: motion.x[row], y: motion.y[row], z: motion.z[row] + height, yaw: eyes.yaw, pitch: eyes.pitch };
   }
@@ -240,6 +283,7 @@ export class StageView {
     const seconds = Math.min((now - this.last) / 1000, 0.1);
     this.last = now;
     const resized = this.fitWindow();
+    this.motion?.lead(this.lead(now));
     const moved = this.motion?.update(now) ?? false;
     if (this.followed !== null && this.motion) {
       const centre = this.rig.centreFor(this.motion.x[this.followed], this.motion.y[this.followed], this.rig.scale, this.margins());
@@ -330,6 +374,8 @@ export class StageView {
       if (layers.trails) drawn.trails.draw();
       drawn.ground.adapt(this.rig.scale);
       drawn.bodies.adapt(this.rig.scale);
+      drawn.people.adapt(this.rig);
+      if (layers.physics) this.physics.move(drawn.replica, drawn.motion);
       this.placeRing(drawn);
       drawn.labels.draw([this.selected, this.hovered, this.followed]);
       drawn.bubbles.draw([this.selected, this.hovered, this.followed]);
@@ -366,7 +412,7 @@ export class StageView {
   }
 
   private applyTheme(): void {
-    this.picture.background = new Color(this.seenBy ? this.theme.sky : this.theme.floor);
+    this.picture.background = new Color(this.seenBy || this.flight ? this.theme.sky : this.theme.floor);
     (this.floor.material as MeshBasicMaterial).color.setHex(this.theme.floor);
     (this.ring.material as LineBasicMaterial).color.setHex(this.theme.select);
     this.dirty = true;

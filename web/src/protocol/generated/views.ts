@@ -2,7 +2,7 @@
 import type { Pose, Rgba } from '../scene';
 
 /** What a model is. */
-export type Kind = 'plain' | 'position' | 'ranger' | 'fiducial' | 'blobfinder' | 'bumper' | 'blinkenlight' | 'lightindicator' | 'gripper' | 'actuator' | 'wifi' | 'camera' | 'detector' | 'custom';
+export type Kind = 'plain' | 'position' | 'ranger' | 'fiducial' | 'blobfinder' | 'bumper' | 'blinkenlight' | 'lightindicator' | 'gripper' | 'actuator' | 'wifi' | 'camera' | 'detector' | 'custom' | 'imu' | 'gps';
 
 /** What models of any kind may have. */
 export type Trait = 'pack';
@@ -78,7 +78,7 @@ export interface WifiView {
   quality: number;
 }
 
-/** A camera: takes images of the bodies, the floor and the sky, in colours, in grey, or of distances, and pans, tilts and zooms. SI units and radians. */
+/** A camera: takes images of the bodies, the floor and the sky, in colours, in grey, of distances, or of which model is where, and pans, tilts and zooms. SI units and radians. */
 export interface CameraView {
   sample: number;
 }
@@ -95,6 +95,24 @@ export interface DetectorView {
 /** A model or a sensor whose code is in a shared library. SI units and radians. */
 export interface CustomView {
   reading: number;
+}
+
+/** An inertial measurement unit: feels how it is accelerated, with gravity, and how fast it turns, and tells how it stands. SI units and radians. */
+export interface ImuView {
+  ax: number;
+  ay: number;
+  az: number;
+  wx: number; // rad/s
+  wy: number; // rad/s
+  wz: number; // rad/s
+  heading: number; // rad, in (-pi, pi]
+}
+
+/** A satellite receiver: tells where on the earth it is, as the world's latitude, longitude and altitude have it. SI units and radians. */
+export interface GpsView {
+  x: number; // m
+  y: number; // m
+  z: number; // m
 }
 
 /** A battery, from which a model draws, and what is inside it and has none of its own. SI units and radians. */
@@ -118,6 +136,8 @@ export interface Views {
   camera: CameraView[];
   detector: DetectorView[];
   custom: CustomView[];
+  imu: ImuView;
+  gps: GpsView;
   pack: PackView;
 }
 
@@ -142,6 +162,8 @@ export const kViews: readonly ViewFormat[] = [
   { kind: 'camera', list: true, fields: [['sample', 'varint', 1]] },
   { kind: 'detector', list: true, fields: [['target', 'varint', 1], ['range', 'varint', 0.001], ['bearing', 'turn', 1], ['level', 'varint', 0.001], ['bodies', 'varint', 1]] },
   { kind: 'custom', list: true, fields: [['reading', 'zigzag', 0.001]] },
+  { kind: 'imu', list: false, fields: [['ax', 'zigzag', 0.001], ['ay', 'zigzag', 0.001], ['az', 'zigzag', 0.001], ['wx', 'zigzag', 0.001], ['wy', 'zigzag', 0.001], ['wz', 'zigzag', 0.001], ['heading', 'turn', 1]] },
+  { kind: 'gps', list: false, fields: [['x', 'zigzag', 0.001], ['y', 'zigzag', 0.001], ['z', 'zigzag', 0.001]] },
   { kind: 'pack', list: false, fields: [['stored', 'zigzag', 1], ['capacity', 'zigzag', 1], ['watts', 'zigzag', 0.001], ['charging', 'varint', 1]] },
 ];
 
@@ -173,8 +195,9 @@ export interface KindStart {
   axis?: [number, number, number]; // 1
   resolution?: [number, number]; // px
   view?: [number, number]; // rad
-  shows?: 'color' | 'gray' | 'depth';
+  shows?: 'color' | 'gray' | 'depth' | 'segmentation';
   reach?: [number, number]; // m
   library?: string;
+  satellites?: number;
   traits?: Trait[];
 }

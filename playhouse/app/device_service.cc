@@ -1,0 +1,110 @@
+#include "playhouse/app/device_service.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <utility>
+
+#include "playhouse/app/fail.h"
+#include "playhouse/app/interrupt.h"
+#include "playhouse/app/options.h"
+#include "playhouse/base/in_quotes.h"
+#include "playhouse/base/log.h"
+#include "playhouse/base/log_output.h"
+
+namespace playhouse::app {
+
+DeviceService::DeviceService(const std::string& bind)
+    : server_(std::make_unique<server::Server>(loop_, server::ServerOptions{.bind = bind})) {}
+
+drivers::Site& DeviceService::open_site(std::uint16_t port) {
+  drivers::Surroundings& surroundings = *this;  // a private base, which make_unique cannot see
+  site_ = std::make_unique<drivers::Site>(surroundings, port);
+  site_->data_flow().pass_to(*server_);
+  return *site_;
+}
+
+DeviceService::~DeviceService() = default;
+
+Result<void> DeviceService::make_drivers(const scene::CfgFile& file) {
+  drivers::Registry registry;
+  drivers::register_drivers(registry);
+  Result<std::vector<std::unique_ptr<device::Driver>>> made = drivers::make_drivers(registry, file, *site_);
+  for (const std::string& warning : site_->warnings()) warn(warning);
+  if (!made) return made.error();
+  drivers_ = std::move(*made);
+  return {};
+}
+
+Result<std::unique_ptr<drivers::Simulation>> DeviceService::open_world(const std::string& path) {
+  return Error{escaped(path), "there is no world here"};
+}
+
+int DeviceService::run() {
+  const auto caught = [this](int signal) {
+    if (ending_) std::_Exit(128 + signal);  // asked twice: at once
+    end(128 + signal);
+  };
+  if (ends_on_hangup()) {
+    loop_.on_signal({SIGINT, SIGTERM, SIGHUP}, caught);
+  } else {
+    loop_.on_signal({SIGINT, SIGTERM}, caught);
+  }
+  loop_.run();
+  return code_;
+}
+
+void DeviceService::end(int code) {
+  if (std::exchange(ending_, true)) return;
+  code_ = code;
+  loop_.post([this] { server_->finish([this] { loop_.finish(); }); });
+}
+
+bool has_world(const scene::CfgFile& file) {
+  return std::ranges::any_of(file.drivers,
+                             [](const scene::CfgSection& section) { return section.name() == "stage"; });
+}
+
+int serve_devices(const scene::CfgFile& file, const std::string& bind, std::uint16_t port,
+                  const std::string& port_option,
+                  const std::function<void(const std::vector<std::uint16_t>&)>& opened) {
+  std::vector<std::uint16_t> ports;
+  DeviceService service(bind);
+  std::uint16_t default_port = port;
+  for (const std::uint16_t wanted : ports_of(file)) {
+    const Result<std::uint16_t> listening = service.listen(wanted == 0 ? port : wanted);
+    if (!listening) return fail(port_error(listening.error(), wanted == 0, port_option));
+    if (wanted == 0) default_port = *listening;
+    ports.push_back(*listening);
+  }
+  service.open_site(default_port);
+  if (const Result<void> made = service.make_drivers(file); !made) return fail_in_file(made.error(), {});
+  for (const std::uint16_t each : ports)
+    log::say(fmt::format("Player clients: {}:{}", shown_host(bind), each));
+  if (opened) opened(ports);
+  return service.run();
+}
+
+std::string shown_host(const std::string& bind) {
+  if (bind == "0.0.0.0" || bind == "localhost") return "127.0.0.1";
+  if (bind == "::") return "[::1]";
+  return bind.find(':') == std::string::npos ? bind : "[" + bind + "]";
+}
+
+std::set<std::uint16_t> ports_of(const scene::CfgFile& file) {
+  std::set<std::uint16_t> ports;
+  for (const scene::CfgSection& section : file.drivers) {
+    for (const scene::DeviceAddress& address : section.addresses("provides"))
+      ports.insert(address.port.value_or(0));
+  }
+  return ports;
+}
+
+Error port_error(const Error& error, bool is_default, const std::string& port_option) {
+  return {error.where, error.text + (is_default ? "; " + port_option + " takes another port"
+                                                : "; the configuration file names this port")};
+}
+
+}  // namespace playhouse::app

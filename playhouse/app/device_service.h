@@ -1,0 +1,78 @@
+#pragma once
+
+/// DeviceService: devices of drivers on Player's ports, without a world. One thread, on which everything
+/// happens.
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "playhouse/drivers/registry.h"
+#include "playhouse/drivers/site.h"
+#include "playhouse/net/io_loop.h"
+#include "playhouse/scene/cfg.h"
+#include "playhouse/server/server.h"
+
+namespace playhouse::app {
+
+class DeviceService final : private drivers::Surroundings {
+ public:
+  explicit DeviceService(const std::string& bind);
+  ~DeviceService() override;
+
+  /// Opens a port for Player clients (0: any free one).
+  Result<std::uint16_t> listen(std::uint16_t port) { return server_->listen(port); }
+  /// Makes the drivers of a configuration file, in the site.
+  Result<void> make_drivers(const scene::CfgFile& file);
+  /// Another driver; its devices may be added while it runs.
+  void take(std::unique_ptr<device::Driver> driver) { drivers_.push_back(std::move(driver)); }
+  /// Where drivers are made; `port` stands for the port of addresses that have none. Before any driver, once.
+  drivers::Site& open_site(std::uint16_t port);
+
+  /// Until a signal comes or end() is called. Gives the exit code.
+  int run();
+  /// Clients get what waits for them, then run() returns. Any time in run(), or before it.
+  void end(int code);
+
+ private:
+  Result<device::DeviceId> add_device(device::Address address, device::Driver& driver) override {
+    return server_->add_device(address, driver);
+  }
+  void retire_device(device::DeviceId device) override { server_->retire_device(device); }
+  Result<void> hold(device::DeviceId device, device::Driver* holder) override {
+    return server_->hold(device, holder);
+  }
+  void release(device::DeviceId device, device::Driver* holder) override { server_->release(device, holder); }
+  void post(std::function<void()> task) override { loop_.post(std::move(task)); }
+  net::Network& network() override { return loop_; }
+  Result<std::unique_ptr<drivers::Simulation>> open_world(const std::string& path) override;
+
+  // What is below uses what is above.
+  net::IoLoop loop_;
+  std::unique_ptr<drivers::Site> site_;
+  std::vector<std::unique_ptr<device::Driver>> drivers_;
+  std::unique_ptr<server::Server> server_;
+  bool ending_ = false;
+  int code_ = 0;
+};
+
+/// Whether a section of the file simulates a world.
+bool has_world(const scene::CfgFile& file);
+
+/// Serves the devices of a configuration file that has no world. `opened` is called with the ports when
+/// clients can connect. Gives the exit code.
+int serve_devices(const scene::CfgFile& file, const std::string& bind, std::uint16_t port,
+                  const std::string& port_option,
+                  const std::function<void(const std::vector<std::uint16_t>&)>& opened = {});
+
+/// An address as people type it into a client; a server on every interface is shown at the loopback one.
+std::string shown_host(const std::string& bind);
+
+/// The ports of a configuration file; 0 stands for the default one where an address names none.
+std::set<std::uint16_t> ports_of(const scene::CfgFile& file);
+
+/// What to say of a port that cannot be opened.
+Error port_error(const Error& error, bool is_default, const std::string& port_option);
+
+}  // namespace playhouse::app

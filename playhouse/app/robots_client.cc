@@ -1,0 +1,170 @@
+#include "playhouse/app/robots_client.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+#include <sstream>
+#include <utility>
+
+#include "playhouse/app/fail.h"
+#include "playhouse/app/options.h"
+#include "playhouse/base/in_quotes.h"
+#include "playhouse/base/log_output.h"
+#include "playhouse/device/device_table.h"
+#include "playhouse/wire/codec.h"
+#include "playhouse/wire/generated/simulation.h"
+#include "playhouse/wire/messages.h"
+
+namespace playhouse::app {
+namespace {
+
+namespace sim = wire::simulation;
+
+constexpr drivers::RemoteDevice kWorld{sim::kCode, 0};
+
+/// x, y and heading as float64, then texts that end with NUL: name, color, sensors (docs/robot-client.md).
+std::string value_of(const scene::RobotDesc& robot) {
+  const double place[3] = {robot.X_WR.x, robot.X_WR.y, robot.X_WR.a};
+  std::string value(sizeof place, '\0');
+  std::memcpy(value.data(), place, sizeof place);
+  const auto add = [&value](const std::string& text) { value.append(text).push_back('\0'); };
+  add(robot.name);
+  add(robot.color);
+  for (const scene::RobotDesc::Sensor& sensor : robot.sensors) {
+    const auto& X = sensor.X_RS;
+    add(X ? fmt::format("{} {} {} {}", sensor.type, X->x, X->y, X->a) : sensor.type);
+  }
+  return value;
+}
+
+std::vector<std::byte> property(const std::string& name, const std::string& what, std::string value) {
+  sim::PropertyReq request;
+  request.name = wire::c_string(name);
+  request.prop = wire::c_string(what);
+  request.value = std::move(value);
+  return wire::encode(request);
+}
+
+/// The text of an answer; nothing where there is none.
+std::string text_of(std::span<const std::byte> body) {
+  const Result<sim::PropertyReq> told = wire::decode<sim::PropertyReq>(body);
+  return told ? std::string(wire::text(told->value)) : std::string();
+}
+
+/// "laser:7"
+std::optional<drivers::RemoteDevice> parse_device(const std::string& text) {
+  const Result<scene::DeviceAddress> address = scene::parse_device_address(text);
+  const wire::InterfaceDef* const interf = address ? wire::find_interface(address->interf) : nullptr;
+  if (interf == nullptr) return std::nullopt;
+  return drivers::RemoteDevice{interf->code, address->index};
+}
+
+}  // namespace
+
+RobotsClient::RobotsClient(DeviceService& service, Options options, std::vector<scene::RobotDesc> robots)
+    : service_(service), options_(std::move(options)), next_port_(options_.port) {
+  for (scene::RobotDesc& desc : robots) robots_.push_back({std::move(desc), {}, {}, false, false});
+  auto relay =
+      std::make_unique<drivers::Passthrough>(service.open_site(options_.port), options_.host,
+                                             options_.server_port, drivers::Passthrough::AfterLoss::kRetire);
+  relay_ = relay.get();
+  service.take(std::move(relay));
+  relay_->watch({.connected = [this] { bring_next(); },
+                 .lost =
+                     [this](const std::string& why) {
+                       fail_with({relay_->remote().name(), why});
+                     },
+                 .retired = [this](drivers::RemoteDevice device) { retired(device); }});
+}
+
+void RobotsClient::begin() {
+  relay_->connect();
+}
+
+void RobotsClient::fail_with(const Error& error) {
+  relay_->remote().disconnect();
+  fail_in_file(error, {});
+  service_.end(kFailed);
+}
+
+void RobotsClient::bring_next() {
+  if (next_ == robots_.size()) return;
+  Robot& robot = robots_[next_++];
+  relay_->remote().ask(
+      kWorld, sim::kReqSetProperty, property(robot.desc.type, "robot", value_of(robot.desc)),
+      [this, &robot](bool ack, std::span<const std::byte> body) {
+        if (!relay_->remote().is_connected()) return;  // which has been told
+        const std::string told = text_of(body);
+        if (ack) return came(robot, told);
+        fail_with({robot.desc.where, told.empty() ? relay_->remote().name() + " takes no robots" : told});
+      });
+}
+
+void RobotsClient::came(Robot& robot, std::string name) {
+  robot.name = std::move(name);
+  relay_->remote().ask(kWorld, sim::kReqGetProperty, property(robot.name, "devices", {}),
+                       [this, &robot](bool ack, std::span<const std::byte> body) {
+                         if (!relay_->remote().is_connected()) return;
+                         if (ack) return serve(robot, text_of(body));
+                         fail_with({robot.desc.where, in_quotes(robot.name) + " left the world again"});
+                       });
+}
+
+Result<std::uint16_t> RobotsClient::open_port(const Robot& robot) {
+  if (robot.desc.port) {
+    const Result<std::uint16_t> port = service_.listen(*robot.desc.port);
+    if (!port) return Error{robot.desc.where, port.error().line()};
+    return port;
+  }
+  const Result<std::uint16_t> port = service_.listen(next_port_);
+  if (!port) return port_error(port.error(), true, "--port");
+  if (next_port_ != 0) ++next_port_;
+  return port;
+}
+
+device::Address RobotsClient::address_of(const Robot& robot, std::uint16_t port, std::uint16_t interf) const {
+  const auto first = robot.desc.first_index.find(std::string(wire::find_interface(interf)->name));
+  const auto before = std::ranges::count(robot.devices, interf, &drivers::RemoteDevice::interf);
+  const long index = before + (first == robot.desc.first_index.end() ? 0 : first->second);
+  return {port, interf, static_cast<std::uint16_t>(index)};
+}
+
+/// Nobody who connects finds the port without its devices: both come in one turn of the loop.
+void RobotsClient::serve(Robot& robot, const std::string& devices) {
+  const Result<std::uint16_t> port = open_port(robot);
+  if (!port) return fail_with(port.error());
+  std::istringstream words(devices);
+  std::vector<std::string> shown;
+  for (std::string word; words >> word;) {
+    const std::optional<drivers::RemoteDevice> device = parse_device(word);
+    if (!device) continue;
+    const device::Address address = address_of(robot, *port, device->interf);
+    if (const Result<void> added = relay_->add(address, *device); !added)
+      return fail_with({robot.desc.where, added.error().line()});
+    robot.devices.push_back(*device);
+    const std::string whole = device::describe(address);
+    shown.push_back(whole.substr(whole.find(':') + 1));
+  }
+  if (robot.devices.empty())
+    return fail_with({robot.desc.where, relay_->remote().name() + " gives robots that join no devices"});
+  robot.joined = true;
+  log::say(fmt::format("Player clients: {}:{} ({}: {})", shown_host(options_.bind), *port,
+                       escaped(robot.name), fmt::join(shown, " ")));
+  bring_next();
+}
+
+/// Its first device is the robot's own.
+void RobotsClient::retired(drivers::RemoteDevice device) {
+  for (Robot& robot : robots_) {
+    if (robot.gone || robot.devices.empty() || robot.devices.front() != device) continue;
+    robot.gone = true;
+    const Error gone{robot.desc.where, in_quotes(robot.name) + " was taken out of the world"};
+    const bool was_last = std::ranges::all_of(robots_, [](const Robot& each) { return each.gone; });
+    if (was_last) return fail_with(gone);
+    warn(gone.line());
+  }
+}
+
+}  // namespace playhouse::app

@@ -1,0 +1,62 @@
+#pragma once
+
+/// CameraSense: cameras among bodies in space, rendered (render/renderer.h): bodies as they lie, people who
+/// walk, light, shadows, fog and smoke. What images are of, how far they reach and their errors are those of
+/// the stage engine. Without OpenGL the images are those of the stage engine, too.
+///
+/// In: poses, bodies, colours of models; where each camera looks; sun, sky and fog.
+/// Out: its pixels.
+/// Cost: OpenGL is made ready by the first image of a run; then that of Renderer::draw(), once for all images
+/// of a tick. Thread: the tick thread; images become pixels on the workers.
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "playhouse/render/renderer.h"
+#include "playhouse/stage/sense_phase.h"
+
+namespace playhouse::arena {
+
+class CameraSense final : public stage::SensePhase {
+ public:
+  using MakeRenderer = Result<std::unique_ptr<render::Renderer>> (*)();
+
+  explicit CameraSense(unsigned workers, MakeRenderer make = render::Renderer::make)
+      : workers_(workers), make_(make) {}
+
+  stage::SensorTable table(world::World& world) const override;
+  void populate(const world::World& world, const stage::Space& space) override;
+  std::uint64_t sense(world::World& world, const stage::Space& space, std::span<const std::uint32_t> due,
+                      std::uint64_t tick, world::Workers& workers) override;
+
+ private:
+  /// What a camera may see.
+  struct Body {
+    std::uint32_t model = 0;  // row
+    std::uint32_t shape = 0;  // of the renderer
+  };
+
+  void begin();
+  void find_bodies(const world::World& world, const stage::Solids& solids);
+  void place_bodies(const world::World& world, double time);
+  render::View view_of(const world::World& world, std::uint32_t camera) const;
+
+  unsigned workers_;
+  MakeRenderer make_;
+  std::unique_ptr<render::Renderer> renderer_;       // none before the first image
+  std::unique_ptr<stage::SensePhase> instead_;       // where there can be none
+  bool is_stale_ = true;                             // bodies_ and the others are of another population
+  std::map<std::uint32_t, std::uint32_t> shape_of_;  // by row of SceneDesc::models
+  std::vector<Body> bodies_;
+  std::vector<std::uint32_t> people_, smokes_;  // rows of world::Models
+  std::vector<render::Instance> instances_;
+  std::vector<render::Figure> figures_;
+  std::vector<render::Smoke> clouds_;
+  std::vector<render::View> views_;
+  std::vector<render::Picture> pictures_;
+};
+
+std::unique_ptr<stage::SensePhase> make_camera_sense(unsigned workers);
+
+}  // namespace playhouse::arena

@@ -1,0 +1,265 @@
+// What cameras show in the arena: as in the stage engine where the world is flat, and in space.
+
+#include "playhouse/arena/camera_sense.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "playhouse/arena/engine.h"
+#include "playhouse/arena/looks.h"
+#include "playhouse/scene/world_loader.h"
+#include "playhouse/stage/camera_image.h"
+#include "playhouse/stage/engine.h"
+#include "playhouse/world/population.h"
+#include "playhouse/world/state.h"
+
+namespace playhouse::arena {
+namespace {
+
+struct Session {
+  std::unique_ptr<scene::SceneDesc> scene;
+  std::unique_ptr<world::Engine> engine;
+
+  Session(const std::string& text, bool arena, unsigned workers = 1) {
+    scene::MemoryFiles files({{"w.world", text}});
+    Result<scene::SceneDesc> loaded = scene::load_world_text(text, "w.world", files);
+    EXPECT_TRUE(loaded) << loaded.error().line();
+    scene = std::make_unique<scene::SceneDesc>(std::move(*loaded));
+    engine = arena ? std::move(*make_engine(*scene, {.seed = 1, .workers = workers}))
+                   : std::move(*stage::make_engine(*scene, {.seed = 1, .workers = workers}));
+  }
+  world::World& world() { return engine->world(); }
+  Session& step(int ticks = 1) {
+    for (int i = 0; i < ticks; ++i) engine->step();
+    return *this;
+  }
+  /// Of a camera, in the order of the file.
+  std::vector<std::uint32_t> image(std::size_t camera) {
+    std::vector<std::uint32_t> samples;
+    for (const world::Pixel& pixel : world().cameras.pixels[camera]) samples.push_back(pixel.sample);
+    return samples;
+  }
+  std::uint32_t segment(const char* name) { return stage::segment_of(world().id(world().find(name))); }
+};
+
+int channel(std::uint32_t rgb, int shift) {
+  return static_cast<int>(rgb >> shift & 0xff);
+}
+
+/// Red, green, blue, or none of them, by what is brightest.
+char hue(std::uint32_t rgb) {
+  const int r = channel(rgb, 16), g = channel(rgb, 8), b = channel(rgb, 0);
+  if (3 * r > 4 * std::max(g, b)) return 'r';
+  if (3 * g > 4 * std::max(r, b)) return 'g';
+  if (3 * b > 4 * std::max(r, g)) return 'b';
+  return '-';
+}
+
+// A robot with a camera of each kind, pan and tilt, among things of three colours.
+const std::string kFlat = R"(
+interval_sim 100
+define eye camera( pose [0.1 0 0 0] resolution [64 48] fov [70 55] range [0.3 9] alwayson 1 size [0.05 0.05 0.05] )
+define rover position( size [0.4 0.4 0.3] drive "omni" color "red" obstacle_return 0
+  eye( name "color" image "color" pantilt [10 -8] )
+  eye( name "depth" image "depth" pantilt [10 -8] )
+  eye( name "models" image "segmentation" pantilt [10 -8] )
+)
+rover( name "a" pose [0 0 0 20] )
+model( name "red" pose [3 1 0 10] size [0.6 0.9 0.5] color "red" )
+model( name "green" pose [2.5 2 0 10] size [0.3 0.3 1.5] color "green" )
+model( name "blue" pose [5 3 0 30] size [0.3 3 1] color "blue" )
+model( name "lamp" pose [2 1 0.8 0] size [0.3 0.3 0.1] color "blue" )
+model( name "ring" pose [0 0 0 0] size [14 14 2] boundary 1 noblocks 1 color "green" )
+)";
+
+TEST(CameraSense, shows_what_the_stage_engine_does_where_the_world_is_flat) {
+  Session stage(kFlat, false), arena(kFlat, true);
+  stage.step();
+  arena.step();
+  const auto flat = stage.image(0), lit = arena.image(0);
+  const auto far = stage.image(1), far_lit = arena.image(1);
+  const auto models = stage.image(2), models_lit = arena.image(2);
+  ASSERT_EQ(lit.size(), 64u * 48u);
+  int hues = 0, wrong_hues = 0, wrong_depths = 0, wrong_models = 0, shown = 0;
+  for (std::size_t i = 0; i < lit.size(); ++i) {
+    hues += hue(flat[i]) != '-';
+    wrong_hues += hue(flat[i]) != '-' && hue(lit[i]) != hue(flat[i]);
+    wrong_models += models[i] != models_lit[i];
+    shown += far[i] > 0;
+    // Pixels of a camera of the stage engine that is tilted show what is a quarter of a pixel aside.
+    wrong_depths += std::fabs(double(far[i]) - double(far_lit[i])) > 0.02 * far[i] + 2;
+  }
+  EXPECT_GT(hues, 900);
+  EXPECT_LT(wrong_hues, hues / 25);
+  EXPECT_GT(shown, 2000);
+  EXPECT_LT(wrong_depths, shown / 25);
+  EXPECT_LT(wrong_models, 3072 / 25);
+  for (const char* name : {"red", "green", "blue", "lamp", "ring"})
+    EXPECT_GT(std::ranges::count(models_lit, arena.segment(name)), 20) << name;
+  EXPECT_EQ(std::ranges::count(models_lit, arena.segment("a")), 0) << "its own robot";
+}
+
+TEST(CameraSense, depths_of_the_floor_are_exact_to_a_millimetre_and_follow_pan_tilt_and_zoom) {
+  const std::string text = R"(
+interval_sim 100
+camera( name "eye" pose [1 2 0.5 40] size [0 0 0.1] image "depth" resolution [65 49] fov [60 45] range [0.1 20] alwayson 1 pantilt [30 -20] )
+)";
+  Session run(text, true);
+  run.step();
+  const auto depth = run.image(0);
+  const double h = 0.55, tilt = -20 * geom::kPi / 180, half = std::tan(22.5 * geom::kPi / 180);
+  for (int y = 0; y < 49; ++y) {
+    const double up = half * (1 - (2 * y + 1) / 49.0);
+    const double rise = std::sin(tilt) + std::cos(tilt) * up;
+    const double expected = rise < 0 && h / -rise < 20 ? 1000 * h / -rise : 0;
+    EXPECT_NEAR(depth[static_cast<std::size_t>(y) * 65 + 32], expected, 1) << y;
+    EXPECT_NEAR(depth[static_cast<std::size_t>(y) * 65 + 3], expected, 1) << y;
+  }
+}
+
+TEST(CameraSense, sees_bodies_as_they_lie_and_looks_where_it_is_tilted_to) {
+  const std::string text = R"(
+interval_sim 100
+model( name "plank" pose [2 0 0 0] size [0.1 0.1 2] gripper_return 1 color "blue" )
+model( name "post" pose [0 0 0 0] size [0.2 0.2 0.5] gripper_return 1
+  camera( pose [0 0 0.5 0] size [0 0 0] alwayson 1 resolution [33 33] fov [60 60] range [0.2 8] image "segmentation" )
+  camera( pose [0 0 0.5 0] size [0 0 0] alwayson 1 resolution [33 33] fov [60 60] range [0.2 8] image "depth" ) )
+)";
+  Session run(text, true);
+  run.step();
+  EXPECT_EQ(run.image(0)[16 * 33 + 16], run.segment("plank"));
+  EXPECT_NEAR(run.image(1)[16 * 33 + 16], 1950, 1);
+  world::Models& models = run.world().models;
+  const world::ModelRow plank = run.world().find("plank"), post = run.world().find("post");
+  models.tilt_PM.set(plank.index, {1.4, 0});
+  models.still.set(plank.index, 100);  // rests as it stands
+  world::place_tree(run.world(), plank);
+  run.step();
+  EXPECT_EQ(run.image(0)[16 * 33 + 16], 0u) << "it leans to the side";
+  EXPECT_GT(std::ranges::count(run.image(0), run.segment("plank")), 5);
+  models.tilt_PM.set(post.index, {0, 0.5});
+  models.still.set(post.index, 100);
+  world::place_tree(run.world(), post);
+  run.step();
+  const double eye =
+      models.X_WM[post.index].z + std::cos(0.5);  // the camera stands on the post, 1 m from its foot
+  EXPECT_NEAR(run.image(1)[16 * 33 + 4], 1000 * eye / std::sin(0.5), 5) << "it looks down";
+}
+
+TEST(CameraSense, images_are_the_same_for_any_number_of_workers_and_follow_a_population_that_changes) {
+  const auto changed = [](unsigned workers) {
+    Session run(kFlat, true, workers);
+    run.step(2);
+    EXPECT_TRUE(world::despawn(run.world(), run.world().id(run.world().find("green"))));
+    run.step(2);
+    const auto seen = run.image(2);
+    EXPECT_TRUE(world::set_pose(run.world(), run.world().find("red"), {2, 0.4, 0, 0}));
+    run.step(2);
+    EXPECT_NE(run.image(2), seen);
+    return std::pair(run.world().sensed_hash(), run.image(2));
+  };
+  const auto one = changed(1), three = changed(3);
+  EXPECT_EQ(one, three);
+  Session stage(kFlat, false);
+  stage.step(2);
+  ASSERT_TRUE(world::despawn(stage.world(), stage.world().id(stage.world().find("green"))));
+  ASSERT_TRUE(world::set_pose(stage.world(), stage.world().find("red"), {2, 0.4, 0, 0}));
+  stage.step(2);
+  const auto flat = stage.image(2);
+  int wrong = 0;
+  for (std::size_t i = 0; i < flat.size(); ++i) wrong += flat[i] != one.second[i];
+  EXPECT_LT(wrong, 3072 / 25);
+}
+
+TEST(CameraSense, a_run_that_goes_on_from_a_saved_state_takes_the_same_images) {
+  const std::string text = R"(
+interval_sim 100
+define person position( drive "walk" size [0.3 0.5 1.75] color "blue" obstacle_return 0 localization "gps" alwayson 1 velocity [0.8 0 0 20] )
+person( name "walker" pose [3 0 0 90] )
+camera( name "eye" pose [0 0 1 0] alwayson 1 resolution [40 30] range [0.1 12] noise [0.02 0] )
+)";
+  Session first(text, true), second(text, true);
+  std::vector<std::byte> saved;
+  first.step(7);
+  const auto middle = first.image(0);
+  ASSERT_TRUE(world::save_state(first.world(), saved));
+  first.step(5);
+  EXPECT_NE(first.image(0), middle) << "somebody walks there";
+  second.step(3);
+  ASSERT_TRUE(world::load_state(second.world(), saved));
+  EXPECT_EQ(second.step(5).image(0), first.image(0));
+}
+
+TEST(CameraSense, people_are_people) {
+  const std::string text = R"(
+interval_sim 100
+position( name "person" drive "walk" size [0.3 0.5 1.75] color "red" pose [3 0 0 180] )
+camera( name "eye" pose [0 0 0.85 0] alwayson 1 resolution [60 80] fov [50 60] range [0.1 12] size [0 0 0] )
+camera( name "seg" pose [0 0 0.85 0] alwayson 1 resolution [60 80] fov [50 60] range [0.1 12] size [0 0 0] image "segmentation" )
+)";
+  Session run(text, true);
+  run.step();
+  const auto models = run.image(1), color = run.image(0);
+  const auto wide_at = [&](std::size_t row) {
+    return std::ranges::count(models.begin() + 60 * row, models.begin() + 60 * (row + 1),
+                              run.segment("person"));
+  };
+  // 1.75 m at 3 m in a view of 2 * 3 m * tan(30 degrees): from row 40 - 20.8 to 40 + 19.6.
+  EXPECT_EQ(wide_at(17), 0);
+  EXPECT_GT(wide_at(21), 0);
+  EXPECT_EQ(wide_at(62), 0);
+  EXPECT_LT(wide_at(22), wide_at(28)) << "a head is not so wide as shoulders";
+  EXPECT_EQ(hue(color[28 * 60 + 30]), 'r') << "its shirt";
+}
+
+TEST(CameraSense, without_opengl_images_are_those_of_the_stage_engine) {
+  CameraSense sense(1, [] {
+    return Result<std::unique_ptr<render::Renderer>>(Error{{}, "there is no OpenGL 4.5"});
+  });
+  Session stage(kFlat, false), other(kFlat, false);
+  stage.step();
+  other.step();
+  // The images of `other` are taken again, from the same state.
+  for (auto& pixels : other.world().cameras.pixels) pixels.clear();
+  stage::Shapes shapes(*other.scene);
+  stage::Trees trees = stage::make_trees(other.world());
+  stage::Solids solids = stage::make_fixed_solids(other.world(), shapes);
+  stage::replace_moving_solids(solids, other.world(), shapes, trees);
+  const stage::Walls walls(solids);
+  stage::DiscIndex index;
+  world::Workers workers(1);
+  index.populate(solids.moving(), 0.3, {});
+  index.rebuild(
+      solids.moving(), [&](std::size_t i) { return stage::disc_of(solids, solids.fixed + i); }, workers);
+  const std::uint32_t due[] = {0, 1, 2};
+  const stage::Space space{solids, index, walls};
+  sense.populate(other.world(), space);
+  EXPECT_EQ(sense.sense(other.world(), space, due, 1, workers), 3u * 64 * 48);
+  for (const std::uint32_t camera : due) EXPECT_EQ(other.image(camera), stage.image(camera)) << camera;
+}
+
+TEST(Looks, a_person_walks_as_fast_as_it_moves_and_stands_when_it_does_not) {
+  EXPECT_EQ(gait_of({0.001, 0, 0}, 0, 1.75, 3, 1).stride, 0);
+  const render::Gait slow = gait_of({0.5, 0, 0}, 0, 1.75, 3, 1), fast = gait_of({1.0, 0, 0}, 0, 1.75, 3, 1);
+  EXPECT_NEAR(fast.stride, 2 * slow.stride, 1e-9);
+  EXPECT_EQ(fast.phase, slow.phase) << "its feet go on from where they are";
+  EXPECT_LT(gait_of({-1, 0, 0}, 0, 1.75, 3, 1).stride, 0) << "backwards";
+  // So far the feet reach in a second as the person goes.
+  const double steps = (gait_of({1, 0, 0}, 0, 1.75, 0.1, 1).phase - gait_of({1, 0, 0}, 0, 1.75, 0, 1).phase) /
+                       (2 * geom::kPi) / 0.1;
+  EXPECT_NEAR(fast.stride * 1.75 * (steps < 0 ? steps + 10 : steps), 1, 1e-9);
+}
+
+TEST(Looks, days_get_dark_when_the_sun_sets) {
+  scene::WorldDesc world;
+  const render::Surroundings day = surroundings_of(world, 0);
+  EXPECT_GT(day.to_sun.z, 0.7);
+  world.sun_elevation = -0.1;
+  const render::Surroundings night = surroundings_of(world, 0);
+  EXPECT_LT(night.ambient, 0.2 * day.ambient);
+  EXPECT_LT(night.sky[2], 0.2 * day.sky[2]);
+}
+
+}  // namespace
+}  // namespace playhouse::arena

@@ -1,0 +1,203 @@
+#include "playhouse/arena/mesh_solids.h"
+
+#include <LinearMath/btConvexHullComputer.h>
+
+#include <algorithm>
+#include <set>
+
+#include "playhouse/base/mesh_limits.h"
+#include "playhouse/geom/trig.h"
+#include "playhouse/mesh/mesh.h"
+#include "playhouse/mesh/parts.h"
+
+namespace playhouse::arena {
+namespace {
+
+constexpr int kRound = 24;        // corners around cylinders and capsules
+constexpr int kRings = 5;         // of each half of a ball, with its pole
+constexpr std::size_t kFew = 64;  // corners of a hull that are all kept; of more
+constexpr int kDirections = 256;  // those that are farthest in so many directions are
+
+Vec3 turned(const geom::Pose& X_FB, const Vec3& p) {
+  const geom::Vec2 q = geom::Rotation::of(X_FB.a) * geom::Vec2{p.x, p.y};
+  return {X_FB.x + q.x, X_FB.y + q.y, X_FB.z + p.z};
+}
+
+/// Evenly over the ball. Source: Saff, Kuijlaars, "Distributing many points on a sphere", 1997.
+Vec3 direction(int k) {
+  constexpr double kTurn = 2.39996322972865332;  // rad, the golden angle
+  const double z = 1 - (2 * k + 1.0) / kDirections, r = std::sqrt(1 - z * z);
+  const geom::SinCos a = geom::sincos(geom::normalize(k * kTurn));
+  return {r * a.cos, r * a.sin, z};
+}
+
+/// Corners without most of those that hardly stand out.
+Hull simplified(const Hull& hull) {
+  if (hull.size() <= kFew) return hull;
+  std::set<std::size_t> kept;
+  for (int k = 0; k < kDirections; ++k) {
+    const Vec3 d = direction(k);
+    std::size_t farthest = 0;
+    for (std::size_t i = 1; i < hull.size(); ++i)
+      if (dot(d, hull[i]) > dot(d, hull[farthest])) farthest = i;
+    kept.insert(farthest);
+  }
+  Hull few;
+  for (const std::size_t i : kept) few.push_back(hull[i]);
+  return few;
+}
+
+/// Rings about z, from the lower pole to the upper one; the halves of a ball are `half` from the middle.
+Hull capsule(double radius, double half) {
+  Hull hull{{0, 0, -half - radius}, {0, 0, half + radius}};
+  for (const double side : {-1.0, 1.0})
+    for (int ring = 0; ring < kRings; ++ring) {
+      const geom::SinCos up = geom::sincos(0.5 * geom::kPi * ring / kRings);
+      for (int k = 0; k < kRound; ++k) {
+        const geom::SinCos a = geom::sincos(geom::normalize(2 * geom::kPi * k / kRound));
+        hull.push_back({radius * up.cos * a.cos, radius * up.cos * a.sin, side * (half + radius * up.sin)});
+      }
+    }
+  return hull;
+}
+
+Hull cylinder(double radius, double half) {
+  Hull hull;
+  for (const double z : {-half, half})
+    for (int k = 0; k < kRound; ++k) {
+      const geom::SinCos a = geom::sincos(geom::normalize(2 * geom::kPi * k / kRound));
+      hull.push_back({radius * a.cos, radius * a.sin, z});
+    }
+  return hull;
+}
+
+Hull box(const Vec3& half) {
+  Hull hull;
+  for (const double x : {-half.x, half.x})
+    for (const double y : {-half.y, half.y})
+      for (const double z : {-half.z, half.z}) hull.push_back({x, y, z});
+  return hull;
+}
+
+/// In B.
+Hull hull_of(const mesh::Shape& shape) {
+  Hull hull;
+  switch (shape.kind) {
+    case mesh::ShapeKind::kBox:
+      hull = box(shape.half);
+      break;
+    case mesh::ShapeKind::kSphere:
+      hull = capsule(shape.half.x, 0);
+      break;
+    case mesh::ShapeKind::kCapsule:
+      hull = capsule(shape.half.x, shape.half.z);
+      break;
+    case mesh::ShapeKind::kCylinder:
+      hull = cylinder(shape.half.x, shape.half.z);
+      break;
+    case mesh::ShapeKind::kHull:
+    case mesh::ShapeKind::kTriangles:
+      hull = simplified(shape.points);
+      break;
+  }
+  for (Vec3& p : hull) p = shape.p + shape.q * p;
+  return hull;
+}
+
+bool is_solid(const Hull& hull) {
+  return hull_content(hull).volume > 1e-12;
+}
+
+}  // namespace
+
+const mesh::Mesh* mesh_of(const world::World& world, std::uint32_t model) {
+  return world.desc({model}).mesh.get();
+}
+
+geom::Pose body_in(const world::World& world, std::uint32_t model, const geom::Pose& X_FM) {
+  return geom::compose(X_FM, world.desc({model}).X_MB);
+}
+
+void add_surfaces(Triangles& triangles, const mesh::Mesh& mesh, const geom::Pose& X_FB) {
+  for (const mesh::Surface& surface : mesh.surfaces) {
+    const auto first = static_cast<std::uint32_t>(triangles.p.size());
+    for (const auto& p : surface.p) triangles.p.push_back(turned(X_FB, {p[0], p[1], p[2]}));
+    for (const auto& [a, b, c] : surface.corners)
+      triangles.corner.push_back({first + a, first + b, first + c});
+  }
+}
+
+const std::vector<Hull>& MeshHulls::of(const mesh::Mesh& mesh) {
+  const auto [entry, is_new] = known_.try_emplace(&mesh);
+  std::vector<Hull>& hulls = entry->second;
+  if (!is_new) return hulls;
+  if (mesh.physics && !mesh.physics->shapes.empty()) {
+    for (const mesh::Shape& shape : mesh.physics->shapes) hulls.push_back(hull_of(shape));
+  } else {
+    for (const Hull& part : mesh::parts_of(mesh, limits::kMeshParts)) hulls.push_back(simplified(part));
+  }
+  std::erase_if(hulls, [](const Hull& hull) { return !is_solid(hull); });
+  if (!hulls.empty()) return hulls;
+  // Nothing but sheets: all of them together, or their box with some thickness.
+  Hull all;
+  for (const Hull& part : mesh::parts_of(mesh, 1)) all = simplified(part);
+  if (!is_solid(all)) {
+    constexpr double kSheet = 0.01;  // m
+    const Vec3 extent = mesh.high - mesh.low, middle = 0.5 * (mesh.low + mesh.high);
+    all = box(0.5 * Vec3{std::max(extent.x, kSheet), std::max(extent.y, kSheet), std::max(extent.z, kSheet)});
+    for (Vec3& p : all) p = p + middle;
+  }
+  hulls.push_back(std::move(all));
+  return hulls;
+}
+
+FixedParts fixed_parts(const mesh::Mesh& mesh, const geom::Pose& X_FB) {
+  FixedParts parts;
+  if (!mesh.physics || mesh.physics->shapes.empty()) {
+    add_surfaces(parts.triangles, mesh, X_FB);
+    return parts;
+  }
+  for (const mesh::Shape& shape : mesh.physics->shapes) {
+    if (shape.kind != mesh::ShapeKind::kTriangles) {
+      Hull& hull = parts.hulls.emplace_back(hull_of(shape));
+      for (Vec3& p : hull) p = turned(X_FB, p);
+      continue;
+    }
+    const auto first = static_cast<std::uint32_t>(parts.triangles.p.size());
+    for (const Vec3& p : shape.points) parts.triangles.p.push_back(turned(X_FB, shape.p + shape.q * p));
+    for (const auto& [a, b, c] : shape.corners)
+      parts.triangles.corner.push_back({first + a, first + b, first + c});
+  }
+  return parts;
+}
+
+HullContent hull_content(const Hull& hull) {
+  HullContent content;
+  if (hull.size() < 4) return content;
+  std::vector<double> corners;
+  for (const Vec3& p : hull) corners.insert(corners.end(), {p.x, p.y, p.z});
+  btConvexHullComputer computed;
+  computed.compute(corners.data(), 3 * sizeof(double), static_cast<int>(hull.size()), 0, 0);
+  const auto at = [&](int vertex) {
+    const btVector3& v = computed.vertices[vertex];
+    return Vec3{v.x(), v.y(), v.z()} - hull[0];
+  };
+  Vec3 sum;
+  for (int face = 0; face < computed.faces.size(); ++face) {
+    const btConvexHullComputer::Edge* first = &computed.edges[computed.faces[face]];
+    const Vec3 a = at(first->getSourceVertex());
+    for (const auto* edge = first->getNextEdgeOfFace(); edge->getTargetVertex() != first->getSourceVertex();
+         edge = edge->getNextEdgeOfFace()) {
+      const Vec3 b = at(edge->getSourceVertex()), c = at(edge->getTargetVertex());
+      const double volume = dot(a, cross(b, c)) / 6;
+      content.volume += volume;
+      sum = sum + (volume / 4) * (a + b + c);
+    }
+  }
+  if (content.volume == 0) return content;
+  content.center = (1 / content.volume) * sum + hull[0];
+  content.volume = std::fabs(content.volume);
+  return content;
+}
+
+}  // namespace playhouse::arena

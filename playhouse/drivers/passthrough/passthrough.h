@@ -1,0 +1,95 @@
+#pragma once
+
+/// Passthrough: devices that are those of another Player server. What clients say to them goes there, and its
+/// data, answers and refusals come back byte for byte. A device is open there while somebody has it open
+/// here.
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "playhouse/base/result.h"
+#include "playhouse/device/driver.h"
+#include "playhouse/drivers/passthrough/remote_server.h"
+#include "playhouse/drivers/site.h"
+#include "playhouse/scene/cfg.h"
+
+namespace playhouse::drivers {
+
+class Passthrough final : public device::Driver, private RemoteServer::Events {
+ public:
+  /// What becomes of the devices when the server is lost.
+  enum class AfterLoss : std::uint8_t {
+    kRetire,   // they retire
+    kConnect,  // they stay, and are closed until it is there again
+  };
+
+  /// `site` outlives it; tasks of its surroundings run as long as it lives or never again.
+  Passthrough(Site& site, std::string host, std::uint16_t port, AfterLoss after_loss);
+
+  /// Makes a device known that stands for one of the server. Io thread, once it runs.
+  Result<void> add(device::Address address, RemoteDevice device);
+  /// Begins to connect. Io thread, once it runs.
+  void connect() { remote_.connect(); }
+
+  /// For who uses the server beside the devices. Before connect().
+  struct Watcher {
+    std::function<void()> connected;
+    std::function<void(const std::string& why)> lost;
+    std::function<void(RemoteDevice)> retired;  // a device of the server; it is none here any more
+  };
+  void watch(Watcher watcher) { watcher_ = std::move(watcher); }
+  /// Io thread.
+  RemoteServer& remote() { return remote_; }
+
+  std::string_view name() const override { return "passthrough"; }
+  /// Fails while there is no connection.
+  Result<void> start(device::DeviceId id) override;
+  void stop(device::DeviceId id) override;
+  void forget(device::DeviceId id) override;
+  device::Taken command(const device::Message& message) override;
+  void request(const device::Message& message, device::Replier replier) override;
+  bool capable(device::DeviceId id, std::uint8_t type, std::uint8_t subtype) const override;
+  bool asks_for_capabilities() const override { return true; }
+
+ private:
+  void connected() override;
+  void lost(const std::string& why) override;
+  void data(RemoteDevice device, const wire::Header& header, std::span<const std::byte> body) override;
+  void caught_up() override;
+  void refused(RemoteDevice device) override;
+  void gone(RemoteDevice device) override;
+
+  struct Relayed {
+    device::Address address;  // here
+    RemoteDevice there;
+  };
+  std::optional<RemoteDevice> there(device::DeviceId id) const;  // any thread
+  void connect_later();
+
+  Site& site_;
+  const AfterLoss after_loss_;
+  RemoteServer remote_;
+  Watcher watcher_;
+  std::unique_ptr<net::Timer> retry_;
+  double wait_ = 0;  // s before the next attempt
+  std::string why_lost_ = "is not connected yet";
+  std::set<device::DeviceId> wanted_;  // that are open here
+  std::map<RemoteDevice, device::DeviceId> here_;
+  std::set<RemoteDevice> told_;  // whose broken data was told of
+  std::vector<device::Publication> batch_;
+
+  mutable std::mutex mutex_;  // guards what follows
+  std::map<device::DeviceId, Relayed> relayed_;
+};
+
+/// Of a configuration file: `requires` names the devices of one other server, `provides` as many here, in the
+/// same order; `reconnect` 1 keeps them when the server is lost.
+Result<std::unique_ptr<device::Driver>> make_passthrough(const scene::CfgSection& section, Site& site);
+
+}  // namespace playhouse::drivers

@@ -1,0 +1,225 @@
+#include "playhouse/drivers/passthrough/remote_server.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "playhouse/base/limits.h"
+#include "playhouse/wire/codec.h"
+#include "playhouse/wire/generated/player.h"
+
+namespace playhouse::drivers {
+namespace {
+
+namespace player = wire::player;
+using wire::MessageType;
+
+constexpr RemoteDevice kServer{player::kCode, 0};
+constexpr std::string_view kGreeting = "Player v.";
+constexpr std::uint8_t kPush = 1;                            // of DATAMODE
+constexpr std::uint8_t kOpen = 1, kClose = 2, kEnded = 'e';  // access
+constexpr std::size_t kUnderWay = limits::kSessionAnswerBytes;
+
+std::string name_of(const std::string& host, std::uint16_t port) {
+  return (host.find(':') == std::string::npos ? host : "[" + host + "]") + ":" + std::to_string(port);
+}
+
+std::vector<std::byte> access_request(RemoteDevice device, std::uint16_t port, std::uint8_t access) {
+  return wire::encode(player::DeviceReq{{0, port, device.interf, device.index}, access, ""});
+}
+
+}  // namespace
+
+RemoteServer::RemoteServer(net::Network& network, std::string host, std::uint16_t port, Events& events)
+    : network_(network), host_(std::move(host)), port_(port), name_(name_of(host_, port)), events_(events) {}
+
+void RemoteServer::connect() {
+  if (connection_ || attempt_) return;
+  attempt_ = network_.connect(host_, port_, [this](Result<std::unique_ptr<net::Connection>> connection) {
+    made(std::move(connection));
+  });
+}
+
+void RemoteServer::made(Result<std::unique_ptr<net::Connection>> connection) {
+  const std::unique_ptr<net::Attempt> done = std::move(attempt_);
+  if (!connection) return fail(connection.error().text);
+  connection_ = std::move(*connection);
+  connection_->expect_alive();
+  patience_ =
+      network_.after(net::kConnectSeconds, [this] { fail("says nothing, as no Player server does"); });
+  connection_->start(*this);
+}
+
+void RemoteServer::disconnect() {
+  attempt_.reset();
+  if (connection_) connection_->close_after_flush();
+  for (const Heard& heard : forget()) heard(false, {});
+}
+
+std::vector<RemoteServer::Heard> RemoteServer::forget() {
+  connection_.reset();
+  patience_.reset();
+  greeted_ = false;
+  input_.clear();
+  held_.clear();
+  waiting_ = 0;
+  std::vector<Heard> unheard;
+  for (auto& [key, all] : std::exchange(asked_, {}))
+    for (Asked& asked : all) unheard.push_back(std::move(asked.heard));
+  return unheard;
+}
+
+void RemoteServer::fail(const std::string& why) {
+  for (const Heard& heard : forget()) heard(false, {});
+  events_.lost(why);
+}
+
+void RemoteServer::closed(const std::string& why) {
+  fail(why == "closed" ? "closed the connection" : why);
+}
+
+// --- what comes
+
+void RemoteServer::received(std::span<const std::byte> bytes) {
+  input_.insert(input_.end(), bytes.begin(), bytes.end());
+  if (!greeted_ && !greet()) return fail("is no Player server");
+  if (greeted_) take_messages();
+}
+
+bool RemoteServer::greet() {
+  const std::string_view text(reinterpret_cast<const char*>(input_.data()), input_.size());
+  const std::size_t compared = std::min(text.size(), kGreeting.size());
+  if (text.substr(0, compared) != kGreeting.substr(0, compared)) return false;
+  if (text.size() < limits::kBannerBytes) return true;
+  input_.erase(input_.begin(), input_.begin() + limits::kBannerBytes);
+  patience_.reset();
+  greeted_ = true;
+  request_of_server(player::kReqDatamode, wire::encode(player::DeviceDatamodeReq{kPush}), {});
+  events_.connected();
+  return true;
+}
+
+/// What is told may end the connection, and with it the input.
+void RemoteServer::take_messages() {
+  std::size_t at = 0;
+  while (greeted_ && input_.size() - at >= limits::kHeaderBytes) {
+    const auto rest = std::span(std::as_const(input_)).subspan(at);
+    const wire::Header header = wire::decode_header(rest.first<limits::kHeaderBytes>());
+    if (header.size > limits::kBodyBytes) return fail("sends frames that cannot be");
+    if (rest.size() - limits::kHeaderBytes < header.size) break;
+    const std::vector<std::byte> body(rest.begin() + limits::kHeaderBytes,
+                                      rest.begin() + limits::kHeaderBytes + header.size);
+    at += limits::kHeaderBytes + header.size;
+    take(header, body);
+  }
+  if (!greeted_) return;
+  input_.erase(input_.begin(), input_.begin() + static_cast<std::ptrdiff_t>(at));
+  events_.caught_up();
+}
+
+void RemoteServer::take(const wire::Header& header, std::span<const std::byte> body) {
+  switch (header.type) {
+    case MessageType::kData:
+      return events_.data({header.interf, header.index}, header, body);
+    case MessageType::kAck:
+    case MessageType::kNack:
+      if (!tells_of_end(header, body)) take_answer(header, body);
+      return;
+    case MessageType::kCmd:
+    case MessageType::kReq:
+    case MessageType::kSynch:
+      return;
+  }
+}
+
+/// The notice that nobody asked for: a device that was open has retired (docs/server.md).
+bool RemoteServer::tells_of_end(const wire::Header& header, std::span<const std::byte> body) {
+  if (header.interf != player::kCode || header.subtype != player::kReqDev || header.type != MessageType::kAck)
+    return false;
+  const Result<player::DeviceReq> told = wire::decode<player::DeviceReq>(body);
+  if (!told || told->access != kEnded) return false;
+  events_.gone({told->addr.interf, told->addr.index});
+  return true;
+}
+
+/// Requests of one kind to one device are answered in their order. Where the number of the request comes
+/// back, those before it were not answered and will not be.
+void RemoteServer::take_answer(const wire::Header& header, std::span<const std::byte> body) {
+  const auto found = asked_.find({{header.interf, header.index}, header.subtype});
+  if (found == asked_.end()) return;
+  std::deque<Asked>& waiting = found->second;
+  const auto meant = std::ranges::find(waiting, header.seq, &Asked::seq);
+  std::vector<Heard> unanswered;
+  for (auto count = meant == waiting.end() ? 0 : meant - waiting.begin(); count > 0; --count) {
+    unanswered.push_back(std::move(waiting.front().heard));
+    waiting.pop_front();
+  }
+  const Heard heard = std::move(waiting.front().heard);
+  waiting.pop_front();
+  waiting_ -= unanswered.size() + 1;
+  if (waiting.empty()) asked_.erase(found);
+  for (const Heard& each : unanswered)
+    if (each) each(false, {});
+  if (heard) heard(header.type == MessageType::kAck, body);
+}
+
+void RemoteServer::drained() {
+  if (held_.empty() || !connection_) return;
+  std::vector<net::SharedBytes> parts;
+  for (auto& [key, bytes] : std::exchange(held_, {})) parts.push_back(std::move(bytes));
+  connection_->send(parts);
+}
+
+// --- what goes
+
+void RemoteServer::open(RemoteDevice device) {
+  request_of_server(player::kReqDev, access_request(device, port_, kOpen),
+                    [this, device](bool ack, std::span<const std::byte> body) {
+                      if (!greeted_) return;
+                      const Result<player::DeviceReq> told = wire::decode<player::DeviceReq>(body);
+                      if (!ack || !told || told->access != kOpen) events_.refused(device);
+                    });
+}
+
+void RemoteServer::close(RemoteDevice device) {
+  request_of_server(player::kReqDev, access_request(device, port_, kClose), {});
+}
+
+void RemoteServer::request_of_server(std::uint8_t subtype, std::span<const std::byte> body, Heard heard) {
+  ask(kServer, subtype, body, heard ? std::move(heard) : Heard([](bool, std::span<const std::byte>) {}));
+}
+
+void RemoteServer::ask(RemoteDevice device, std::uint8_t subtype, std::span<const std::byte> body,
+                       Heard heard) {
+  if (!greeted_ || waiting_ >= limits::kRequestQueue) return heard(false, {});
+  ++seq_;
+  asked_[{device, subtype}].push_back({seq_, std::move(heard)});
+  ++waiting_;
+  send(MessageType::kReq, device, subtype, body);
+}
+
+void RemoteServer::command(RemoteDevice device, std::uint8_t subtype, std::span<const std::byte> body) {
+  if (greeted_) send(MessageType::kCmd, device, subtype, body);
+}
+
+void RemoteServer::send(MessageType type, RemoteDevice device, std::uint8_t subtype,
+                        std::span<const std::byte> body) {
+  wire::Header header;
+  header.robot = port_;
+  header.interf = device.interf;
+  header.index = device.index;
+  header.type = type;
+  header.subtype = subtype;
+  header.seq = type == MessageType::kReq ? seq_ : 0;
+  header.size = static_cast<std::uint32_t>(body.size());
+  std::vector<std::byte> bytes(limits::kHeaderBytes);
+  wire::encode_header(header, std::span<std::byte, limits::kHeaderBytes>(bytes.data(), limits::kHeaderBytes));
+  bytes.insert(bytes.end(), body.begin(), body.end());
+  net::SharedBytes shared = std::make_shared<const std::vector<std::byte>>(std::move(bytes));
+  if (type == MessageType::kCmd && connection_->in_flight_bytes() > kUnderWay) {
+    held_[{device, subtype}] = std::move(shared);
+    return;
+  }
+  connection_->send(std::span(&shared, 1));
+}
+
+}  // namespace playhouse::drivers

@@ -1,0 +1,94 @@
+// Whether a robot that joins would stand in something: outlines, not discs, so that a place beside a wall is
+// free.
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "playhouse/drivers/simulated/joining.h"
+#include "playhouse/stage/overlap.h"
+
+namespace playhouse::drivers {
+namespace {
+
+/// A solid prism in the world.
+struct Solid {
+  std::vector<geom::Vec2> p;
+  double bottom = 0, top = 0;
+};
+
+std::vector<geom::Vec2> moved(const geom::Pose& X_WB, std::span<const geom::Vec2> points) {
+  std::vector<geom::Vec2> result;
+  for (const geom::Vec2 p : points) result.push_back(geom::transform(X_WB, p));
+  return result;
+}
+
+void add_blocks(const scene::ModelDesc& desc, const geom::Pose& X_WM, std::vector<Solid>& solids) {
+  if (!desc.obstacle_return) return;
+  const geom::Pose X_WB = geom::compose(X_WM, desc.X_MB);
+  for (const scene::Block& block : desc.blocks)
+    solids.push_back({moved(X_WB, block.points), X_WB.z + block.z_min, X_WB.z + block.z_max});
+}
+
+std::vector<Solid> solids_of(const world::World& world, std::uint32_t prototype, const geom::Pose& X_WM) {
+  const std::vector<scene::ModelDesc>& models = world.scene().models;
+  std::vector<Solid> solids;
+  std::vector<geom::Pose> poses;
+  for (std::uint32_t i = 0; i < scene::tree_size(world.scene(), prototype); ++i) {
+    const scene::ModelDesc& desc = models[prototype + i];
+    poses.push_back(
+        i == 0 ? X_WM : geom::compose(poses[static_cast<std::uint32_t>(desc.parent) - prototype], desc.X_PM));
+    add_blocks(desc, poses.back(), solids);
+  }
+  return solids;
+}
+
+bool meet_in_height(const Solid& a, double bottom, double top) {
+  return a.bottom < top && bottom < a.top;
+}
+
+bool meets_blocks(const Solid& solid, std::span<const Solid> others) {
+  return std::ranges::any_of(others, [&](const Solid& other) {
+    return meet_in_height(solid, other.bottom, other.top) && stage::touch(solid.p, other.p);
+  });
+}
+
+/// An edge of the loops reaches into the outline, or all of it lies within them by the even-odd rule.
+bool meets_contours(const Solid& solid, const scene::Contours& contours, const geom::Pose& X_WB) {
+  if (!meet_in_height(solid, X_WB.z + contours.z_min, X_WB.z + contours.z_max)) return false;
+  geom::Vec2 sum{};
+  for (const geom::Vec2 p : solid.p) sum = sum + p;
+  const stage::Outline outline{solid.p, (1.0 / static_cast<double>(solid.p.size())) * sum, false};
+  const geom::Vec2 inner = solid.p.front();
+  bool inside = false;
+  for (const std::vector<geom::Vec2>& loop : contours.loops) {
+    const std::vector<geom::Vec2> p = moved(X_WB, loop);
+    for (std::size_t i = 0, before = p.size() - 1; i < p.size(); before = i++) {
+      const geom::Vec2 a = p[before], b = p[i];
+      if (stage::length_inside(outline, a, b) > 0) return true;
+      if ((a.y > inner.y) != (b.y > inner.y) && inner.x < a.x + (b.x - a.x) * (inner.y - a.y) / (b.y - a.y))
+        inside = !inside;
+    }
+  }
+  return inside;
+}
+
+}  // namespace
+
+bool is_free(const world::World& world, std::uint32_t prototype, const geom::Pose& X_WM) {
+  const std::vector<Solid> robot = solids_of(world, prototype, X_WM);
+  std::vector<Solid> others;
+  for (std::uint32_t row = 0; row < world.models.size(); ++row) {
+    const scene::ModelDesc& desc = world.desc({row});
+    const geom::Pose& X_WO = world.models.X_WM[row];
+    add_blocks(desc, X_WO, others);
+    if (!desc.obstacle_return) continue;
+    const geom::Pose X_WB = geom::compose(X_WO, desc.X_MB);
+    for (const scene::Contours& contours : desc.bitmaps)
+      for (const Solid& solid : robot)
+        if (meets_contours(solid, contours, X_WB)) return false;
+  }
+  return std::ranges::none_of(robot, [&](const Solid& solid) { return meets_blocks(solid, others); });
+}
+
+}  // namespace playhouse::drivers

@@ -1,0 +1,65 @@
+#include "playhouse/drivers/simulated/joined_robots.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "playhouse/base/log.h"
+#include "playhouse/wire/codec.h"
+
+namespace playhouse::drivers {
+namespace {
+
+constexpr std::size_t kRobotsOfClient = 1024;  // that one client asks for, those that left again included
+
+std::vector<std::byte> answer(wire::simulation::PropertyReq body, std::string_view value) {
+  body.value = wire::c_string(value);
+  return wire::encode(body);
+}
+
+}  // namespace
+
+std::shared_ptr<JoinedRobots::Owned> JoinedRobots::owned_by(device::Caller& caller) {
+  std::shared_ptr<Owned>& owned = (*owners_)[&caller];
+  if (owned) return owned;
+  owned = std::make_shared<Owned>();
+  caller.expect_alive();
+  caller.when_gone(
+      [&simulation = simulation_, owners = owners_, who = &caller, owned = owned, name = caller.name()] {
+        owners->erase(who);
+        // Behind the changes by which they came.
+        simulation.post_always(
+            [owned, name](world::World& world) {
+              for (const Joined& each : owned->robots) leave(world, each);
+              if (!owned->robots.empty())
+                log::info("{}: gone, and its {} robots with it", name, owned->robots.size());
+              owned->robots.clear();
+            },
+            {});
+      });
+  return owned;
+}
+
+void JoinedRobots::join(const wire::simulation::PropertyReq& request, device::Caller* caller,
+                        device::Replier replier) {
+  if (caller == nullptr) return replier.nack(answer(request, "clients alone bring robots"));
+  Result<JoinRequest> wanted = parse_join_request(wire::text(request.name), request.value);
+  if (!wanted) return replier.nack(answer(request, wanted.error().text));
+  const std::shared_ptr<Owned> owned = owned_by(*caller);
+  if (owned->asked_for >= kRobotsOfClient)
+    return replier.nack(answer(request, fmt::format("a client brings {} robots at most", kRobotsOfClient)));
+  ++owned->asked_for;
+  auto shared = std::make_shared<device::Replier>(std::move(replier));  // std::function wants to be copied
+  const bool posted =
+      simulation_.post([owned, shared, request, wanted = std::move(*wanted)](world::World& world) {
+        Result<Joined> joined = drivers::join(world, wanted);
+        if (!joined) return shared->nack(answer(request, joined.error().text));
+        shared->ack(answer(request, joined->name));
+        owned->robots.push_back(std::move(*joined));
+      });
+  if (!posted) shared->nack(answer(request, "too many requests are waiting"));
+}
+
+}  // namespace playhouse::drivers

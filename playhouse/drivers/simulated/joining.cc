@@ -1,0 +1,193 @@
+#include "playhouse/drivers/simulated/joining.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <set>
+#include <sstream>
+#include <utility>
+
+#include "playhouse/base/in_quotes.h"
+#include "playhouse/base/nearest_word.h"
+#include "playhouse/drivers/simulated/model_interfaces.h"
+#include "playhouse/scene/colors.h"
+#include "playhouse/scene/expand.h"
+#include "playhouse/world/population.h"
+#include "playhouse/world/speech.h"
+
+namespace playhouse::drivers {
+namespace {
+
+using world::World;
+
+constexpr std::size_t kMostSensors = 64;  // that one robot brings
+
+/// "TYPE" or "TYPE X Y HEADING" [m, rad].
+Result<JoinRequest::Sensor> parse_sensor(const std::string& text) {
+  std::istringstream words(text);
+  JoinRequest::Sensor sensor;
+  words >> sensor.type;
+  std::vector<double> numbers;
+  for (std::string word; words >> word;) {
+    const std::optional<double> number = scene::parse_number(word);
+    if (!number) return Error{"", in_quotes(text) + ": a sensor is a type, or a type with x, y and heading"};
+    numbers.push_back(*number);
+  }
+  if (numbers.size() == 3) sensor.X_RS = geom::Pose{numbers[0], numbers[1], 0, numbers[2]};
+  if (sensor.type.empty() || (!numbers.empty() && numbers.size() != 3))
+    return Error{"", in_quotes(text) + ": a sensor is a type, or a type with x, y and heading"};
+  return sensor;
+}
+
+/// A type: a prototype, and the model that stands for it where it is one that the world has.
+struct Type {
+  std::uint32_t prototype = 0;
+  world::ModelRow like;
+};
+
+/// Words for an error line: of robots, or of what is none.
+std::string nearest_types(const World& world, std::string_view word, bool robots) {
+  std::set<std::string> names;
+  for (const scene::ModelDesc& desc : world.scene().models)
+    if (desc.parent < 0 && (desc.kind == scene::ModelKind::kPosition) == robots && !desc.prototype.empty())
+      names.insert(desc.prototype);
+  const std::vector<std::string_view> words(names.begin(), names.end());
+  const std::string meant = did_you_mean(word, words);
+  if (!meant.empty() || words.empty()) return meant;
+  return fmt::format("; there are {}", fmt::join(words, ", "));
+}
+
+Result<Type> find_type(const World& world, const std::string& word, bool robot) {
+  const std::vector<scene::ModelDesc>& models = world.scene().models;
+  std::optional<Type> found;
+  for (std::uint32_t row = 0; row < models.size() && !found; ++row)
+    if (models[row].parent < 0 && models[row].prototype == word) found = Type{row, {}};
+  if (const world::ModelRow model = world.find(word); !found && model) {
+    const std::uint32_t top = world.models.root[model.index];
+    found = Type{world.models.desc[top], {top}};
+  }
+  const std::string what = robot ? "robot" : "sensor";
+  if (!found)
+    return Error{"", fmt::format("the world has no type of {} {}{}", what, in_quotes(word),
+                                 nearest_types(world, word, robot))};
+  if ((models[found->prototype].kind == scene::ModelKind::kPosition) != robot)
+    return Error{
+        "", fmt::format("{} is no {}: it is a {}", in_quotes(word), what, models[found->prototype].type)};
+  return *found;
+}
+
+std::string name_for(const World& world, const std::string& wanted, const std::string& type) {
+  if (!wanted.empty()) return wanted;
+  return world.find(type) ? world::fresh_name(world, type) : type;
+}
+
+Result<scene::Color> color_of(const std::string& name) {
+  const std::optional<scene::Color> color = scene::color_by_name(name);
+  if (!color) return Error{"", "there is no color " + in_quotes(name) + scene::color_hint(name)};
+  return *color;
+}
+
+/// Where a sensor is on a robot: as world files say, on its top where that stacks.
+geom::Pose place_on(const World& world, const Joined& joined, const Type& type,
+                    const JoinRequest::Sensor& sensor) {
+  const scene::ModelDesc& robot = world.desc(world.row(joined.robot));
+  const geom::Pose said = world.scene().models[type.prototype].X_PM;
+  geom::Pose X_RS = sensor.X_RS.value_or(said);
+  X_RS.z = said.z + (robot.stacks_children ? robot.size.z : 0);
+  return X_RS;
+}
+
+Result<void> add_sensor(World& world, Joined& joined, const JoinRequest::Sensor& sensor) {
+  const Result<Type> type = find_type(world, sensor.type, false);
+  if (!type) return type.error();
+  const std::string wanted = joined.name + "-" + sensor.type;
+  const Result<world::ModelId> came =
+      world::spawn(world, type->prototype, world.models.X_WM[world.row(joined.robot).index],
+                   world.find(wanted) ? world::fresh_name(world, wanted) : wanted);
+  if (!came) return came.error();
+  joined.sensors.push_back(*came);
+  const Result<void> attached =
+      world::attach(world, *came, joined.robot, place_on(world, joined, *type, sensor));
+  if (!attached) return Error{"", in_quotes(sensor.type) + ": " + attached.error().text};
+  return {};
+}
+
+}  // namespace
+
+Result<JoinRequest> parse_join_request(std::string_view type, std::string_view value) {
+  double place[3];
+  if (value.size() < sizeof place) return Error{"", "x, y and heading are wanted, as three float64"};
+  std::memcpy(place, value.data(), sizeof place);
+  JoinRequest request;
+  request.type = type;
+  request.X_WR = {place[0], place[1], 0, place[2]};
+  if (!world::is_place(request.X_WR)) return Error{"", "the pose is not finite, or too far away"};
+  std::vector<std::string> texts;
+  for (std::string_view rest = value.substr(sizeof place); !rest.empty();) {
+    const std::size_t end = std::min(rest.find('\0'), rest.size());
+    texts.emplace_back(rest.substr(0, end));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  if (!texts.empty()) request.name = texts[0];
+  if (texts.size() > 1) request.color = texts[1];
+  if (!request.name.empty() && !world::can_be_said(request.name))
+    return Error{"", "the name is no line of text"};
+  if (texts.size() > 2 + kMostSensors)
+    return Error{"", fmt::format("a robot brings {} sensors at most", kMostSensors)};
+  for (std::size_t i = 2; i < texts.size(); ++i) {
+    Result<JoinRequest::Sensor> sensor = parse_sensor(texts[i]);
+    if (!sensor) return sensor.error();
+    request.sensors.push_back(std::move(*sensor));
+  }
+  return request;
+}
+
+Result<Joined> join(World& world, const JoinRequest& request) {
+  const Result<Type> type = find_type(world, request.type, true);
+  if (!type) return type.error();
+  // All that is asked for is looked at before anything comes.
+  for (const JoinRequest::Sensor& sensor : request.sensors)
+    if (const Result<Type> known = find_type(world, sensor.type, false); !known) return known.error();
+  std::optional<scene::Color> color;
+  if (!request.color.empty()) {
+    const Result<scene::Color> read = color_of(request.color);
+    if (!read) return read.error();
+    color = *read;
+  } else if (type->like) {
+    color = world.models.color[type->like.index];
+  }
+  geom::Pose X_WR = request.X_WR;
+  X_WR.z = world.scene().models[type->prototype].X_PM.z;
+  if (!is_free(world, type->prototype, X_WR))
+    return Error{"", fmt::format("something stands at {:.2f} {:.2f} already", X_WR.x, X_WR.y)};
+  const Result<world::ModelId> came =
+      world::spawn(world, type->prototype, X_WR, name_for(world, request.name, request.type));
+  if (!came) return came.error();
+  const world::ModelRow row = world.row(*came);
+  if (color) world::set_color(world, row, *color);
+  Joined joined{*came, world.name(row), {}};
+  for (const JoinRequest::Sensor& sensor : request.sensors) {
+    if (const Result<void> added = add_sensor(world, joined, sensor); !added) {
+      leave(world, joined);
+      return added.error();
+    }
+  }
+  return joined;
+}
+
+/// A run that started again may have given the id of the robot to another.
+void leave(World& world, const Joined& joined) {
+  const world::ModelRow robot = world.row(joined.robot);
+  const bool is_it = robot && world.name(robot) == joined.name;
+  for (const world::ModelId sensor : joined.sensors) {
+    const world::ModelRow row = world.row(sensor);
+    if (!row || !world.name(row).starts_with(joined.name + "-")) continue;
+    if (world.models.parent_id[row.index]) static_cast<void>(world::detach(world, sensor));
+    static_cast<void>(world::despawn(world, sensor));
+  }
+  if (is_it) static_cast<void>(world::despawn(world, joined.robot));
+}
+
+}  // namespace playhouse::drivers

@@ -1,0 +1,194 @@
+#include "playhouse/drivers/simulated/joining.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "playhouse/drivers/simulated/auto_devices.h"
+#include "playhouse/drivers/simulated/joined_robots.h"
+#include "playhouse/drivers/testing/memory_site.h"
+#include "playhouse/scene/colors.h"
+#include "playhouse/wire/codec.h"
+#include "playhouse/world/population.h"
+
+namespace playhouse::drivers {
+namespace {
+
+using testing::MemorySite;
+
+constexpr const char* kLab = R"(
+interval_sim 100
+robot_types [ "cart" "scanner" "cube" ]
+define scanner ranger( size [0.1 0.1 0.1] pose [0.1 0 0 0] sensor( samples 3 fov 180 ) )
+define cart position( size [0.4 0.4 0.2] origin [0 0 0 0] )
+define cube model( size [1 1 1] )
+model( name "wall" pose [3 0 0 0] size [0.2 10 1] )
+position( name "own" pose [0 -3 0 0] size [0.4 0.4 0.2] color "green" )
+)";
+
+std::string wire_value(double x, double y, const std::vector<std::string>& texts) {
+  const double place[3] = {x, y, 1.5};
+  std::string value(sizeof place, '\0');
+  std::memcpy(value.data(), place, sizeof place);
+  for (const std::string& text : texts) value.append(text).push_back('\0');
+  return value;
+}
+
+JoinRequest request(const std::string& type, double x, double y, const std::vector<std::string>& texts = {}) {
+  const Result<JoinRequest> parsed = parse_join_request(type, wire_value(x, y, texts));
+  EXPECT_TRUE(parsed) << (parsed ? "" : parsed.error().text);
+  return parsed ? *parsed : JoinRequest{};
+}
+
+class Joining : public ::testing::Test {
+ protected:
+  Joining() : site(kLab) {
+    EXPECT_TRUE(site.site().open_world("lab.world"));
+    robots = std::make_unique<AutoDevices>(site.site(), 6665);
+    EXPECT_TRUE(robots->add_all());
+  }
+  Simulation& simulation() { return *site.site().simulation(); }
+  const world::World& world() { return simulation().world(); }
+  /// The name of what came, or why nothing did.
+  std::string come(const JoinRequest& wanted) {
+    std::string told;
+    EXPECT_TRUE(simulation().post([&](world::World& world) {
+      const std::size_t before = world.models.size();
+      const Result<Joined> joined = join(world, wanted);
+      told = joined ? joined->name : joined.error().text;
+      if (joined) last = *joined;
+      if (!joined) EXPECT_EQ(world.models.size(), before) << "all of it, or nothing";
+    }));
+    site.run(1);
+    return told;
+  }
+  std::string devices(const std::string& model) {
+    return devices_below(world(), simulation().directory(), world().find(model));
+  }
+
+  MemorySite site;
+  std::unique_ptr<AutoDevices> robots;
+  Joined last;
+};
+
+TEST_F(Joining, types_stand_nowhere_until_a_robot_of_them_joins) {
+  EXPECT_EQ(world().models.size(), 2u);
+  EXPECT_EQ(come(request("cart", 0, 0)), "cart");
+  EXPECT_EQ(come(request("cart", 1, 0)), "cart~2");
+  EXPECT_EQ(come(request("cart", 2, 0, {"bob", "red"})), "bob");
+  EXPECT_EQ(world().models.size(), 5u);
+  EXPECT_EQ(world().models.color[world().find("bob").index], *scene::color_by_name("red"));
+  EXPECT_DOUBLE_EQ(world().models.X_WM[world().find("bob").index].a, 1.5);
+}
+
+TEST_F(Joining, sensors_are_parts_of_the_robot_and_of_its_devices) {
+  EXPECT_EQ(come(request("cart", 0, 0, {"bob", "", "scanner", "scanner 0.2 0 3"})), "bob");
+  EXPECT_EQ(devices("bob"), "position2d:1 position3d:1 speech:1 ranger:0 laser:1 ranger:1 laser:2");
+  const world::ModelRow first = world().find("bob-scanner"), second = world().find("bob-scanner~2");
+  ASSERT_TRUE(first && second);
+  EXPECT_EQ(world().models.X_PM[first.index].x, 0.1);
+  EXPECT_EQ(world().models.X_PM[first.index].z, 0.2);
+  EXPECT_EQ(world().models.X_PM[second.index].x, 0.2);
+  EXPECT_EQ(world().models.X_PM[second.index].a, 3);
+  EXPECT_EQ(simulation().directory().size(), 10u) << "each device once";
+}
+
+TEST_F(Joining, a_model_that_is_there_can_be_the_type) {
+  EXPECT_EQ(come(request("own", 0, 0)), "own~2");
+  EXPECT_EQ(world().models.color[world().find("own~2").index], *scene::color_by_name("green"));
+}
+
+TEST_F(Joining, what_cannot_be_is_told_and_nothing_comes) {
+  EXPECT_EQ(come(request("carrt", 0, 0)),
+            "the world has no type of robot \"carrt\" (did you mean \"cart\"?)");
+  EXPECT_EQ(come(request("lamp", 0, 0)), "the world has no type of robot \"lamp\"; there are cart, own");
+  EXPECT_EQ(come(request("scanner", 0, 0)), "\"scanner\" is no robot: it is a ranger");
+  EXPECT_EQ(come(request("cart", 0, 0, {"", "", "cart"})), "\"cart\" is no sensor: it is a position");
+  EXPECT_EQ(come(request("cart", 0, 0, {"", "", "scaner"})),
+            "the world has no type of sensor \"scaner\" (did you mean \"scanner\"?)");
+  EXPECT_EQ(come(request("cart", 0, 0, {"own"})), "there is a model \"own\" already");
+  EXPECT_EQ(come(request("cart", 0, 0, {"", "rred"})), "there is no color \"rred\" (did you mean \"red\"?)");
+  EXPECT_EQ(come(request("cart", 0.1, -3.1)), "something stands at 0.10 -3.10 already");
+  EXPECT_EQ(come(request("cart", 2.8, 4)), "something stands at 2.80 4.00 already");
+}
+
+TEST(JoinRequests, are_read_with_care) {
+  const auto fault = [](const std::string& value) {
+    const Result<JoinRequest> read = parse_join_request("cart", value);
+    return read ? "" : read.error().text;
+  };
+  EXPECT_EQ(fault("short"), "x, y and heading are wanted, as three float64");
+  EXPECT_EQ(fault(wire_value(1e300, 0, {})), "the pose is not finite, or too far away");
+  EXPECT_EQ(fault(wire_value(0, 0, {"two\nlines"})), "the name is no line of text");
+  EXPECT_EQ(fault(wire_value(0, 0, {"", "", "scanner 1 2"})),
+            "\"scanner 1 2\": a sensor is a type, or a type with x, y and heading");
+  EXPECT_EQ(fault(wire_value(0, 0, {"", "", ""})),
+            "\"\": a sensor is a type, or a type with x, y and heading");
+  EXPECT_EQ(fault(wire_value(0, 0, std::vector<std::string>(80, "scanner"))),
+            "a robot brings 64 sensors at most");
+}
+
+TEST_F(Joining, leaving_takes_the_sensors_along_and_nothing_else) {
+  come(request("cart", 0, 0, {"bob", "", "scanner"}));
+  const Joined bob = last;
+  come(request("cart", 1, 0, {"eve", "", "scanner"}));
+  ASSERT_TRUE(simulation().post([&](world::World& world) { leave(world, bob); }));
+  site.run(1);
+  EXPECT_FALSE(world().find("bob"));
+  EXPECT_FALSE(world().find("bob-scanner"));
+  EXPECT_TRUE(world().find("eve-scanner"));
+  ASSERT_TRUE(simulation().post([&](world::World& world) { leave(world, bob); }));
+  site.run(1);
+  EXPECT_EQ(world().models.size(), 4u);
+}
+
+wire::simulation::PropertyReq property(const std::string& type, std::string value) {
+  return {wire::c_string(type), wire::c_string("robot"), 0, std::move(value)};
+}
+
+TEST_F(Joining, robots_leave_with_the_client_that_brought_them) {
+  JoinedRobots joined(simulation());
+  testing::Recorder answers;
+  {
+    device::Caller student("10.0.0.1:1"), other("10.0.0.2:1");
+    int expected = 0;
+    student.expect_alive_by([&] { ++expected; });
+    joined.join(property("cart", wire_value(0, 0, {"bob", "", "scanner"})), &student, {answers, 1});
+    joined.join(property("cart", wire_value(1, 0, {"ann"})), &student, {answers, 2});
+    joined.join(property("cart", wire_value(2, 0, {"eve"})), &other, {answers, 3});
+    EXPECT_EQ(expected, 1);
+    site.run(1);
+    for (const std::uint64_t ticket : {1, 2, 3}) EXPECT_TRUE(answers.answers[ticket].ack);
+    joined.join(property("cart", wire_value(-1, 0, {"late"})), &student, {answers, 4});
+    student.leave();  // before the last one has come
+    site.run(1);
+    EXPECT_FALSE(world().find("bob"));
+    EXPECT_FALSE(world().find("bob-scanner"));
+    EXPECT_FALSE(world().find("ann"));
+    EXPECT_FALSE(world().find("late"));
+    EXPECT_TRUE(world().find("eve"));
+  }
+  site.run(1);
+  EXPECT_FALSE(world().find("eve"));
+}
+
+TEST_F(Joining, who_is_no_client_and_who_asks_for_what_is_not_gets_a_reason) {
+  JoinedRobots joined(simulation());
+  testing::Recorder answers;
+  const auto reason = [&](std::uint64_t ticket) {
+    EXPECT_FALSE(answers.answers[ticket].ack);
+    const auto body = wire::decode<wire::simulation::PropertyReq>(answers.answers[ticket].body);
+    return body ? std::string(wire::text(body->value)) : body.error().text;
+  };
+  device::Caller student("10.0.0.1:1");
+  joined.join(property("cart", wire_value(0, 0, {})), nullptr, {answers, 1});
+  joined.join(property("cart", "x"), &student, {answers, 2});
+  joined.join(property("crt", wire_value(0, 0, {})), &student, {answers, 3});
+  site.run(1);
+  EXPECT_EQ(reason(1), "clients alone bring robots");
+  EXPECT_EQ(reason(2), "x, y and heading are wanted, as three float64");
+  EXPECT_EQ(reason(3), "the world has no type of robot \"crt\" (did you mean \"cart\"?)");
+}
+
+}  // namespace
+}  // namespace playhouse::drivers

@@ -1,0 +1,149 @@
+#include "playhouse/mesh/collada_document.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+#include "playhouse/base/mesh_limits.h"
+#include "playhouse/geom/trig.h"
+
+namespace playhouse::mesh {
+namespace {
+
+using geom::Vec3;
+
+constexpr double kDegree = geom::kPi / 180;
+
+/// How deep elements are inside each other.
+class Depth final : public pugi::xml_tree_walker {
+ public:
+  bool for_each(pugi::xml_node&) override { return depth() < limits::kMeshDepth; }
+};
+
+Affine turn(const Vec3& axis, double degrees) {
+  const geom::SinCos a = geom::sincos(degrees * kDegree);
+  const Vec3 u = unit(axis, {0, 0, 1});
+  Affine X;
+  for (Vec3& e : X.axes) e = a.cos * e + a.sin * cross(u, e) + ((1 - a.cos) * dot(u, e)) * u;
+  return X;
+}
+
+}  // namespace
+
+std::vector<double> numbers_of(const pugi::xml_node& element, std::size_t most) {
+  std::vector<double> numbers;
+  const char* at = element.text().get();
+  for (char* end = nullptr; numbers.size() < most; at = end) {
+    const double number = std::strtod(at, &end);
+    if (end == at) break;
+    numbers.push_back(number);
+  }
+  return numbers;
+}
+
+std::optional<double> number_of(const pugi::xml_node& element) {
+  const std::vector<double> numbers = numbers_of(element, 1);
+  if (numbers.empty()) return std::nullopt;
+  return numbers[0];
+}
+
+Affine transform_of(const pugi::xml_node& parent) {
+  Affine X;
+  for (const pugi::xml_node& step : parent.children()) {
+    const std::string_view name = step.name();
+    if (name == "matrix") {
+      const std::vector<double> m = numbers_of(step, 16);
+      if (m.size() == 16)
+        X = X * Affine{{{{m[0], m[4], m[8]}, {m[1], m[5], m[9]}, {m[2], m[6], m[10]}}}, {m[3], m[7], m[11]}};
+    } else if (name == "rotate") {
+      const std::vector<double> r = numbers_of(step, 4);
+      if (r.size() == 4) X = X * turn({r[0], r[1], r[2]}, r[3]);
+    } else if (name == "translate" || name == "scale") {
+      const std::vector<double> v = numbers_of(step, 3);
+      if (v.size() != 3) continue;
+      X = X * (name == "scale" ? Affine{{{{v[0], 0, 0}, {0, v[1], 0}, {0, 0, v[2]}}}, {}}
+                               : Affine{{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {v[0], v[1], v[2]}});
+    }
+  }
+  return X;
+}
+
+Result<ColladaDocument> ColladaDocument::parse(std::string_view bytes) {
+  ColladaDocument made;
+  const pugi::xml_parse_result parsed = made.document_->load_buffer(bytes.data(), bytes.size());
+  if (!parsed)
+    return Error{{}, fmt::format("is no good XML: {} at byte {}", parsed.description(), parsed.offset)};
+  made.root_ = made.document_->child("COLLADA");
+  if (!made.root_) return Error{{}, "is no COLLADA file"};
+  Depth depth;
+  if (!made.document_->traverse(depth))
+    return Error{{}, fmt::format("has elements more than {} deep", limits::kMeshDepth)};
+
+  const pugi::xml_node asset = made.root_.child("asset");
+  const double unit = asset.child("unit").attribute("meter").as_double(1);
+  const std::string_view up = asset.child("up_axis").text().get();
+  if (up == "Z_UP") {
+    made.X_FC_ = {};
+  } else if (up == "X_UP") {
+    made.X_FC_ = from_y_up() * Affine{{{{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}}, {}};
+  } else {
+    made.X_FC_ = from_y_up();
+  }
+  for (Vec3& axis : made.X_FC_.axes) axis = unit * axis;
+  made.look_for_ids();
+  made.place_nodes();
+  return made;
+}
+
+void ColladaDocument::look_for_ids() {
+  // In the order of the file, without recursion.
+  for (pugi::xml_node at = root_; at;) {
+    if (const pugi::xml_attribute id = at.attribute("id")) by_id_.try_emplace(id.value(), at);
+    if (at.first_child()) {
+      at = at.first_child();
+      continue;
+    }
+    while (at && at != root_ && !at.next_sibling()) at = at.parent();
+    at = at == root_ ? pugi::xml_node() : at.next_sibling();
+  }
+}
+
+void ColladaDocument::place_nodes() {
+  struct Open {
+    pugi::xml_node node;
+    Affine X_FP;
+    int depth;
+  };
+  std::vector<Open> open;
+  for (const pugi::xml_node& scene : root_.child("library_visual_scenes").children("visual_scene"))
+    for (const pugi::xml_node& node : scene.children("node")) open.push_back({node, X_FC_, 1});
+  for (std::size_t looked = 0; !open.empty() && looked < limits::kMeshNodes; ++looked) {
+    const Open next = open.back();
+    open.pop_back();
+    const Affine X_FN = next.X_FP * transform_of(next.node);
+    if (const pugi::xml_attribute id = next.node.attribute("id")) nodes_.try_emplace(id.value(), X_FN);
+    if (next.depth >= limits::kMeshDepth) continue;
+    for (const pugi::xml_node& child : next.node.children("node"))
+      open.push_back({child, X_FN, next.depth + 1});
+    for (const pugi::xml_node& instance : next.node.children("instance_node"))
+      if (const pugi::xml_node child = find(instance.attribute("url").value()))
+        open.push_back({child, X_FN, next.depth + 1});
+  }
+}
+
+pugi::xml_node ColladaDocument::find(std::string_view address) const {
+  if (!address.starts_with('#')) return {};
+  const auto found = by_id_.find(address.substr(1));
+  return found == by_id_.end() ? pugi::xml_node() : found->second;
+}
+
+std::optional<Affine> ColladaDocument::node_in_F(std::string_view address) const {
+  if (!address.starts_with('#')) return std::nullopt;
+  const auto found = nodes_.find(address.substr(1));
+  if (found == nodes_.end()) return std::nullopt;
+  return found->second;
+}
+
+}  // namespace playhouse::mesh

@@ -1,0 +1,171 @@
+#include "playhouse/mesh/import_look.h"
+
+#include <assimp/GltfMaterial.h>
+#include <assimp/material.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "playhouse/base/in_quotes.h"
+#include "playhouse/base/mesh_limits.h"
+#include "playhouse/mesh/beside.h"
+#include "playhouse/mesh/color.h"
+#include "playhouse/mesh/image_file.h"
+
+namespace playhouse::mesh {
+namespace {
+
+constexpr float kRough = 0.8f;  // of what says nothing of its shine
+
+std::optional<float> number(const aiMaterial& from, const char* key, unsigned type, unsigned index) {
+  ai_real value = 0;
+  if (from.Get(key, type, index, value) != aiReturn_SUCCESS || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+std::optional<aiColor4D> color(const aiMaterial& from, const char* key, unsigned type, unsigned index) {
+  aiColor4D value;
+  if (from.Get(key, type, index, value) != aiReturn_SUCCESS) return std::nullopt;
+  return value;
+}
+
+std::optional<std::string> texture(const aiMaterial& from) {
+  for (const aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}) {
+    aiString name;
+    if (from.GetTextureCount(type) > 0 && from.GetTexture(type, 0, &name) == aiReturn_SUCCESS &&
+        name.length > 0)
+      return std::string(name.C_Str());
+  }
+  return std::nullopt;
+}
+
+/// Of Phong's exponent, as light that comes back spreads.
+/// Source: Karis, "Specular BRDF reference", 2013: roughness^4 = 2 / (n + 2).
+float roughness_of(float exponent) {
+  return std::sqrt(std::sqrt(2 / (std::max(exponent, 0.0f) + 2)));
+}
+
+/// The pixels of a texture that is in the file itself.
+Result<Image> image_of(const aiTexture& from, std::size_t most_pixels) {
+  if (from.mHeight == 0)
+    return decode_image({reinterpret_cast<const char*>(from.pcData), from.mWidth}, most_pixels);
+  Image image{from.mWidth, from.mHeight, {}};
+  const std::size_t count = std::size_t{image.width} * image.height;
+  if (image.width > limits::kMeshImageSide || image.height > limits::kMeshImageSide || count > most_pixels)
+    return Error{{}, "has too many pixels"};
+  for (std::size_t i = 0; i < count; ++i) {
+    const aiTexel& pixel = from.pcData[i];
+    image.rgba.insert(image.rgba.end(), {pixel.r, pixel.g, pixel.b, pixel.a});
+  }
+  return image;
+}
+
+Result<Image> image_beside(const std::string& name, const std::string& folder, const ReadFile& read,
+                           std::size_t most_pixels) {
+  Error why{{}, "is not beside the mesh"};
+  for (const std::string& place : places_beside(name)) {
+    const Result<std::string> bytes = read(folder + place);
+    if (bytes) return decode_image(*bytes, most_pixels);
+    why = bytes.error();
+  }
+  return why;
+}
+
+}  // namespace
+
+float Look::light(float channel) const {
+  if (colors_ == Colors::kGltf) return channel;
+  return static_cast<float>(linear_of_srgb(channel));
+}
+
+Material Look::material(const aiMaterial& from) const {
+  Material to;
+  aiString name;
+  if (from.Get(AI_MATKEY_NAME, name) == aiReturn_SUCCESS) to.name = name.C_Str();
+  std::optional<aiColor4D> base = color(from, AI_MATKEY_BASE_COLOR);
+  if (!base || colors_ != Colors::kGltf) base = color(from, AI_MATKEY_COLOR_DIFFUSE);
+  // COLLADA has a color or a texture.
+  if (base && !(colors_ == Colors::kCollada && texture(from)))
+    to.base = {light(base->r), light(base->g), light(base->b), base->a};
+  if (colors_ != Colors::kGltf) to.base[3] = number(from, AI_MATKEY_OPACITY).value_or(1);
+  to.base[3] = std::clamp(to.base[3], 0.0f, 1.0f);
+  if (const auto glow = color(from, AI_MATKEY_COLOR_EMISSIVE))
+    to.emission = {light(glow->r), light(glow->g), light(glow->b)};
+  if (colors_ == Colors::kGltf) {
+    to.metallic = std::clamp(number(from, AI_MATKEY_METALLIC_FACTOR).value_or(1), 0.0f, 1.0f);
+    to.roughness = std::clamp(number(from, AI_MATKEY_ROUGHNESS_FACTOR).value_or(1), 0.0f, 1.0f);
+  } else {
+    const auto exponent = number(from, AI_MATKEY_SHININESS);
+    to.roughness = exponent && *exponent > 0 ? roughness_of(*exponent) : kRough;
+  }
+  int is_two_sided = 0;
+  to.is_two_sided = from.Get(AI_MATKEY_TWOSIDED, is_two_sided) == aiReturn_SUCCESS && is_two_sided != 0;
+  return to;
+}
+
+void Look::add_materials(Mesh& mesh) const {
+  for (unsigned i = 0; i < scene_.mNumMaterials; ++i)
+    mesh.materials.push_back(material(*scene_.mMaterials[i]));
+}
+
+void Look::add_textures(MeshFile& file, const std::string& folder, const ReadFile& read) const {
+  std::map<std::string, std::uint32_t> rows;
+  std::size_t left = limits::kMeshPixels;
+  for (unsigned i = 0; i < scene_.mNumMaterials; ++i) {
+    const std::optional<std::string> name = texture(*scene_.mMaterials[i]);
+    if (!name) continue;
+    const auto [entry, is_new] = rows.try_emplace(*name, Material::kNone);
+    std::uint32_t& row = entry->second;
+    if (is_new && file.mesh.images.size() < limits::kMeshImages) {
+      const aiTexture* embedded = scene_.GetEmbeddedTexture(name->c_str());
+      Result<Image> image = embedded ? image_of(*embedded, left) : image_beside(*name, folder, read, left);
+      if (image) {
+        left -= image->rgba.size() / 4;
+        row = static_cast<std::uint32_t>(file.mesh.images.size());
+        file.mesh.images.push_back(std::move(*image));
+      } else {
+        file.warnings.push_back("texture " + in_quotes(*name) + " " + image.error().text +
+                                "; surfaces have their color alone");
+      }
+    }
+    file.mesh.materials[i].texture = row;
+  }
+}
+
+void Look::add_lights(const Nodes& nodes, Mesh& mesh) const {
+  for (unsigned i = 0; i < scene_.mNumLights && i < limits::kMeshLights; ++i) {
+    const aiLight& from = *scene_.mLights[i];
+    const auto node =
+        std::ranges::find_if(nodes, [&](const Node& one) { return one.node->mName == from.mName; });
+    if (node == nodes.end()) continue;
+    Light to;
+    switch (from.mType) {
+      case aiLightSource_POINT:
+        to.kind = LightKind::kPoint;
+        break;
+      case aiLightSource_DIRECTIONAL:
+        to.kind = LightKind::kDirection;
+        break;
+      case aiLightSource_SPOT:
+        to.kind = LightKind::kSpot;
+        break;
+      default:
+        continue;  // light from everywhere has no place
+    }
+    const auto vec = [](const aiVector3D& v) { return geom::Vec3{v.x, v.y, v.z}; };
+    to.p = node->X_FN * vec(from.mPosition);
+    to.d = unit(node->X_FN.turn(vec(from.mDirection)), {0, 0, -1});
+    to.color = {light(from.mColorDiffuse.r), light(from.mColorDiffuse.g), light(from.mColorDiffuse.b)};
+    // COLLADA says the whole angle, glTF the half.
+    const float share = colors_ == Colors::kGltf ? 1 : 0.5f;
+    to.inner = share * from.mAngleInnerCone;
+    to.outer = share * from.mAngleOuterCone;
+    mesh.lights.push_back(to);
+  }
+}
+
+}  // namespace playhouse::mesh

@@ -1,0 +1,37 @@
+#pragma once
+
+/// Materials, textures and lights of an Assimp scene.
+
+#include <assimp/scene.h>
+
+#include <cstdint>
+#include <string>
+
+#include "playhouse/mesh/import_surfaces.h"
+#include "playhouse/mesh/read_mesh.h"
+
+namespace playhouse::mesh {
+
+/// How a format says colors: glTF as light; COLLADA and OBJ as screens show them, OBJ with a factor beside a
+/// texture.
+enum class Colors : std::uint8_t { kGltf, kCollada, kObj };
+
+class Look {
+ public:
+  Look(const aiScene& scene, Colors colors) : scene_(scene), colors_(colors) {}
+
+  /// In the order of the scene, without textures.
+  void add_materials(Mesh& mesh) const;
+  /// The textures of materials, embedded ones and those in files of `folder`.
+  void add_textures(MeshFile& file, const std::string& folder, const ReadFile& read) const;
+  void add_lights(const Nodes& nodes, Mesh& mesh) const;
+
+ private:
+  Material material(const aiMaterial& from) const;
+  float light(float channel) const;
+
+  const aiScene& scene_;
+  Colors colors_;
+};
+
+}  // namespace playhouse::mesh

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace playhouse::mesh {
+
+/// One end of a line between two processes, for messages. Closes it.
+class Pipe {
+ public:
+  explicit Pipe(int descriptor) : descriptor_(descriptor) {}
+  ~Pipe();
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+
+  struct Message {
+    char kind = 0;
+    std::vector<std::byte> bytes;
+  };
+  /// False when the other side has gone.
+  bool send(char kind, std::span<const std::byte> bytes);
+  /// Nothing when the other side has gone, or sends more than `most` bytes.
+  std::optional<Message> receive(std::size_t most);
+
+ private:
+  bool read(void* to, std::size_t bytes);
+
+  int descriptor_;
+};
+
+}  // namespace playhouse::mesh

@@ -1,0 +1,283 @@
+#include "playhouse/mesh/read_mesh.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "playhouse/base/testing_folder.h"
+#include "playhouse/mesh/testing_meshes.h"
+
+namespace playhouse::mesh {
+namespace {
+
+using testing::HasSubstr;
+
+MeshFile read(const std::string& name, std::map<std::string, std::string> files) {
+  const Result<MeshFile> file = read_mesh(name, test_files(std::move(files)));
+  if (!file) ADD_FAILURE() << file.error().line();
+  return file ? *file : MeshFile();
+}
+
+MeshFile read_collada(const TestCollada& of = {}) {
+  return read("d/box.dae", {{"d/box.dae", test_collada(of)}});
+}
+
+std::string error_of(const std::string& name, const std::string& bytes) {
+  const Result<MeshFile> file = read_mesh(name, test_files({{name, bytes}}));
+  return file ? "read" : file.error().line();
+}
+
+/// The test's box: twelve triangles that look outwards, whose normals are theirs.
+void expect_box(const Mesh& mesh) {
+  EXPECT_NEAR(mesh.low.x, -1, 1e-6);
+  EXPECT_NEAR(mesh.low.y, -0.5, 1e-6);
+  EXPECT_NEAR(mesh.low.z, -0.25, 1e-6);
+  EXPECT_NEAR(mesh.high.x, 1, 1e-6);
+  EXPECT_NEAR(mesh.high.y, 0.5, 1e-6);
+  EXPECT_NEAR(mesh.high.z, 0.25, 1e-6);
+  ASSERT_EQ(mesh.surfaces.size(), 1u);
+  const Surface& surface = mesh.surfaces[0];
+  EXPECT_EQ(surface.corners.size(), 12u);
+  double volume = 0;
+  for (const auto& [a, b, c] : surface.corners) {
+    const auto at = [&](std::uint32_t k) {
+      return geom::Vec3{surface.p[k][0], surface.p[k][1], surface.p[k][2]};
+    };
+    const geom::Vec3 normal = cross(at(b) - at(a), at(c) - at(a));
+    volume += dot(at(a), normal) / 6;
+    for (const std::uint32_t k : {a, b, c}) {
+      const auto& n = surface.normal[k];
+      EXPECT_NEAR(n[0] * n[0] + n[1] * n[1] + n[2] * n[2], 1, 1e-5);
+      EXPECT_GT(dot(normal, {n[0], n[1], n[2]}), 0);
+    }
+  }
+  EXPECT_NEAR(volume, 1, 1e-6);
+}
+
+TEST(ReadMesh, gives_the_same_box_of_each_format_and_up_axis_and_unit) {
+  expect_box(read_collada().mesh);
+  TestCollada y_up;
+  y_up.up = "Y_UP";
+  expect_box(read_collada(y_up).mesh);
+  TestCollada inches;
+  inches.meter = 0.0254;
+  expect_box(read_collada(inches).mesh);
+  expect_box(read("box.obj", {{"box.obj", test_obj()}}).mesh);
+  expect_box(read("a/box.gltf", {{"a/box.gltf", test_gltf()}, {"a/box.bin", test_gltf_buffer()}}).mesh);
+}
+
+TEST(ReadMesh, applies_nodes_and_turns_mirrored_triangles) {
+  TestCollada moved;
+  moved.transform = "<translate>10 20 30</translate><rotate>0 0 1 90</rotate><scale>1 1 -2</scale>";
+  const Mesh mesh = read_collada(moved).mesh;
+  EXPECT_NEAR(mesh.low.x, 9.5, 1e-5);
+  EXPECT_NEAR(mesh.high.y, 21, 1e-5);
+  EXPECT_NEAR(mesh.low.z, 29.5, 1e-5);
+  double volume = 0;
+  for (const auto& corner : mesh.surfaces[0].corners) {
+    const auto at = [&](std::size_t k) {
+      const auto& p = mesh.surfaces[0].p[corner[k]];
+      return geom::Vec3{p[0] - 10.0, p[1] - 20.0, p[2] - 30.0};
+    };
+    volume += dot(at(0), cross(at(1), at(2))) / 6;
+  }
+  EXPECT_NEAR(volume, 2, 1e-4);
+}
+
+TEST(ReadMesh, has_colors_as_light) {
+  const Material of_collada = read_collada().mesh.materials.at(0);
+  EXPECT_NEAR(of_collada.base[0], 0.21404, 1e-4);  // 0.5 of what a screen shows
+  EXPECT_NEAR(of_collada.base[1], 0, 1e-6);
+  EXPECT_NEAR(of_collada.base[2], 1, 1e-5);
+  const Mesh gltf = read("box.gltf", {{"box.gltf", test_gltf()}, {"box.bin", test_gltf_buffer()}}).mesh;
+  const Material& of_gltf = gltf.materials.at(gltf.surfaces.at(0).material);
+  EXPECT_NEAR(of_gltf.base[0], 0.5, 1e-6);
+  EXPECT_NEAR(of_gltf.metallic, 0.25, 1e-6);
+  EXPECT_NEAR(of_gltf.roughness, 0.5, 1e-6);
+  EXPECT_TRUE(of_gltf.is_two_sided);
+}
+
+const std::string kTexture = R"(,"images":[{"uri":"sub/t.png"}],"textures":[{"source":0}])";
+const std::string kTextured = R"(,"baseColorTexture":{"index":0})";
+
+TEST(ReadMesh, reads_textures_of_the_folder) {
+  const MeshFile file = read("d/box.gltf", {{"d/box.gltf", test_gltf("box.bin", "", kTexture, kTextured)},
+                                            {"d/box.bin", test_gltf_buffer()},
+                                            {"d/sub/t.png", test_png()}});
+  EXPECT_THAT(file.warnings, testing::IsEmpty());
+  ASSERT_EQ(file.mesh.images.size(), 1u);
+  EXPECT_EQ(file.mesh.images[0].width, 2u);
+  EXPECT_EQ(file.mesh.images[0].height, 1u);
+  EXPECT_THAT(file.mesh.images[0].rgba, testing::ElementsAre(255, 0, 0, 255, 0, 255, 0, 128));
+  EXPECT_EQ(file.mesh.materials.at(file.mesh.surfaces.at(0).material).texture, 0u);
+}
+
+TEST(ReadMesh, warns_of_a_texture_that_is_missing_or_none) {
+  const std::map<std::string, std::string> files{{"box.gltf", test_gltf("box.bin", "", kTexture, kTextured)},
+                                                 {"box.bin", test_gltf_buffer()}};
+  const MeshFile missing = read("box.gltf", files);
+  ASSERT_EQ(missing.warnings.size(), 1u);
+  EXPECT_THAT(missing.warnings[0], HasSubstr(R"(texture "sub/t.png" cannot be opened)"));
+  EXPECT_EQ(missing.mesh.materials.at(0).texture, Material::kNone);
+  auto broken = files;
+  broken["sub/t.png"] = "no picture";
+  EXPECT_THAT(read("box.gltf", broken).warnings.at(0), HasSubstr("is neither a PNG nor a JPEG"));
+}
+
+TEST(ReadMesh, opens_no_file_outside_of_its_folder) {
+  std::vector<std::string> asked;
+  const auto files = [&](const std::string& path) -> Result<std::string> {
+    asked.push_back(path);
+    if (path == "d/box.gltf")
+      return test_gltf("../../etc/box.bin", "",
+                       R"(,"images":[{"uri":"/etc/passwd"}],"textures":[{"source":0}])", kTextured);
+    if (path == "d/box.bin") return test_gltf_buffer();
+    return Error{{}, "cannot be opened: no such file"};
+  };
+  const Result<MeshFile> file = read_mesh("d/box.gltf", files);
+  ASSERT_TRUE(file) << file.error().line();
+  for (const std::string& path : asked)
+    EXPECT_TRUE(path == "d/box.gltf" || path == "d/box.bin" || path == "d/passwd") << path;
+}
+
+TEST(ReadMesh, tells_in_one_line_what_is_wrong) {
+  EXPECT_THAT(error_of("a.stl", "solid"), HasSubstr("a.stl: is no mesh: its name ends in none of"));
+  EXPECT_THAT(error_of("a.dae", "no xml"), HasSubstr("a.dae: cannot be read: "));
+  EXPECT_THAT(error_of("a.obj", "v 1 2 3\n"), HasSubstr("a.obj: "));
+  EXPECT_THAT(error_of("a.glb", "glTF\2"), HasSubstr("a.glb: cannot be read: "));
+  EXPECT_THAT(error_of("a.gltf", test_gltf()), HasSubstr("a.gltf: cannot be read: "));  // without its buffer
+  TestCollada broken;
+  broken.triangles = "0 1 99";
+  EXPECT_THAT(error_of("a.dae", test_collada(broken)), HasSubstr("a.dae: "));
+  EXPECT_THAT(error_of("a.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n"), HasSubstr("a.obj: "));
+  EXPECT_THAT(error_of("a.obj", "v 0 0 0\nv 1e30 0 0\nv 0 1 0\nf 1 2 3\n"),
+              HasSubstr("a.obj: is broken: a corner is no number, or farther than 100000 m"));
+  for (const char* name : {"a.stl", "a.dae", "a.obj", "a.glb"})
+    EXPECT_THAT(error_of(name, "x"), testing::Not(HasSubstr("\n")));
+}
+
+TEST(ReadMesh, survives_a_file_that_ends_its_reader) {
+  TestCollada endless;  // a node that is inside itself
+  endless.node = "<instance_node url=\"#n\"/>";
+  EXPECT_THAT(error_of("a.dae", test_collada(endless)), HasSubstr("a.dae: cannot be read: it "));
+}
+
+TEST(ReadMesh, reads_lights) {
+  TestCollada lit;
+  lit.libraries =
+      "<library_lights><light id=\"lamp\"><technique_common><point><color>1 0.5 0</color></point>"
+      "</technique_common></light></library_lights>";
+  lit.node = "<node id=\"l\" name=\"l\"><translate>1 2 3</translate><instance_light url=\"#lamp\"/></node>";
+  const Mesh mesh = read_collada(lit).mesh;
+  ASSERT_EQ(mesh.lights.size(), 1u);
+  EXPECT_EQ(mesh.lights[0].kind, LightKind::kPoint);
+  EXPECT_NEAR(mesh.lights[0].p.x, 1, 1e-6);
+  EXPECT_NEAR(mesh.lights[0].p.y, 2, 1e-6);
+  EXPECT_NEAR(mesh.lights[0].p.z, 3, 1e-6);
+  EXPECT_NEAR(mesh.lights[0].color[1], 0.21404, 1e-4);
+}
+
+/// Physics of one body with these shapes, of the node of the box.
+TestCollada with_physics(const std::string& shapes, const std::string& more = "<mass>3.5</mass>") {
+  TestCollada of;
+  of.libraries =
+      "<library_physics_materials><physics_material id=\"pm\"><technique_common>"
+      "<dynamic_friction>0.3</dynamic_friction><restitution>0.2</restitution><static_friction>0.5"
+      "</static_friction></technique_common></physics_material></library_physics_materials>"
+      "<library_physics_models><physics_model id=\"p\"><rigid_body sid=\"b\"><technique_common>"
+      "<dynamic>true</dynamic>" +
+      more + "<instance_physics_material url=\"#pm\"/>" + shapes +
+      "</technique_common></rigid_body></physics_model></library_physics_models>"
+      "<library_physics_scenes><physics_scene id=\"s\"><instance_physics_model url=\"#p\">"
+      "<instance_rigid_body body=\"b\" target=\"#n\"/></instance_physics_model></physics_scene>"
+      "</library_physics_scenes>";
+  of.scene = "<instance_physics_scene url=\"#s\"/>";
+  return of;
+}
+
+TEST(ColladaPhysics, has_shapes_where_their_bodies_are) {
+  TestCollada of = with_physics(
+      "<shape><box><half_extents>1 0.5 0.25</half_extents></box></shape>"
+      "<shape><translate>0 0 1</translate><sphere><radius>0.5</radius></sphere></shape>"
+      "<shape><cylinder><height>2</height><radius>0.3 0.3</radius></cylinder></shape>"
+      "<shape><capsule><height>1</height><radius>0.2 0.2</radius></capsule></shape>");
+  of.transform = "<translate>5 0 0</translate><rotate>0 0 1 90</rotate>";
+  const Mesh mesh = read_collada(of).mesh;
+  ASSERT_TRUE(mesh.physics);
+  const Physics& physics = *mesh.physics;
+  EXPECT_EQ(physics.mass, 3.5);
+  EXPECT_EQ(physics.friction, 0.3);
+  EXPECT_EQ(physics.restitution, 0.2);
+  EXPECT_FALSE(physics.is_fixed);
+  ASSERT_EQ(physics.shapes.size(), 4u);
+  EXPECT_EQ(physics.shapes[0].kind, ShapeKind::kBox);
+  EXPECT_NEAR(physics.shapes[0].half.x, 1, 1e-9);
+  const geom::Vec3 ahead = physics.shapes[0].q * geom::Vec3{1, 0, 0};
+  EXPECT_NEAR(ahead.y, 1, 1e-9);
+  EXPECT_EQ(physics.shapes[1].kind, ShapeKind::kSphere);
+  EXPECT_NEAR(physics.shapes[1].p.x, 5, 1e-9);
+  EXPECT_NEAR(physics.shapes[1].p.z, 1, 1e-9);
+  EXPECT_EQ(physics.shapes[2].kind, ShapeKind::kCylinder);
+  EXPECT_NEAR(physics.shapes[2].half.z, 1, 1e-9);
+  const geom::Vec3 along = physics.shapes[2].q * geom::Vec3{0, 0, 1};  // y of the node, which is -x of F
+  EXPECT_NEAR(along.x, -1, 1e-9);
+  EXPECT_EQ(physics.shapes[3].kind, ShapeKind::kCapsule);
+  EXPECT_NEAR(physics.shapes[3].half.x, 0.2, 1e-9);
+}
+
+TEST(ColladaPhysics, turns_what_has_y_up) {
+  TestCollada of =
+      with_physics("<shape><cylinder><height>2</height><radius>0.3 0.3</radius></cylinder></shape>");
+  of.up = "Y_UP";
+  of.meter = 0.01;
+  const Mesh mesh = read_collada(of).mesh;
+  ASSERT_TRUE(mesh.physics);
+  const Shape& cylinder = mesh.physics->shapes.at(0);
+  const geom::Vec3 along = cylinder.q * geom::Vec3{0, 0, 1};
+  EXPECT_NEAR(along.z, 1, 1e-9);
+  EXPECT_NEAR(cylinder.half.z, 0.01, 1e-9);
+}
+
+TEST(ColladaPhysics, takes_geometries_as_hulls_and_triangles) {
+  TestCollada of = with_physics(
+      "<shape><instance_geometry url=\"#box\"/></shape><shape><instance_geometry url=\"#hull\"/></shape>");
+  of.libraries =
+      "<library_geometries><geometry id=\"hull\"><convex_mesh "
+      "convex_hull_of=\"#box\"/></geometry></library_geometries>" +
+      of.libraries;
+  const Result<MeshFile> file = read_mesh("a.dae", test_files({{"a.dae", test_collada(of)}}));
+  ASSERT_TRUE(file) << file.error().line();
+  const auto& shapes = file->mesh.physics->shapes;
+  ASSERT_EQ(shapes.size(), 2u);
+  EXPECT_EQ(shapes[0].kind, ShapeKind::kTriangles);
+  EXPECT_EQ(shapes[0].points.size(), 8u);
+  EXPECT_EQ(shapes[0].corners.size(), 12u);
+  EXPECT_EQ(shapes[1].kind, ShapeKind::kHull);
+  EXPECT_EQ(shapes[1].points.size(), 8u);
+}
+
+TEST(ColladaPhysics, tells_what_is_broken) {
+  const auto error = [](const TestCollada& of) { return error_of("a.dae", test_collada(of)); };
+  EXPECT_THAT(error(with_physics("<shape><box/></shape>")), HasSubstr("a box without half_extents"));
+  EXPECT_THAT(error(with_physics("<shape><instance_geometry url=\"#none\"/></shape>")),
+              HasSubstr("has no geometry \"#none\""));
+  EXPECT_THAT(error(with_physics("<shape><sphere><radius>1</radius></sphere></shape>", "<mass>nan</mass>")),
+              HasSubstr("a mass or a coefficient is no number"));
+  TestCollada elsewhere = with_physics("<shape><sphere><radius>1</radius></sphere></shape>");
+  elsewhere.libraries.replace(elsewhere.libraries.find("target=\"#n\""), 11, "target=\"#x\"");
+  EXPECT_THAT(error(elsewhere), HasSubstr("has no node \"#x\""));
+}
+
+TEST(ReadMesh, reads_files_of_this_machine) {
+  const TestFolder folder;
+  std::ofstream(folder / "box.obj") << test_obj();
+  const Result<Mesh> mesh = read_mesh(folder / "box.obj");
+  ASSERT_TRUE(mesh) << mesh.error().line();
+  expect_box(*mesh);
+  EXPECT_THAT(read_mesh(folder / "none.obj").error().text, HasSubstr("cannot be opened"));
+}
+
+}  // namespace
+}  // namespace playhouse::mesh

@@ -1,0 +1,113 @@
+#include "playhouse/net/asio_connect.h"
+
+#include <boost/asio/connect.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <chrono>
+#include <optional>
+#include <utility>
+
+#include "playhouse/net/asio_accept.h"
+
+namespace playhouse::net {
+namespace {
+
+namespace asio = boost::asio;
+using asio::ip::tcp;
+using boost::system::error_code;
+
+/// One attempt. Shared by its handle and the operations in progress, which may outlive that.
+class Connecting : public std::enable_shared_from_this<Connecting> {
+ public:
+  Connecting(IoLoop::Impl& loop, const std::string& host, std::uint16_t port, SocketConnected connected)
+      : resolver_(loop.context),
+        socket_(loop.context),
+        patience_(loop.context),
+        host_(host),
+        port_(port),
+        connected_(std::move(connected)) {}
+
+  void begin() {
+    patience_.expires_after(std::chrono::seconds(kConnectSeconds));
+    patience_.async_wait([self = shared_from_this()](const error_code& cancelled) {
+      if (!cancelled) self->fail("no answer within " + std::to_string(kConnectSeconds) + " s");
+    });
+    error_code no_address;
+    const auto address = asio::ip::make_address(host_ == "localhost" ? "127.0.0.1" : host_, no_address);
+    if (!no_address) {
+      endpoints_ = {tcp::endpoint(address, port_)};
+      return connect();
+    }
+    resolver_.async_resolve(host_, std::to_string(port_), tcp::resolver::numeric_service,
+                            [self = shared_from_this()](const error_code& error, const auto& found) {
+                              if (error) return self->fail(error.message());
+                              for (const auto& each : found) self->endpoints_.push_back(each.endpoint());
+                              self->connect();
+                            });
+  }
+
+  /// No event follows.
+  void give_up() {
+    connected_ = nullptr;
+    end();
+  }
+
+ private:
+  void connect() {
+    if (!connected_) return;
+    asio::async_connect(socket_, endpoints_,
+                        [self = shared_from_this()](const error_code& error, const tcp::endpoint& endpoint) {
+                          error ? self->fail(error.message()) : self->succeed(endpoint);
+                        });
+  }
+
+  void succeed(const tcp::endpoint& endpoint) {
+    if (!connected_) return;
+    tune(socket_);
+    patience_.cancel();
+    std::exchange(connected_, nullptr)(ConnectedSocket{std::move(socket_), endpoint_text(endpoint)});
+  }
+
+  void fail(const std::string& why) {
+    if (!connected_) return;
+    end();
+    std::exchange(connected_, nullptr)(Error{
+        (host_.find(':') == std::string::npos ? host_ : "[" + host_ + "]") + ":" + std::to_string(port_),
+        "cannot connect: " + why});
+  }
+
+  void end() {
+    error_code ignored;
+    resolver_.cancel();
+    patience_.cancel();
+    socket_.close(ignored);
+  }
+
+  tcp::resolver resolver_;
+  tcp::socket socket_;
+  asio::steady_timer patience_;
+  const std::string host_;
+  const std::uint16_t port_;
+  std::vector<tcp::endpoint> endpoints_;
+  SocketConnected connected_;  // empty once it was told, or nobody wants to know
+};
+
+class TcpAttempt final : public Attempt {
+ public:
+  explicit TcpAttempt(std::shared_ptr<Connecting> connecting) : connecting_(std::move(connecting)) {}
+  ~TcpAttempt() override { connecting_->give_up(); }
+
+ private:
+  std::shared_ptr<Connecting> connecting_;
+};
+
+}  // namespace
+
+std::unique_ptr<Attempt> connect_tcp(IoLoop::Impl& impl, const std::string& host, std::uint16_t port,
+                                     SocketConnected connected) {
+  auto connecting = std::make_shared<Connecting>(impl, host, port, std::move(connected));
+  connecting->begin();
+  return std::make_unique<TcpAttempt>(std::move(connecting));
+}
+
+}  // namespace playhouse::net

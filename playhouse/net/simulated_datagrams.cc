@@ -1,0 +1,51 @@
+/// The simulated network's datagrams: each is carried by alarms of the virtual clock.
+
+#include <utility>
+
+#include "playhouse/net/simulated.h"
+
+namespace playhouse::net {
+
+class SimulatedDatagrams final : public DatagramSocket {
+ public:
+  SimulatedDatagrams(SimulatedNetwork& network, const Endpoint& here, std::shared_ptr<Receiver> receiver)
+      : network_(network), here_(here), receiver_(std::move(receiver)) {}
+  void send(const Endpoint& to, std::span<const std::byte> bytes) override {
+    network_.carry(here_, to, bytes);
+  }
+  std::uint16_t port() const override { return here_.port; }
+
+ private:
+  SimulatedNetwork& network_;
+  const Endpoint here_;
+  const std::shared_ptr<Receiver> receiver_;  // the network has it for as long as we do
+};
+
+Result<std::unique_ptr<DatagramSocket>> SimulatedNetwork::open_datagrams(const std::string& bind,
+                                                                         std::uint16_t port,
+                                                                         DatagramSocket::Receiver receiver) {
+  const Result<Endpoint> here = parse_endpoint(bind, port == 0 ? next_port_++ : port);
+  if (!here) return here.error();
+  auto& entry = datagram_ports_[*here];
+  if (!entry.expired()) return Error{to_text(*here), "cannot listen for datagrams: port in use"};
+  const auto shared = std::make_shared<DatagramSocket::Receiver>(std::move(receiver));
+  entry = shared;
+  return std::unique_ptr<DatagramSocket>(std::make_unique<SimulatedDatagrams>(*this, *here, shared));
+}
+
+void SimulatedNetwork::carry(const Endpoint& from, const Endpoint& to, std::span<const std::byte> bytes) {
+  const int copies =
+      (rng_.uniform() < datagrams.loss ? 0 : 1) + (rng_.uniform() < datagrams.duplication ? 1 : 0);
+  for (int copy = 0; copy < copies; ++copy) {
+    const double arrives = now_ + datagrams.delay + datagrams.jitter * rng_.uniform();
+    const auto on_its_way = std::make_shared<int>(0);  // nobody cancels it: the alarm has it itself
+    alarms_.emplace(arrives, Alarm{on_its_way, [this, on_its_way, from, to,
+                                                bytes = std::vector(bytes.begin(), bytes.end())] {
+                                     const auto port = datagram_ports_.find(to);
+                                     if (port == datagram_ports_.end()) return;
+                                     if (const auto receiver = port->second.lock()) (*receiver)(from, bytes);
+                                   }});
+  }
+}
+
+}  // namespace playhouse::net

@@ -1,0 +1,116 @@
+/// UDP sockets of the io loop.
+
+#include <boost/asio/ip/udp.hpp>
+#include <boost/asio/ip/v6_only.hpp>
+#include <utility>
+
+#include "playhouse/net/asio_loop.h"
+
+namespace playhouse::net {
+namespace {
+
+namespace asio = boost::asio;
+using asio::ip::udp;
+using boost::system::error_code;
+
+/// Datagrams that are taken in one turn, before others of the loop have theirs.
+constexpr int kDatagramsPerTurn = 64;
+/// A burst to many clients, and theirs, wait with the system.
+constexpr int kSystemBytes = 1 << 20;
+
+udp::endpoint to_asio(const Endpoint& endpoint, bool as_v4) {
+  const asio::ip::address_v6 six(endpoint.address, endpoint.scope);
+  if (as_v4 && endpoint.is_v4()) return {asio::ip::make_address_v4(asio::ip::v4_mapped, six), endpoint.port};
+  return {six, endpoint.port};
+}
+
+Endpoint from_asio(const udp::endpoint& endpoint) {
+  const asio::ip::address address = endpoint.address();
+  const asio::ip::address_v6 six =
+      address.is_v6() ? address.to_v6() : asio::ip::make_address_v6(asio::ip::v4_mapped, address.to_v4());
+  return {six.to_bytes(), endpoint.port(), static_cast<std::uint32_t>(six.scope_id())};
+}
+
+/// Reads for as long as its socket lives.
+class ReadLoop : public std::enable_shared_from_this<ReadLoop> {
+ public:
+  ReadLoop(IoLoop::Impl& loop, DatagramSocket::Receiver receiver)
+      : loop_(loop), socket_(loop.context), receiver_(std::move(receiver)) {}
+
+  error_code open(const udp::endpoint& endpoint) {
+    error_code error;
+    if (socket_.open(endpoint.protocol(), error)) return error;
+    is_v4_ = endpoint.address().is_v4();
+    error_code ignored;
+    if (!is_v4_) socket_.set_option(asio::ip::v6_only(false), ignored);
+    socket_.set_option(asio::socket_base::receive_buffer_size(kSystemBytes), ignored);
+    socket_.set_option(asio::socket_base::send_buffer_size(kSystemBytes), ignored);
+    if (socket_.bind(endpoint, error)) return error;
+    socket_.non_blocking(true, error);
+    if (!error) port_ = socket_.local_endpoint(error).port();
+    return error;
+  }
+
+  void read_next() {
+    socket_.async_wait(udp::socket::wait_read, [self = shared_from_this()](const error_code& error) {
+      if (error || !self->socket_.is_open()) return;
+      self->read();
+      if (self->socket_.is_open()) self->read_next();
+    });
+  }
+
+  void send(const Endpoint& to, std::span<const std::byte> bytes) {
+    error_code lost;
+    socket_.send_to(asio::buffer(bytes.data(), bytes.size()), to_asio(to, is_v4_), 0, lost);
+  }
+
+  void close() {
+    error_code ignored;
+    socket_.close(ignored);
+  }
+
+  std::uint16_t port() const { return port_; }
+
+ private:
+  void read() {
+    for (int count = 0; count < kDatagramsPerTurn && socket_.is_open(); ++count) {
+      udp::endpoint from;
+      error_code error;
+      const std::size_t size = socket_.receive_from(asio::buffer(loop_.read_buffer), from, 0, error);
+      if (error) return;  // none is left, or one that the system says was not delivered
+      receiver_(from_asio(from), std::span(loop_.read_buffer).first(size));
+    }
+  }
+
+  IoLoop::Impl& loop_;
+  udp::socket socket_;
+  DatagramSocket::Receiver receiver_;
+  std::uint16_t port_ = 0;
+  bool is_v4_ = true;
+};
+
+class UdpSocket final : public DatagramSocket {
+ public:
+  explicit UdpSocket(std::shared_ptr<ReadLoop> loop) : loop_(std::move(loop)) {}
+  ~UdpSocket() override { loop_->close(); }
+  void send(const Endpoint& to, std::span<const std::byte> bytes) override { loop_->send(to, bytes); }
+  std::uint16_t port() const override { return loop_->port(); }
+
+ private:
+  std::shared_ptr<ReadLoop> loop_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<DatagramSocket>> IoLoop::open_datagrams(const std::string& bind, std::uint16_t port,
+                                                               DatagramSocket::Receiver receiver) {
+  const Result<Endpoint> here = parse_endpoint(bind, port);
+  if (!here) return here.error();
+  auto loop = std::make_shared<ReadLoop>(*impl_, std::move(receiver));
+  if (const error_code failed = loop->open(to_asio(*here, true)))
+    return Error{to_text(*here), "cannot listen for datagrams: " + failed.message()};
+  loop->read_next();
+  return std::unique_ptr<DatagramSocket>(std::make_unique<UdpSocket>(std::move(loop)));
+}
+
+}  // namespace playhouse::net

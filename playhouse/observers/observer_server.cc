@@ -1,0 +1,257 @@
+#include "playhouse/observers/observer_server.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <utility>
+
+#include "playhouse/base/log.h"
+#include "playhouse/observers/cookie.h"
+#include "playhouse/replicate/datagram_viewer.h"
+#include "playhouse/replicate/scene_text.h"
+#include "playhouse/replicate/snapshot_feed.h"
+
+namespace playhouse::observers {
+namespace {
+
+constexpr int kGoodbyes = 3;  // some may be lost
+
+}  // namespace
+
+class ObserverServer::Impl final : public std::enable_shared_from_this<ObserverServer::Impl> {
+ public:
+  Impl(net::Network& network, ObserverOptions options, const world::World& world,
+       replicate::DeviceNames devices)
+      : network_(network),
+        options_(std::move(options)),
+        scene_(world.scene()),
+        prototypes_(scene_),
+        feed_(world, prototypes_, std::move(devices)) {
+    replicate::capture(world, {}, feed_.first_layout(), {}, front_);
+  }
+
+  Result<std::uint16_t> listen() {
+    auto socket = network_.open_datagrams(
+        options_.bind, options_.port,
+        [this](const net::Endpoint& from, std::span<const std::byte> bytes) { received(from, bytes); });
+    if (!socket) return socket.error();
+    socket_ = std::move(*socket);
+    return socket_->port();
+  }
+
+  bool wants_show() const { return feed_.wants_show(); }
+
+  void show(const world::World& world, const world::Pace& pace) {
+    if (!feed_.show(world, pace)) return;
+    network_.post([weak = weak_from_this()] {
+      if (const auto self = weak.lock()) self->feed_.take(self->front_);
+    });
+  }
+
+  void say_goodbye(const std::string& why) {
+    for (const auto& [peer, observer] : observers_) send_goodbye(peer, observer.viewer->session(), why);
+    observers_.clear();
+    watch();
+  }
+
+  void close() {
+    frame_timer_.reset();
+    socket_.reset();
+    observers_.clear();
+  }
+
+  ObserverStatus status() const {
+    ObserverStatus status = status_;
+    status.observers = observers_.size();
+    return status;
+  }
+
+ private:
+  struct Observer {
+    std::uint64_t nonce = 0;  // that it joined with
+    std::vector<std::byte> welcome;
+    std::unique_ptr<replicate::DatagramViewer> viewer;
+  };
+
+  void received(const net::Endpoint& from, std::span<const std::byte> bytes) {
+    const Result<replicate::Datagram> datagram = replicate::parse_datagram(bytes);
+    if (!datagram) {
+      ++status_.ignored;
+    } else if (const auto* hello = std::get_if<replicate::Hello>(&*datagram)) {
+      greet(from, *hello);
+    } else if (const auto* join = std::get_if<replicate::JoinRequest>(&*datagram)) {
+      let_in(from, *join);
+    } else if (const auto* packet = std::get_if<replicate::PacketOf>(&*datagram)) {
+      take(from, *packet);
+    } else if (const auto* bye = std::get_if<replicate::Bye>(&*datagram)) {
+      if (const auto observer = of_session(from, bye->session); observer != observers_.end())
+        end(observer, "left");
+    } else {
+      ++status_.ignored;  // what only a server says
+    }
+  }
+
+  /// Nothing is kept of who says hello, and the answer is shorter.
+  void greet(const net::Endpoint& from, const replicate::Hello& hello) {
+    if (hello.version != replicate::kDatagramVersion) return refuse(from, hello.nonce, version_text());
+    send(from, replicate::encode(
+                   replicate::Challenge{hello.nonce, cookies_.make(from, hello.nonce, network_.now())}));
+  }
+
+  static std::string version_text() {
+    return fmt::format("version {} is spoken here", replicate::kDatagramVersion);
+  }
+
+  void let_in(const net::Endpoint& from, const replicate::JoinRequest& join) {
+    if (!cookies_.is_good(join.cookie, from, join.nonce, network_.now())) {
+      ++status_.ignored;
+      return;
+    }
+    // The same again: the welcome was lost. Another one of this address: the one before is no more.
+    if (const auto known = observers_.find(from); known != observers_.end()) {
+      if (known->second.nonce == join.nonce) return send(from, known->second.welcome);
+      end(known, "came again");
+    }
+    if (join.version != replicate::kDatagramVersion) return refuse(from, join.nonce, version_text());
+    const auto guest = options_.guests.admit(join.token.empty() ? "*" : join.token, net::to_text(from));
+    if (!guest) return refuse(from, join.nonce, "--token with the token that you were given is wanted");
+    if (observers_.size() >= options_.observers)
+      return refuse(from, join.nonce, fmt::format("{} observers are all that may come", observers_.size()));
+    welcome(from, join, *guest);
+  }
+
+  void welcome(const net::Endpoint& from, const replicate::JoinRequest& join,
+               const web_server::Guest& guest) {
+    const std::uint32_t wanted = join.wanted.bytes_per_second;
+    const replicate::Terms terms{
+        std::clamp(wanted == 0 ? options_.bytes_per_second : wanted,
+                   std::min(limits::kObserverBytesLeast, options_.bytes_per_second),
+                   options_.bytes_per_second),
+        std::clamp<std::uint32_t>(join.wanted.frames_per_second, 1, limits::kObserverFrames)};
+    const std::uint64_t session = random_number();
+    Observer observer{join.nonce, replicate::encode(replicate::Welcome{join.nonce, session, terms}),
+                      std::make_unique<replicate::DatagramViewer>(session, terms, front_.layout, scene_text(),
+                                                                  network_.now())};
+    send(from, observer.welcome);
+    observers_[from] = std::move(observer);
+    log::info("observers: {} observes as {}{}{} ({} now)", net::to_text(from), name_of(guest.role),
+              guest.name.empty() ? "" : " ", guest.name, observers_.size());
+    watch();
+    if (!frame_timer_) serve();
+  }
+
+  void take(const net::Endpoint& from, const replicate::PacketOf& packet) {
+    const auto observer = of_session(from, packet.session);
+    if (observer == observers_.end()) {
+      ++status_.ignored;
+      return;
+    }
+    const Result<void> taken = observer->second.viewer->receive(packet.rest, network_.now());
+    if (taken) return;
+    send_goodbye(from, packet.session, taken.error().text);
+    end(observer, taken.error().text);
+  }
+
+  using Observers = std::map<net::Endpoint, Observer>;
+
+  Observers::iterator of_session(const net::Endpoint& from, std::uint64_t session) {
+    const auto observer = observers_.find(from);
+    const bool is_it = observer != observers_.end() && observer->second.viewer->session() == session;
+    return is_it ? observer : observers_.end();
+  }
+
+  void end(Observers::iterator observer, const std::string& why) {
+    log::info("observers: {} left: {}", net::to_text(observer->first), why);
+    observers_.erase(observer);
+    watch();
+  }
+
+  /// One turn: what is newest for every observer. Again after a frame's time while there is one.
+  void serve() {
+    const double now = network_.now();
+    for (auto observer = observers_.begin(); observer != observers_.end();) {
+      const auto next = std::next(observer);
+      if (observer->second.viewer->is_gone(now)) {
+        send_goodbye(observer->first, observer->second.viewer->session(), "nothing was heard of you");
+        end(observer, "nothing was heard of it for long");
+      } else {
+        observer->second.viewer->offer(front_, changes_, now, [&](std::span<const std::byte> datagram) {
+          send(observer->first, datagram);
+        });
+      }
+      observer = next;
+    }
+    frame_timer_.reset();
+    if (observers_.empty()) return;
+    frame_timer_ =
+        network_.after(std::chrono::duration<double>(replicate::kFramePeriod).count(), [this] { serve(); });
+  }
+
+  void refuse(const net::Endpoint& to, std::uint64_t nonce, const std::string& why) {
+    if (status_.refused++ == 0) log::warn("observers: {} refused: {} (told once)", net::to_text(to), why);
+    send(to, replicate::encode(replicate::Refusal{nonce, why}));
+  }
+
+  void send_goodbye(const net::Endpoint& to, std::uint64_t session, const std::string& why) {
+    for (int times = 0; times < kGoodbyes; ++times) send(to, replicate::encode(replicate::Bye{session, why}));
+  }
+
+  void send(const net::Endpoint& to, std::span<const std::byte> datagram) {
+    ++status_.datagrams_sent;
+    status_.bytes_sent += datagram.size();
+    socket_->send(to, datagram);
+  }
+
+  void watch() { feed_.watch(!observers_.empty()); }
+
+  /// The scene with the population of the newest snapshot.
+  std::shared_ptr<const replicate::PackedText> scene_text() {
+    if (scene_layout_ != front_.layout) {
+      scene_layout_ = front_.layout;
+      scene_text_ = replicate::pack_text(replicate::scene_text(scene_, prototypes_, *front_.layout));
+    }
+    return scene_text_;
+  }
+
+  net::Network& network_;
+  ObserverOptions options_;
+  const scene::SceneDesc& scene_;
+  const replicate::Prototypes prototypes_;
+  replicate::SnapshotFeed feed_;
+  const Cookies cookies_;
+  std::unique_ptr<net::DatagramSocket> socket_;
+  Observers observers_;
+  std::unique_ptr<net::Timer> frame_timer_;
+  replicate::Snapshot front_;
+  replicate::ChangesTexts changes_;
+  std::shared_ptr<const replicate::Layout> scene_layout_;  // of scene_text_
+  std::shared_ptr<const replicate::PackedText> scene_text_;
+  ObserverStatus status_;
+};
+
+ObserverServer::ObserverServer(net::Network& network, ObserverOptions options, const world::World& world,
+                               replicate::DeviceNames devices)
+    : impl_(std::make_shared<Impl>(network, std::move(options), world, std::move(devices))) {}
+ObserverServer::~ObserverServer() {
+  impl_->close();
+}
+
+Result<std::uint16_t> ObserverServer::listen() {
+  return impl_->listen();
+}
+bool ObserverServer::wants_show() const {
+  return impl_->wants_show();
+}
+void ObserverServer::show(const world::World& world, const world::Pace& pace) {
+  impl_->show(world, pace);
+}
+void ObserverServer::say_goodbye(const std::string& why) {
+  impl_->say_goodbye(why);
+}
+ObserverStatus ObserverServer::status() const {
+  return impl_->status();
+}
+
+}  // namespace playhouse::observers

@@ -1,0 +1,608 @@
+#include "playhouse/render/renderer.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "playhouse/render/gl_context.h"
+#include "playhouse/render/instance_list.h"
+#include "playhouse/render/pages.h"
+#include "playhouse/render/shaders.h"
+#include "playhouse/render/shape_store.h"
+
+namespace playhouse::render {
+namespace {
+
+using geom::Vec3;
+
+constexpr Sizes kPage{4096, 4096};  // px; larger pictures have pages of their own
+constexpr std::array<GLsizei, 3> kShadowTexels{512, 1024, 2048};  // of a side of a shadow map
+constexpr GLsizei kTexelsOfPixels = 2;  // of its side for each row of a picture, where that many can be
+constexpr double kShadowReach = 12;     // m along the way a view looks, up to which things throw shadows
+constexpr float kOpaque = 0.999f;       // of a tint
+constexpr float kLeastOpaque = 0.5f;    // where a texture of what is solid has less, there is a hole
+constexpr double kFigureRadius = 0.62;  // of the sphere about its middle, in heights
+// How high a figure is that has the first, the last level.  [px]
+constexpr double kFinePixels = 260, kCoarsePixels = 90;
+constexpr std::size_t kPaints = 3;
+
+/// As shaders.cc has it.
+struct ViewBlock {
+  Matrix clip{}, sun_clip{};
+  std::array<float, 4> ahead{}, left{}, up{}, viewport{}, to_sun{}, sky{}, fog{}, floor{}, eye{};
+};
+static_assert(sizeof(ViewBlock) == 2 * 64 + 9 * 16);
+
+std::array<float, 4> four(const Vec3& v, double w) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), static_cast<float>(w)};
+}
+std::array<float, 4> four(const Rgb& rgb, double w) {
+  return {rgb[0], rgb[1], rgb[2], static_cast<float>(w)};
+}
+
+/// A line across a picture: slope times the rise of a ray, and offset.
+struct Line {
+  double slope = 0, offset = 1;
+};
+
+struct ShadowMap {
+  Texture depth;
+  Framebuffer target;
+  GLsizei texels = 0;  // of a side
+};
+
+ShadowMap make_shadow_map(GLsizei texels) {
+  ShadowMap map{make_texture(GL_DEPTH_COMPONENT32F, texels, texels), {}, texels};
+  glTextureParameteri(map.depth, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTextureParameteri(map.depth, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTextureParameteri(map.depth, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+  glTextureParameteri(map.depth, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+  GLuint name = 0;
+  glCreateFramebuffers(1, &name);
+  map.target = Framebuffer(name);
+  glNamedFramebufferTexture(map.target, GL_DEPTH_ATTACHMENT, map.depth, 0);
+  glNamedFramebufferDrawBuffer(map.target, GL_NONE);
+  glNamedFramebufferReadBuffer(map.target, GL_NONE);
+  return map;
+}
+
+Paints paints_of(Shows shows) {
+  return shows == Shows::kColor   ? Paints::kColor
+         : shows == Shows::kDepth ? Paints::kDepth
+                                  : Paints::kSegments;
+}
+
+/// How high a figure is in a view.  [px]
+double pixels_of(const View& view, const Axes& axes, const Figure& figure) {
+  const double depth = std::max(dot(axes.ahead, figure.p - view.eye), view.near);
+  return figure.height / depth * view.height / (2 * view.half_height);
+}
+
+struct SurfaceProgram {
+  Program program;
+  GLint material = -1, base = -1, emission = -1;
+};
+
+}  // namespace
+
+class Renderer::Impl {
+ public:
+  explicit Impl(std::unique_ptr<GlContext> context) : context_(std::move(context)) {}
+  ~Impl();
+
+  Result<void> prepare();
+  const std::string& name() const { return context_->renderer(); }
+  std::uint32_t add_shape(const mesh::Mesh& mesh);
+  void draw(const Surroundings& surroundings, const Scene& scene, std::span<const View> views,
+            std::vector<Picture>& pictures);
+
+ private:
+  /// What is drawn at the moment.
+  struct Drawn {
+    const Surroundings& surroundings;
+    const Scene& scene;
+  };
+  /// Everything of OpenGL's, which goes while the context is current.
+  struct OnCard {
+    ShapeStore shapes;
+    FigureStore figures;
+    std::array<std::array<SurfaceProgram, kPaints>, 2> surface;  // by Bends and Paints
+    std::array<Program, kPaints> floor;
+    Program sky;
+    Program smoke;
+    VertexArray rigid, bent, empty;
+    Buffer view, instances, bones;
+    std::array<ShadowMap, kShadowTexels.size()> shadows;
+    Texture white;
+    Page colors{Shows::kColor}, depths{Shows::kDepth}, segments{Shows::kSegments};
+  };
+
+  Result<void> make_programs();
+  void make_arrays();
+  void set_bones(std::span<const Figure> figures);
+  void draw_kind(const Drawn& drawn, Shows shows, std::span<const View> views,
+                 std::vector<Picture>& pictures);
+  void draw_view(const Drawn& drawn, const View& view, const Place& place);
+  void draw_bodies(const Drawn& drawn, const View& view, const Axes& axes, Paints paints);
+  void draw_glass(const Drawn& drawn, const View& view, const Axes& axes);
+  void draw_smokes(const Drawn& drawn, const View& view);
+  const ShadowMap& shadow_map_for(const View& view) const;
+  void draw_shadows(const Drawn& drawn, const View& view, const SunBox& box, const ShadowMap& map);
+  void draw_behind(const Program& program, const Line& a, const Line& b);
+  void draw_floor(const View& view, Paints paints);
+  void draw_sky(const View& view);
+  void draw_runs(const InstanceList& list, Bends bends, Paints paints, bool see_through);
+  /// Of colours, what is less opaque than `least` is not drawn.
+  void draw_surface(const SurfaceRange& range, const DrawRun& run, const SurfaceProgram& program,
+                    Paints paints, float least);
+  ViewBlock block_of(const Drawn& drawn, const View& view, const Axes& axes, const Place& place) const;
+  void send(const ViewBlock& block);
+  Page& page_of(Shows shows);
+
+  std::unique_ptr<GlContext> context_;
+  std::unique_ptr<OnCard> card_;
+  InstanceList bodies_, people_, glass_;
+  std::vector<std::array<float, 12>> bone_rows_;
+};
+
+Renderer::Impl::~Impl() {
+  const CurrentContext current(*context_);
+  card_.reset();
+}
+
+Result<void> Renderer::Impl::prepare() {
+  const CurrentContext current(*context_);
+  card_ = std::make_unique<OnCard>();
+  if (Result<void> made = make_programs(); !made) return made;
+  card_->figures.upload();
+  card_->shapes.upload();
+  make_arrays();
+  for (std::size_t i = 0; i < kShadowTexels.size(); ++i)
+    card_->shadows[i] = make_shadow_map(kShadowTexels[i]);
+  card_->white = make_texture(GL_RGBA8, 1, 1);
+  // Rows from the top, as pictures have them; depths from 1, near, to 0.
+  glClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE);
+  glEnable(GL_FRAMEBUFFER_SRGB);
+  glEnable(GL_DEPTH_TEST);
+  glDisable(GL_DITHER);
+  return {};
+}
+
+Result<void> Renderer::Impl::make_programs() {
+  std::string error;
+  const auto keep = [&error](const Program& program) {
+    if (error.empty()) error = program.error();
+  };
+  for (std::size_t p = 0; p < kPaints; ++p) {
+    const auto paints = static_cast<Paints>(p);
+    for (const Bends bends : {Bends::kNo, Bends::kYes}) {
+      SurfaceProgram& to = card_->surface[static_cast<std::size_t>(bends)][p];
+      to.program = Program(vertex_shader(bends, paints), fragment_shader(paints));
+      keep(to.program);
+      to.material = to.program.at("material");
+      to.base = to.program.at("material_base");
+      to.emission = to.program.at("emission");
+    }
+    card_->floor[p] = Program(background_vertex_shader(), floor_fragment_shader(paints));
+    keep(card_->floor[p]);
+  }
+  card_->sky = Program(background_vertex_shader(), sky_fragment_shader());
+  keep(card_->sky);
+  card_->smoke = Program(smoke_vertex_shader(), smoke_fragment_shader());
+  keep(card_->smoke);
+  if (!error.empty()) return Error{context_->renderer(), error};
+  return {};
+}
+
+void Renderer::Impl::make_arrays() {
+  const auto array = [] {
+    GLuint name = 0;
+    glCreateVertexArrays(1, &name);
+    return VertexArray(name);
+  };
+  // Attributes of corners have binding 0, those of instances binding 1.
+  const auto attribute = [](GLuint to, GLuint location, GLint numbers, GLuint at, GLuint binding) {
+    glEnableVertexArrayAttrib(to, location);
+    glVertexArrayAttribFormat(to, location, numbers, GL_FLOAT, GL_FALSE, at);
+    glVertexArrayAttribBinding(to, location, binding);
+  };
+  const auto instance_attributes = [&](GLuint to) {
+    for (GLuint row = 0; row < 3; ++row) attribute(to, 4 + row, 4, 16 * row, 1);
+    attribute(to, 7, 4, offsetof(CardInstance, tint), 1);
+    glEnableVertexArrayAttrib(to, 8);
+    glVertexArrayAttribIFormat(to, 8, 2, GL_UNSIGNED_INT, offsetof(CardInstance, segment));
+    glVertexArrayAttribBinding(to, 8, 1);
+    glVertexArrayBindingDivisor(to, 1, 1);
+  };
+  constexpr GLuint kFloat = sizeof(float);
+  card_->rigid = array();
+  attribute(card_->rigid, 0, 3, 0, 0);
+  attribute(card_->rigid, 1, 3, 3 * kFloat, 0);
+  attribute(card_->rigid, 2, 2, 6 * kFloat, 0);
+  instance_attributes(card_->rigid);
+  card_->bent = array();
+  attribute(card_->bent, 0, 3, 0, 0);
+  attribute(card_->bent, 1, 3, 3 * kFloat, 0);
+  attribute(card_->bent, 2, 4, 6 * kFloat, 0);
+  attribute(card_->bent, 3, 4, 10 * kFloat, 0);
+  instance_attributes(card_->bent);
+  glVertexArrayVertexBuffer(card_->bent, 0, card_->figures.corners(), 0, FigureStore::kCornerBytes);
+  glVertexArrayElementBuffer(card_->bent, card_->figures.indices());
+  card_->empty = array();
+}
+
+/// As fine as the picture needs.
+const ShadowMap& Renderer::Impl::shadow_map_for(const View& view) const {
+  const auto wanted = static_cast<GLsizei>(kTexelsOfPixels * std::max(view.width, view.height));
+  std::size_t i = 0;
+  while (i + 1 < card_->shadows.size() && 5 * card_->shadows[i].texels < 4 * wanted) ++i;
+  return card_->shadows[i];
+}
+
+std::uint32_t Renderer::Impl::add_shape(const mesh::Mesh& mesh) {
+  const CurrentContext current(*context_);
+  return card_->shapes.add(mesh);
+}
+
+Page& Renderer::Impl::page_of(Shows shows) {
+  return shows == Shows::kColor ? card_->colors : shows == Shows::kDepth ? card_->depths : card_->segments;
+}
+
+void Renderer::Impl::draw(const Surroundings& surroundings, const Scene& scene, std::span<const View> views,
+                          std::vector<Picture>& pictures) {
+  pictures.resize(views.size());
+  if (views.empty()) return;
+  const CurrentContext current(*context_);
+  card_->shapes.upload();
+  glVertexArrayVertexBuffer(card_->rigid, 0, card_->shapes.corners(), 0, ShapeStore::kCornerBytes);
+  glVertexArrayElementBuffer(card_->rigid, card_->shapes.indices());
+  set_bones(scene.figures);
+  for (const Shows shows : {Shows::kColor, Shows::kDepth, Shows::kSegments})
+    draw_kind({surroundings, scene}, shows, views, pictures);
+}
+
+void Renderer::Impl::set_bones(std::span<const Figure> figures) {
+  bone_rows_.clear();
+  for (const Figure& figure : figures) {
+    const BoneRows rows = pose_humanoid(figure.gait);
+    bone_rows_.insert(bone_rows_.end(), rows.begin(), rows.end());
+  }
+  card_->bones.set(std::span<const std::array<float, 12>>(bone_rows_), GL_STREAM_DRAW);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, card_->bones);
+}
+
+/// Draws all views of a kind, page by page, and reads each page once.
+void Renderer::Impl::draw_kind(const Drawn& drawn, Shows shows, std::span<const View> views,
+                               std::vector<Picture>& pictures) {
+  std::vector<std::size_t> rows;
+  std::vector<Sizes> sizes;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    if (views[i].shows != shows) continue;
+    rows.push_back(i);
+    sizes.push_back({views[i].width, views[i].height});
+  }
+  const std::vector<Place> places = pack(sizes, kPage);
+  for (std::size_t begin = 0, end = 0; begin < rows.size(); begin = end) {
+    Sizes used;
+    for (end = begin; end < rows.size() && places[end].page == places[begin].page; ++end) {
+      used.width = std::max(used.width, places[end].x + sizes[end].width);
+      used.height = std::max(used.height, places[end].y + sizes[end].height);
+    }
+    Page& page = page_of(shows);
+    page.begin(used);
+    for (std::size_t i = begin; i < end; ++i) draw_view(drawn, views[rows[i]], places[i]);
+    const std::span<const std::uint32_t> read = page.read();
+    for (std::size_t i = begin; i < end; ++i) {
+      const View& view = views[rows[i]];
+      Picture& picture = pictures[rows[i]];
+      picture.sample.clear();
+      picture.depth.clear();
+      for (std::uint32_t y = 0; y < view.height; ++y) {
+        const auto row = read.subspan(std::size_t{places[i].y + y} * used.width + places[i].x, view.width);
+        for (const std::uint32_t value : row) {
+          if (shows == Shows::kDepth) picture.depth.push_back(depth_of(std::bit_cast<float>(value), view));
+          if (shows == Shows::kSegments) picture.sample.push_back(value);
+          if (shows == Shows::kColor)  // red is the low byte of what OpenGL gives
+            picture.sample.push_back((value & 0xff) << 16 | (value & 0xff00) | (value >> 16 & 0xff));
+        }
+      }
+    }
+  }
+}
+
+ViewBlock Renderer::Impl::block_of(const Drawn& drawn, const View& view, const Axes& axes,
+                                   const Place& place) const {
+  const Surroundings& around = drawn.surroundings;
+  ViewBlock block;
+  block.clip = clip_from_eye(view, axes);
+  block.ahead = four(axes.ahead, view.near);
+  block.left = four(view.half_width * axes.left, view.far);
+  block.up = four(view.half_height * axes.up, view.eye.z);
+  block.viewport = {static_cast<float>(place.x), static_cast<float>(place.y), static_cast<float>(view.width),
+                    static_cast<float>(view.height)};
+  block.to_sun = four(around.to_sun, around.to_sun.z > 0 ? around.sun : 0);
+  block.sky = four(around.sky, around.ambient);
+  block.fog = four(around.fog, around.visibility > 0 ? 3 / around.visibility : 0);
+  block.floor = four(around.floor, 0);
+  constexpr double kPattern = 64;  // m, after which the floor is the same again
+  block.eye = four(Vec3{view.eye.x - kPattern * std::floor(view.eye.x / kPattern),
+                        view.eye.y - kPattern * std::floor(view.eye.y / kPattern), view.eye.z},
+                   around.seconds);
+  return block;
+}
+
+void Renderer::Impl::send(const ViewBlock& block) {
+  card_->view.set(std::span<const ViewBlock>(&block, 1), GL_STREAM_DRAW);
+  glBindBufferBase(GL_UNIFORM_BUFFER, 0, card_->view);
+}
+
+void Renderer::Impl::draw_view(const Drawn& drawn, const View& view, const Place& place) {
+  const Axes axes = axes_of(view.q_WC);
+  const Paints paints = paints_of(view.shows);
+  ViewBlock block = block_of(drawn, view, axes, place);
+  const ShadowMap& map = shadow_map_for(view);
+  if (paints == Paints::kColor && block.to_sun[3] > 0) {
+    const SunBox box = sun_box(view, axes, drawn.surroundings.to_sun, kShadowReach);
+    ViewBlock of_sun = block;
+    of_sun.clip = block.sun_clip = clip_from_eye(box);
+    block.floor[3] =
+        static_cast<float>(std::max(box.high.y - box.low.y, box.high.z - box.low.z) / map.texels);
+    send(of_sun);
+    draw_shadows(drawn, view, box, map);
+  }
+  send(block);
+  page_of(view.shows).bind();
+  glViewport(static_cast<GLint>(place.x), static_cast<GLint>(place.y), static_cast<GLsizei>(view.width),
+             static_cast<GLsizei>(view.height));
+  glDepthFunc(GL_GEQUAL);
+  glEnable(GL_CULL_FACE);
+  glCullFace(GL_BACK);
+  glBindTextureUnit(0, map.depth);
+  draw_bodies(drawn, view, axes, paints);
+  draw_floor(view, paints);
+  if (paints == Paints::kColor) draw_sky(view);
+  if (paints != Paints::kColor) return;
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  glDepthMask(GL_FALSE);
+  draw_glass(drawn, view, axes);
+  draw_smokes(drawn, view);
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
+}
+
+/// All that is solid; for pictures of anything but colours, also what one sees through.
+void Renderer::Impl::draw_bodies(const Drawn& drawn, const View& view, const Axes& axes, Paints paints) {
+  const Planes planes = planes_of(view, axes);
+  bodies_.clear();
+  for (std::uint32_t row = 0; row < drawn.scene.instances.size(); ++row) {
+    const Instance& instance = drawn.scene.instances[row];
+    if (instance.group == view.hides && view.hides != kNoGroup) continue;
+    if (paints == Paints::kColor && instance.tint[3] < kOpaque) continue;
+    const ShapeOnCard& shape = card_->shapes[instance.shape];
+    const Vec3 middle = instance.p - view.eye + instance.q * shape.middle;
+    if (planes.may_show(middle, shape.radius)) bodies_.add(instance.shape, dot(axes.ahead, middle), row);
+  }
+  bodies_.finish(false, [&](std::uint32_t row) { return seen_from(view.eye, drawn.scene.instances[row]); });
+  draw_runs(bodies_, Bends::kNo, paints, paints != Paints::kColor);
+  people_.clear();
+  for (std::uint32_t row = 0; row < drawn.scene.figures.size(); ++row) {
+    const Figure& figure = drawn.scene.figures[row];
+    if (figure.group == view.hides && view.hides != kNoGroup) continue;
+    const Vec3 middle = figure.p - view.eye + Vec3{0, 0, 0.5 * figure.height};
+    if (!planes.may_show(middle, kFigureRadius * figure.height)) continue;
+    const double high = pixels_of(view, axes, figure);
+    people_.add(high > kFinePixels ? 0 : high > kCoarsePixels ? 1 : 2, dot(axes.ahead, middle), row);
+  }
+  people_.finish(false, [&](std::uint32_t row) {
+    return seen_from(view.eye, drawn.scene.figures[row], row * Humanoid::kBones);
+  });
+  draw_runs(people_, Bends::kYes, paints, true);
+}
+
+/// What one sees through, from the farthest on.
+void Renderer::Impl::draw_glass(const Drawn& drawn, const View& view, const Axes& axes) {
+  const Planes planes = planes_of(view, axes);
+  glass_.clear();
+  for (std::uint32_t row = 0; row < drawn.scene.instances.size(); ++row) {
+    const Instance& instance = drawn.scene.instances[row];
+    const ShapeOnCard& shape = card_->shapes[instance.shape];
+    const bool is_clear = instance.tint[3] < kOpaque;
+    if (!is_clear && std::ranges::none_of(shape.surfaces, &SurfaceRange::is_see_through)) continue;
+    if (instance.group == view.hides && view.hides != kNoGroup) continue;
+    const Vec3 middle = instance.p - view.eye + instance.q * shape.middle;
+    if (planes.may_show(middle, shape.radius)) glass_.add(instance.shape, -dot(middle, middle), row);
+  }
+  glass_.finish(true, [&](std::uint32_t row) { return seen_from(view.eye, drawn.scene.instances[row]); });
+  if (glass_.runs.empty()) return;
+  // Of a shape that is clear as a whole all surfaces are drawn, of others those that one sees through.
+  card_->instances.set(std::span<const CardInstance>(glass_.instances), GL_STREAM_DRAW);
+  glBindVertexArray(card_->rigid);
+  glVertexArrayVertexBuffer(card_->rigid, 1, card_->instances, 0, sizeof(CardInstance));
+  const SurfaceProgram& program = card_->surface[0][static_cast<std::size_t>(Paints::kColor)];
+  glUseProgram(program.program);
+  for (const DrawRun& run : glass_.runs) {
+    const bool is_clear = glass_.instances[run.first].tint[3] < kOpaque;
+    for (const SurfaceRange& range : card_->shapes[run.what].surfaces)
+      if (is_clear || range.is_see_through) draw_surface(range, run, program, Paints::kColor, 0);
+  }
+}
+
+void Renderer::Impl::draw_smokes(const Drawn& drawn, const View& view) {
+  if (drawn.scene.smokes.empty()) return;
+  std::vector<const Smoke*> order;
+  for (const Smoke& smoke : drawn.scene.smokes)
+    if (smoke.group != view.hides || view.hides == kNoGroup) order.push_back(&smoke);
+  const auto away = [&](const Smoke* smoke) { return dot(smoke->p - view.eye, smoke->p - view.eye); };
+  std::ranges::stable_sort(order, std::greater(), away);
+  static constexpr float kCube[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
+                                        {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
+  static constexpr std::uint8_t kSides[36] = {0, 3, 2, 0, 2, 1, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4,
+                                              1, 2, 6, 1, 6, 5, 2, 3, 7, 2, 7, 6, 3, 0, 4, 3, 4, 7};
+  std::vector<float> corners;
+  for (const std::uint8_t corner : kSides) corners.insert(corners.end(), kCube[corner], kCube[corner] + 3);
+  Buffer cube;
+  cube.set(std::span<const float>(corners), GL_STREAM_DRAW);
+  page_of(Shows::kColor).bind_colors();
+  glBindVertexArray(card_->empty);
+  glEnableVertexArrayAttrib(card_->empty, 0);
+  glVertexArrayAttribFormat(card_->empty, 0, 3, GL_FLOAT, GL_FALSE, 0);
+  glVertexArrayAttribBinding(card_->empty, 0, 0);
+  glVertexArrayVertexBuffer(card_->empty, 0, cube, 0, 3 * sizeof(float));
+  glUseProgram(card_->smoke);
+  glBindTextureUnit(1, page_of(Shows::kColor).depth());
+  glDisable(GL_DEPTH_TEST);
+  glEnable(GL_DEPTH_CLAMP);
+  glCullFace(GL_FRONT);
+  for (const Smoke* smoke : order) {
+    const Axes axes = axes_of(smoke->q);
+    const std::array sides{four(axes.ahead, std::max(smoke->half.x, 1e-3)),
+                           four(axes.left, std::max(smoke->half.y, 1e-3)),
+                           four(axes.up, std::max(smoke->half.z, 1e-3))};
+    glUniform4fv(card_->smoke.at("middle"), 1, four(smoke->p - view.eye, drawn.surroundings.seconds).data());
+    glUniform4fv(card_->smoke.at("side"), 3, sides[0].data());
+    glUniform4fv(card_->smoke.at("smoke"), 1, smoke->tint.data());
+    glDrawArrays(GL_TRIANGLES, 0, 36);
+  }
+  glCullFace(GL_BACK);
+  glDisable(GL_DEPTH_CLAMP);
+  glEnable(GL_DEPTH_TEST);
+  glDisableVertexArrayAttrib(card_->empty, 0);
+}
+
+/// What stands between the sun and the view, also what the view does not show.
+void Renderer::Impl::draw_shadows(const Drawn& drawn, const View& view, const SunBox& box,
+                                  const ShadowMap& map) {
+  glBindFramebuffer(GL_FRAMEBUFFER, map.target);
+  glViewport(0, 0, map.texels, map.texels);
+  const float far = 1;
+  glClearNamedFramebufferfv(map.target, GL_DEPTH, 0, &far);
+  glDepthFunc(GL_LESS);
+  glDisable(GL_CULL_FACE);
+  glEnable(GL_DEPTH_CLAMP);
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(1.5f, 2);
+  bodies_.clear();
+  for (std::uint32_t row = 0; row < drawn.scene.instances.size(); ++row) {
+    const Instance& instance = drawn.scene.instances[row];
+    const ShapeOnCard& shape = card_->shapes[instance.shape];
+    if (instance.tint[3] < kOpaque) continue;
+    if (box.may_shade(instance.p - view.eye + instance.q * shape.middle, shape.radius))
+      bodies_.add(instance.shape, 0, row);
+  }
+  bodies_.finish(false, [&](std::uint32_t row) { return seen_from(view.eye, drawn.scene.instances[row]); });
+  draw_runs(bodies_, Bends::kNo, Paints::kDepth, false);
+  people_.clear();
+  for (std::uint32_t row = 0; row < drawn.scene.figures.size(); ++row) {
+    const Figure& figure = drawn.scene.figures[row];
+    const Vec3 middle = figure.p - view.eye + Vec3{0, 0, 0.5 * figure.height};
+    if (box.may_shade(middle, kFigureRadius * figure.height)) people_.add(2, 0, row);
+  }
+  people_.finish(false, [&](std::uint32_t row) {
+    return seen_from(view.eye, drawn.scene.figures[row], row * Humanoid::kBones);
+  });
+  draw_runs(people_, Bends::kYes, Paints::kDepth, true);
+  glDisable(GL_POLYGON_OFFSET_FILL);
+  glDisable(GL_DEPTH_CLAMP);
+}
+
+/// Draws a background where `a` of how far a ray rises for each metre ahead is not below 0, and `b` neither.
+void Renderer::Impl::draw_behind(const Program& program, const Line& a, const Line& b) {
+  glUseProgram(program);
+  glUniform4f(program.at("lines"), static_cast<float>(a.slope), static_cast<float>(a.offset),
+              static_cast<float>(b.slope), static_cast<float>(b.offset));
+  glBindVertexArray(card_->empty);
+  glEnable(GL_CLIP_DISTANCE0);
+  glEnable(GL_CLIP_DISTANCE1);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glDisable(GL_CLIP_DISTANCE1);
+  glDisable(GL_CLIP_DISTANCE0);
+}
+
+/// The floor between the nearest and the farthest that is shown.
+void Renderer::Impl::draw_floor(const View& view, Paints paints) {
+  if (!(view.eye.z > 0)) return;
+  draw_behind(card_->floor[static_cast<std::size_t>(paints)], {-1, -view.eye.z / view.far},
+              {1, view.eye.z / view.near});
+}
+
+/// Where there is no floor: above it, and below an eye that is nearer to it than what is shown.
+void Renderer::Impl::draw_sky(const View& view) {
+  if (!(view.eye.z > 0)) return draw_behind(card_->sky, {}, {});
+  draw_behind(card_->sky, {1, view.eye.z / view.far}, {});
+  draw_behind(card_->sky, {-1, -view.eye.z / view.near}, {});
+}
+
+void Renderer::Impl::draw_runs(const InstanceList& list, Bends bends, Paints paints, bool see_through) {
+  if (list.runs.empty()) return;
+  const bool is_bent = bends == Bends::kYes;
+  const VertexArray& array = is_bent ? card_->bent : card_->rigid;
+  card_->instances.set(std::span<const CardInstance>(list.instances), GL_STREAM_DRAW);
+  glBindVertexArray(array);
+  glVertexArrayVertexBuffer(array, 1, card_->instances, 0, sizeof(CardInstance));
+  const SurfaceProgram& program =
+      card_->surface[static_cast<std::size_t>(bends)][static_cast<std::size_t>(paints)];
+  glUseProgram(program.program);
+  for (const DrawRun& run : list.runs) {
+    if (is_bent) {
+      const FigureStore::Level& level = card_->figures.level(static_cast<int>(run.what));
+      SurfaceRange range;
+      range.first_index = level.first_index;
+      range.indices = level.indices;
+      range.first_corner = level.first_corner;
+      range.roughness = 0.8f;
+      draw_surface(range, run, program, paints, 0);
+      continue;
+    }
+    for (const SurfaceRange& range : card_->shapes[run.what].surfaces)
+      if (see_through || !range.is_see_through) draw_surface(range, run, program, paints, kLeastOpaque);
+  }
+}
+
+void Renderer::Impl::draw_surface(const SurfaceRange& range, const DrawRun& run,
+                                  const SurfaceProgram& program, Paints paints, float least) {
+  if (paints == Paints::kColor) {
+    glUniform4f(program.material, range.metallic, range.roughness, range.texture != 0 ? 1 : 0, least);
+    glUniform4fv(program.base, 1, range.base.data());
+    glUniform3fv(program.emission, 1, range.emission.data());
+    glBindTextureUnit(1, range.texture != 0 ? range.texture : GLuint{card_->white});
+  }
+  const bool shows_both = range.is_two_sided;
+  const GLboolean culls = glIsEnabled(GL_CULL_FACE);
+  if (shows_both) glDisable(GL_CULL_FACE);
+  glDrawElementsInstancedBaseVertexBaseInstance(
+      GL_TRIANGLES, static_cast<GLsizei>(range.indices), GL_UNSIGNED_INT,
+      reinterpret_cast<const void*>(range.first_index * sizeof(std::uint32_t)),
+      static_cast<GLsizei>(run.count), static_cast<GLint>(range.first_corner), run.first);
+  if (shows_both && culls == GL_TRUE) glEnable(GL_CULL_FACE);
+}
+
+float linear(float srgb) {
+  return srgb <= 0.04045f ? srgb / 12.92f : std::pow((srgb + 0.055f) / 1.055f, 2.4f);
+}
+
+Renderer::Renderer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Renderer::~Renderer() = default;
+
+Result<std::unique_ptr<Renderer>> Renderer::make() {
+  Result<std::unique_ptr<GlContext>> context = GlContext::make();
+  if (!context) return context.error();
+  auto impl = std::make_unique<Impl>(std::move(*context));
+  if (const Result<void> prepared = impl->prepare(); !prepared) return prepared.error();
+  return std::unique_ptr<Renderer>(new Renderer(std::move(impl)));
+}
+
+const std::string& Renderer::name() const {
+  return impl_->name();
+}
+
+std::uint32_t Renderer::add_shape(const mesh::Mesh& mesh) {
+  return impl_->add_shape(mesh);
+}
+
+void Renderer::draw(const Surroundings& surroundings, const Scene& scene, std::span<const View> views,
+                    std::vector<Picture>& pictures) {
+  impl_->draw(surroundings, scene, views, pictures);
+}
+
+}  // namespace playhouse::render

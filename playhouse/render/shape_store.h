@@ -1,0 +1,69 @@
+#pragma once
+
+/// ShapeStore: meshes on the card, all in one buffer of corners and one of triangles. Thread: that of a
+/// CurrentContext.
+
+#include <vector>
+
+#include "playhouse/mesh/mesh.h"
+#include "playhouse/render/gl_objects.h"
+#include "playhouse/render/humanoid.h"
+
+namespace playhouse::render {
+
+/// Triangles that look alike, drawn at once.
+struct SurfaceRange {
+  std::uint32_t first_index = 0, indices = 0, first_corner = 0;
+  std::array<float, 4> base = {1, 1, 1, 1};
+  std::array<float, 3> emission = {0, 0, 0};
+  float metallic = 0, roughness = 1;
+  std::uint32_t texture = 0;  // OpenGL's name; 0: none
+  bool is_two_sided = false, is_see_through = false;
+};
+
+struct ShapeOnCard {
+  std::vector<SurfaceRange> surfaces;
+  geom::Vec3 middle;  // of the sphere that holds it  [m]
+  double radius = 0;  // m
+};
+
+class ShapeStore {
+ public:
+  std::uint32_t add(const mesh::Mesh& mesh);
+  const ShapeOnCard& operator[](std::uint32_t shape) const { return shapes_[shape]; }
+  std::size_t size() const { return shapes_.size(); }
+  /// Sends to the card what was added.
+  void upload();
+  const Buffer& corners() const { return corner_buffer_; }
+  const Buffer& indices() const { return index_buffer_; }
+  static constexpr GLsizei kCornerBytes = 8 * sizeof(float);  // position, normal, place on the texture
+
+ private:
+  std::vector<std::uint32_t> add_images(const mesh::Mesh& mesh);
+
+  std::vector<ShapeOnCard> shapes_;
+  std::vector<float> corners_;
+  std::vector<std::uint32_t> indices_;
+  Buffer corner_buffer_, index_buffer_;
+  std::vector<Texture> textures_;
+  bool is_sent_ = false;
+};
+
+/// The levels of a humanoid, the same way.
+class FigureStore {
+ public:
+  void upload();
+  struct Level {
+    std::uint32_t first_index = 0, indices = 0, first_corner = 0;
+  };
+  const Level& level(int number) const { return levels_[static_cast<std::size_t>(number)]; }
+  const Buffer& corners() const { return corner_buffer_; }
+  const Buffer& indices() const { return index_buffer_; }
+  static constexpr GLsizei kCornerBytes = 14 * sizeof(float);  // position, normal, paint, bones
+
+ private:
+  std::array<Level, kHumanoidLevels> levels_;
+  Buffer corner_buffer_, index_buffer_;
+};
+
+}  // namespace playhouse::render

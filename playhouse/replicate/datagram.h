@@ -1,0 +1,111 @@
+#pragma once
+
+/// Datagrams between the program and its observers: how two ends that know nothing of each other come to an
+/// agreement, and the packets that follow. What texts say is in docs/viewer-protocol.md.
+///
+///   datagram, at most limits::kDatagramBytes (little-endian; varint and zz as in delta.h; text: varint n,
+///                                             n bytes)
+///   +--------+---------+---------------------------------------------------------------------+
+///   | u8 'P' | u8 kind | what the kind has                                                   |
+///   +--------+---------+---------------------------------------------------------------------+
+///   client  1 hello     : u8 version, u64 nonce, zeros up to 64 bytes
+///   server  2 challenge : u64 nonce, u64 cookie
+///   client  3 join      : u8 version, u64 nonce, u64 cookie, varint bytes/s, varint frames/s, text token
+///   server  4 welcome   : u64 nonce, u64 session, varint bytes/s, varint frames/s
+///   server  5 refusal   : u64 nonce, text why
+///   both    6 packet    : u64 session, then as below
+///   both    7 bye       : u64 session, text why
+///
+///   packet
+///   +------------+------------+------------+--------------+------------------------------+-------+
+///   | varint seq | varint ack | u32 before | varint taken | varint n, (varint at, n B)   | state |
+///   +------------+------------+------------+--------------+------------------------------+-------+
+///   seq: counts this end's packets from 1
+///   ack: the highest seq that came from the other end, 0: none; before: bit k: ack - 1 - k came, too
+///   taken: bytes of the other end's stream that came without a gap
+///   n, at: a piece of this end's stream and its place in it; n = 0: none, and no place
+///
+///   stream: texts one behind the other, each once and in order, whatever is lost
+///   +-----------+--------------+----------+---------+
+///   | u8 packed | varint after | varint n | n bytes |
+///   +-----------+--------------+----------+---------+
+///   packed: 0 JSON, 1 JSON in a zstd frame
+///   after: this end's last packet before the text; rows up to it are of the time before the text
+///
+///   state, of the server alone: nothing, or up to the end of the datagram
+///   +-------------+----------+-------------------------------------------------------+
+///   | varint tick | u8 flags | groups: (u8 age, (u8 mask, zz id step, fields)* u8 0)* |
+///   +-------------+----------+-------------------------------------------------------+
+///   flags: 1 paused
+///   age: the rows of the group are differences from what the same models were in packet seq - age, which
+///   the client has acknowledged; 0: from their `start` in the text that told of them
+///   mask, fields: as in delta.h; id step: the id - that of the row before in the group (first: from 0)
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "playhouse/base/packing.h"
+#include "playhouse/base/result.h"
+
+namespace playhouse::replicate {
+
+inline constexpr std::uint8_t kDatagramVersion = 1;
+inline constexpr std::size_t kHelloBytes = 64;  // no answer to it is longer
+inline constexpr std::uint8_t kStatePaused = 1;
+/// Rows are kept by an observer for as many packets, so a baseline is never older.
+inline constexpr std::uint32_t kOldestBaseline = 200;
+/// Packets whose arrival one acknowledgement tells.
+inline constexpr std::uint32_t kAcknowledged = 33;
+
+struct Hello {
+  std::uint8_t version = kDatagramVersion;
+  std::uint64_t nonce = 0;
+};
+struct Challenge {
+  std::uint64_t nonce = 0, cookie = 0;
+};
+/// What an observer asks for; what it gets is in the welcome.
+struct Terms {
+  std::uint32_t bytes_per_second = 0;
+  std::uint32_t frames_per_second = 0;
+};
+struct JoinRequest {
+  std::uint8_t version = kDatagramVersion;
+  std::uint64_t nonce = 0, cookie = 0;
+  Terms wanted;
+  std::string token;
+};
+struct Welcome {
+  std::uint64_t nonce = 0, session = 0;
+  Terms terms;
+};
+struct Refusal {
+  std::uint64_t nonce = 0;
+  std::string why;
+};
+/// What follows the session is the channel's (datagram_channel.h).
+struct PacketOf {
+  std::uint64_t session = 0;
+  std::span<const std::byte> rest;
+};
+struct Bye {
+  std::uint64_t session = 0;
+  std::string why;
+};
+
+using Datagram = std::variant<Hello, Challenge, JoinRequest, Welcome, Refusal, PacketOf, Bye>;
+
+/// Fails for what is none of these; a packet's rest refers to `bytes`.
+Result<Datagram> parse_datagram(std::span<const std::byte> bytes);
+
+/// A datagram of any kind but packets.
+std::vector<std::byte> encode(const Datagram& datagram);
+
+/// Begins a packet: kind and session.
+void begin_packet(std::uint64_t session, Packer& pack);
+
+}  // namespace playhouse::replicate

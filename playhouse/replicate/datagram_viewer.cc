@@ -1,0 +1,312 @@
+#include "playhouse/replicate/datagram_viewer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <tuple>
+#include <utility>
+
+#include "playhouse/replicate/importance.h"
+#include "playhouse/replicate/json_text.h"
+#include "playhouse/replicate/row_code.h"
+#include "playhouse/replicate/scene_text.h"
+
+namespace playhouse::replicate {
+namespace {
+
+constexpr std::uint32_t kGoneRow = world::ModelRow::kNone;
+constexpr std::size_t kLeastPacket = 200;     // bytes; a smaller one is not worth its head
+constexpr std::size_t kStateHeadBytes = 12;   // tick and flags, at most
+constexpr std::size_t kGroupBytes = 2;        // age and end
+constexpr std::size_t kSayingsBytes = 16384;  // of one text
+constexpr std::size_t kFewWaiting = 32768;    // bytes of texts: what changes meanwhile is told as one later
+constexpr double kSignOfLife = 1;             // s
+constexpr double kFarPeriod = 1;              // s between two states of what is out of view
+constexpr double kSilence = 1, kQuietPeriod = 0.5;  // s: who is not heard of for the first gets little
+constexpr double kEarly = 0.005;  // s that a frame may be before its time: timers are not exact
+
+std::size_t varint_bytes(std::uint64_t value) {
+  std::size_t bytes = 1;
+  for (; value >= 0x80; value >>= 7) ++bytes;
+  return bytes;
+}
+
+}  // namespace
+
+DatagramViewer::DatagramViewer(std::uint64_t session, Terms terms, std::shared_ptr<const Layout> layout,
+                               std::shared_ptr<const PackedText> scene, double now)
+    : channel_(session, limits::kObserverCommandBytes),
+      terms_(terms),
+      told_(std::move(layout)),
+      heard_(now),
+      filled_(now) {
+  channel_.post(std::move(scene));
+  rows_.resize(told_->id.size());
+  for (std::size_t row = 0; row < rows_.size(); ++row) {
+    rows_[row].start = rows_[row].acknowledged = rows_[row].sent = told_->start[row];
+    rows_[row].told_at = channel_.texts().posted();
+  }
+}
+
+Result<void> DatagramViewer::receive(std::span<const std::byte> rest, double now) {
+  const Result<Heard> heard = channel_.receive(rest, now);
+  if (!heard) return heard.error();
+  if (!heard->is_new) return {};
+  heard_ = now;
+  owes_ack_ = owes_ack_ || heard->has_text;
+  for (;;) {
+    const Result<std::optional<ReceivedText>> text = channel_.next_text();
+    if (!text) return text.error();
+    if (!*text) return {};
+    const Result<void> done = obey((*text)->text);
+    if (done) continue;
+    notice(done.error().text);
+    if (++faults_ >= limits::kViewerFaults) return Error{"", "too many commands that cannot be"};
+  }
+}
+
+Result<void> DatagramViewer::obey(const std::string& text) {
+  const Result<Command> command = parse_command(text);
+  if (!command) return command.error();
+  if (const auto* look = std::get_if<Look>(&*command)) {
+    wish_.view = look->view;
+    return {};
+  }
+  if (const auto* select = std::get_if<Select>(&*command)) {
+    wish_.selected = select->model;
+    return {};
+  }
+  return Error{"", "an observer looks and selects; for the rest there is the page"};
+}
+
+void DatagramViewer::notice(std::string_view text) {
+  if (channel_.texts().waiting() < kFewWaiting) post(fmt::format("{{\"notice\":{}}}", quoted(text)));
+}
+
+void DatagramViewer::offer(const Snapshot& snapshot, ChangesTexts& changes, double now, const Send& send) {
+  refill(now);
+  settle(now);
+  const bool is_silent = now - heard_ > kSilence;
+  if (is_silent && now < quiet_due_) return;
+  quiet_due_ = now + kQuietPeriod;
+  follow(snapshot, changes);
+  map_rows(snapshot);
+  say(snapshot);
+  candidates_.clear();
+  next_candidate_ = 0;
+  if (now >= frame_due_ - kEarly) {
+    frame_due_ = std::max(frame_due_ + 1.0 / terms_.frames_per_second, now);
+    weigh(snapshot, now);
+  }
+  bool must = owes_ack_ || now >= life_due_ || told_paused_ != snapshot.pace.paused;
+  while (send_packet(snapshot, now, must, send) && !is_silent) must = false;
+}
+
+/// The most that may go at once is what a tenth of a second is worth, or one packet.
+void DatagramViewer::refill(double now) {
+  const double most =
+      std::max<double>(terms_.bytes_per_second / 10.0, limits::kDatagramBytes + limits::kDatagramHeadBytes);
+  allowance_ = std::min(allowance_ + (now - filled_) * terms_.bytes_per_second, most);
+  filled_ = now;
+}
+
+void DatagramViewer::settle(double now) {
+  const Settled settled = channel_.settle(now);
+  const auto each_row = [&](std::uint32_t seq, auto&& then) {
+    const auto sent = sent_rows_.find(seq);
+    if (sent == sent_rows_.end()) return;
+    for (const SentRow& each : sent->second) {
+      const auto row = told_->row(each.id);
+      if (row && seq > rows_[*row].floor) then(rows_[*row], each.state);
+    }
+  };
+  for (const std::uint32_t seq : settled.lost)
+    each_row(seq, [seq](Row& row, const ModelState&) { row.is_lost = row.is_lost || row.sent_seq == seq; });
+  for (const std::uint32_t seq : settled.acknowledged) {
+    each_row(seq, [seq](Row& row, const ModelState& state) {
+      if (seq > row.acknowledged_seq) {
+        row.acknowledged = state;
+        row.acknowledged_seq = seq;
+      }
+      if (row.sent_seq == seq) row.is_lost = false;
+    });
+    sent_rows_.erase(seq);
+  }
+  sent_rows_.erase(sent_rows_.begin(), sent_rows_.lower_bound(channel_.oldest()));
+}
+
+/// Tells of another population, once what was told before is nearly through: the changes of a while are one.
+void DatagramViewer::follow(const Snapshot& snapshot, ChangesTexts& changes) {
+  if (told_ == snapshot.layout || channel_.texts().waiting() >= kFewWaiting) return;
+  const auto text = changes.text(told_, snapshot.layout);
+  if (text) post(*text);
+  const Layout& to = *snapshot.layout;
+  std::vector<Row> rows(to.id.size());
+  compare(
+      *told_, to, [&](std::uint32_t before) { said_.erase(told_->id[before]); },
+      [&](std::uint32_t before, std::uint32_t now) { rows[now] = rows_[before]; },
+      [&](std::uint32_t now) {
+        rows[now].start = rows[now].acknowledged = rows[now].sent = to.start[now];
+        rows[now].floor = channel_.sent();
+        rows[now].told_at = channel_.texts().posted();
+      });
+  rows_ = std::move(rows);
+  told_ = snapshot.layout;
+  said_number_.reset();
+}
+
+void DatagramViewer::map_rows(const Snapshot& snapshot) {
+  if (mapped_ == snapshot.layout && now_row_.size() == rows_.size() && told_ == snapshot.layout) return;
+  mapped_ = snapshot.layout;
+  now_row_.assign(rows_.size(), kGoneRow);
+  compare(
+      *told_, *mapped_, [](std::uint32_t) {},
+      [&](std::uint32_t before, std::uint32_t now) { now_row_[before] = now; }, [](std::uint32_t) {});
+}
+
+/// What models say now and the observer has not heard, as far as it knows them.
+void DatagramViewer::say(const Snapshot& snapshot) {
+  if (said_number_ == snapshot.said || channel_.texts().waiting() >= kFewWaiting) return;
+  std::string news;
+  bool all = told_ == snapshot.layout;
+  const auto tell = [&](world::ModelId id, const std::string& text) {
+    if (news.size() >= kSayingsBytes) return all = false;
+    fmt::format_to(std::back_inserter(news), "{}[{},{}]", news.empty() ? "" : ",", id.value, quoted(text));
+    return true;
+  };
+  std::map<world::ModelId, std::string> left = said_;  // what is in none of the sayings has ended
+  for (const Said& said : snapshot.says) {
+    const world::ModelId id = snapshot.layout->id[said.model];
+    left.erase(id);
+    if (!told_->row(id)) continue;
+    const auto held = said_.find(id);
+    if (held != said_.end() && held->second == said.text) continue;
+    if (tell(id, said.text)) said_[id] = said.text;
+  }
+  for (const auto& [id, text] : left)
+    if (tell(id, {})) said_.erase(id);
+  if (!news.empty()) post(fmt::format("{{\"says\":[{}]}}", news));
+  if (all) said_number_ = snapshot.said;
+}
+
+/// The rows that wait, the most important first.
+void DatagramViewer::weigh(const Snapshot& snapshot, double now) {
+  std::optional<std::uint32_t> selected;  // row of its top
+  if (wish_.selected)
+    if (const auto row = snapshot.layout->row(*wish_.selected)) selected = snapshot.layout->root[*row];
+  for (std::uint32_t told = 0; told < rows_.size(); ++told) {
+    Row& row = rows_[told];
+    const std::uint32_t is = now_row_[told];
+    if (is == kGoneRow || row.told_at > channel_.texts().taken()) continue;
+    if (row.sent == snapshot.models[is] && !row.is_lost) continue;
+    const geom::Vec2 at = place_of(snapshot, is);
+    const bool is_selected = selected == snapshot.layout->root[is];
+    if (!is_selected && is_out_of_view(wish_, at) && now - row.sent_time < kFarPeriod) continue;
+    row.gathered += importance(wish_, is_selected, at, change_of(row.acknowledged, snapshot.models[is]));
+    candidates_.push_back({row.gathered, told});
+  }
+  std::ranges::sort(candidates_, [](const Candidate& a, const Candidate& b) {
+    return std::tuple(-a.gathered, a.row) < std::tuple(-b.gathered, b.row);
+  });
+}
+
+/// One packet, if there is something to say or one must go. False: nothing went.
+bool DatagramViewer::send_packet(const Snapshot& snapshot, double now, bool must, const Send& send) {
+  const bool rows_wait = next_candidate_ < candidates_.size();
+  if (!rows_wait && !channel_.texts().ready() && !must) return false;
+  const double most = allowance_ - static_cast<double>(limits::kDatagramHeadBytes);
+  if (most < static_cast<double>(kLeastPacket)) return false;
+  const std::size_t room = std::min(limits::kDatagramBytes, static_cast<std::size_t>(most));
+  // Begun with its head alone, for how long that is: 10 + 5 + 5 + 4 + 10 + 3 + 10 bytes at most.
+  constexpr std::size_t kHead = 47;
+  const std::size_t texts_room = rows_wait ? room * 3 / 4 : room;
+  const std::uint32_t seq = channel_.write(now, texts_room - kHead, packet_);
+  write_rows(snapshot, now, seq, room - packet_.size());
+  allowance_ -= static_cast<double>(packet_.size() + limits::kDatagramHeadBytes);
+  owes_ack_ = false;
+  life_due_ = now + kSignOfLife;
+  told_paused_ = snapshot.pace.paused;
+  send(packet_);
+  return true;
+}
+
+/// The state of a packet: its head, and as many rows as there is room for.
+void DatagramViewer::write_rows(const Snapshot& snapshot, double now, std::uint32_t seq, std::size_t room) {
+  if (room < kStateHeadBytes) return;
+  room -= kStateHeadBytes;
+  Packer pack(packet_);
+  pack.varint(snapshot.tick);
+  pack.u8(snapshot.pace.paused ? kStatePaused : 0);
+  fields_.clear();
+  written_.clear();
+  std::vector<SentRow> sent;
+  for (; next_candidate_ < candidates_.size(); ++next_candidate_) {
+    const std::uint32_t told = candidates_[next_candidate_].row;
+    if (!add_row(snapshot, seq, told, room)) break;
+    Row& row = rows_[told];
+    row.sent = snapshot.models[now_row_[told]];
+    row.sent_seq = seq;
+    row.sent_time = now;
+    row.gathered = 0;
+    row.is_lost = false;
+    sent.push_back({told_->id[told], row.sent});
+  }
+  if (sent.empty()) return;
+  pack_rows();
+  sent_rows_[seq] = std::move(sent);
+}
+
+/// False: it has no room. What is written is as long as it may become between any others.
+bool DatagramViewer::add_row(const Snapshot& snapshot, std::uint32_t seq, std::uint32_t told,
+                             std::size_t& room) {
+  const Row& row = rows_[told];
+  const ModelState& to = snapshot.models[now_row_[told]];
+  const bool has_baseline = row.acknowledged_seq > 0 && seq - row.acknowledged_seq <= kOldestBaseline;
+  const ModelState& from = has_baseline ? row.acknowledged : row.start;
+  const std::uint8_t age = has_baseline ? static_cast<std::uint8_t>(seq - row.acknowledged_seq) : 0;
+  std::uint8_t mask = changed_fields(from, to);
+  if (mask == 0) mask = 1;  // it is what it was before what was sent last: a difference of nothing
+  const std::size_t begin = fields_.size();
+  Packer pack(fields_);
+  write_fields(mask, from, to, pack);
+  const bool is_new_group = std::ranges::find(written_, age, &Written::age) == written_.end();
+  const std::size_t most_of_id = varint_bytes(2 * std::uint64_t{told_->ids_given});
+  const std::size_t size = 1 + most_of_id + (fields_.size() - begin) + (is_new_group ? kGroupBytes : 0);
+  if (size > room) {
+    fields_.resize(begin);
+    return false;
+  }
+  room -= size;
+  written_.push_back({age, mask, told_->id[told].value, static_cast<std::uint32_t>(begin),
+                      static_cast<std::uint32_t>(fields_.size())});
+  return true;
+}
+
+void DatagramViewer::pack_rows() {
+  std::ranges::sort(written_, [](const Written& a, const Written& b) {
+    return std::tuple(a.age, a.id) < std::tuple(b.age, b.id);
+  });
+  Packer pack(packet_);
+  for (std::size_t k = 0; k < written_.size();) {
+    const std::uint8_t age = written_[k].age;
+    pack.u8(age);
+    for (std::uint32_t id = 0; k < written_.size() && written_[k].age == age; id = written_[k++].id) {
+      pack.u8(written_[k].mask);
+      pack.zigzag(static_cast<std::int64_t>(written_[k].id) - static_cast<std::int64_t>(id));
+      packet_.insert(packet_.end(), fields_.begin() + written_[k].begin, fields_.begin() + written_[k].end);
+    }
+    pack.u8(0);
+  }
+}
+
+bool DatagramViewer::holds(const Snapshot& snapshot) const {
+  if (told_ != snapshot.layout || channel_.texts().waiting() > 0 || said_number_ != snapshot.said)
+    return false;
+  for (std::size_t row = 0; row < rows_.size(); ++row)
+    if (rows_[row].acknowledged != snapshot.models[row] || rows_[row].sent != snapshot.models[row])
+      return false;
+  return true;
+}
+
+}  // namespace playhouse::replicate

@@ -1,0 +1,44 @@
+#pragma once
+
+/// How much a row matters to a viewer that has no room for all. A row that waits gathers this in every frame,
+/// and whoever has gathered most goes first: so the important ones go more often, and each goes in the end.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "playhouse/replicate/delta.h"
+
+namespace playhouse::replicate {
+
+/// How far a model is from what the viewer holds. [mm], a turn as far as its edge at 0.2 m
+inline double change_of(const ModelState& held, const ModelState& is) {
+  const double turn = std::abs(static_cast<std::int16_t>(static_cast<std::uint16_t>(is.a - held.a)));
+  const double way = std::abs(double{1} * is.x - held.x) + std::abs(double{1} * is.y - held.y) +
+                     std::abs(double{1} * is.z - held.z);
+  const bool looks_other = held.state != is.state || held.color != is.color || held.flags != is.flags ||
+                           held.tilt_x != is.tilt_x || held.tilt_y != is.tilt_y;
+  return way + turn * (6.2832 / 65536 * 200) + (looks_other ? 100 : 0);
+}
+
+/// 1 for a model in the middle of the view that has moved little; at least 0.05. `at` is where its tree
+/// stands.
+inline double importance(const Wish& wish, bool is_selected, geom::Vec2 at, double change) {
+  constexpr double kSelected = 16, kNear = 10, kLeast = 0.05;  // times, m, as above
+  if (is_selected) return kSelected;
+  double weight = 1 + std::min(change / 100, 10.0);
+  if (!wish.view.empty()) {
+    const double x = at.x - (wish.view.x_min + wish.view.x_max) / 2;
+    const double y = at.y - (wish.view.y_min + wish.view.y_max) / 2;
+    weight /= 1 + std::sqrt(x * x + y * y) / kNear;
+  }
+  return std::max(weight, kLeast);
+}
+
+/// Whether what stands at `at` is in a view that looks at a part of the world.
+inline bool is_out_of_view(const Wish& wish, geom::Vec2 at) {
+  return !wish.view.empty() && (at.x < wish.view.x_min || at.x > wish.view.x_max || at.y < wish.view.y_min ||
+                                at.y > wish.view.y_max);
+}
+
+}  // namespace playhouse::replicate

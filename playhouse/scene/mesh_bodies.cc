@@ -1,0 +1,98 @@
+#include "playhouse/scene/mesh_bodies.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "playhouse/base/mesh_limits.h"
+#include "playhouse/mesh/fit.h"
+#include "playhouse/mesh/parts.h"
+#include "playhouse/scene/body.h"
+
+namespace playhouse::scene {
+namespace {
+
+using geom::Vec2;
+
+/// Counter-clockwise; fewer than three points where they are on one line.
+/// Source: Andrew, "Another efficient algorithm for convex hulls in two dimensions", 1979.
+std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
+  std::ranges::sort(points, [](Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  std::vector<Vec2> hull;
+  const auto add = [&hull](Vec2 p, std::size_t least) {
+    while (hull.size() >= least + 2 &&
+           geom::cross(hull.back() - hull[hull.size() - 2], p - hull[hull.size() - 2]) <= 0)
+      hull.pop_back();
+    hull.push_back(p);
+  };
+  for (const Vec2 p : points) add(p, 0);
+  const std::size_t lower = hull.size() - 1;
+  for (auto p = points.rbegin(); p != points.rend(); ++p) add(*p, lower);
+  hull.pop_back();
+  return hull;
+}
+
+std::vector<Block> box_of(const mesh::Mesh& mesh) {
+  const auto size = body_size({mesh.high.x - mesh.low.x, mesh.high.y - mesh.low.y, mesh.high.z - mesh.low.z});
+  if (!size) return {};
+  return {box_block(*size)};
+}
+
+std::size_t corners_of(const mesh::Mesh& mesh) {
+  std::size_t corners = 0;
+  for (const mesh::Surface& surface : mesh.surfaces) corners += surface.p.size();
+  return corners;
+}
+
+}  // namespace
+
+std::vector<Block> outlines_of(const mesh::Mesh& mesh) {
+  std::vector<Block> blocks;
+  for (const std::vector<geom::Vec3>& part : mesh::parts_of(mesh, limits::kMeshParts)) {
+    std::vector<Vec2> points;
+    for (const geom::Vec3& p : part) points.push_back({p.x, p.y});
+    Block block{convex_hull(std::move(points)), std::ranges::min(part, {}, &geom::Vec3::z).z,
+                std::ranges::max(part, {}, &geom::Vec3::z).z};
+    if (block.points.size() >= 3) blocks.push_back(std::move(block));
+  }
+  return blocks.empty() ? box_of(mesh) : blocks;
+}
+
+const MeshBodies::Entry* MeshBodies::find(const std::string& path) const {
+  const auto found = entries_.find(path);
+  return found == entries_.end() ? nullptr : &found->second;
+}
+
+const MeshBodies::Entry& MeshBodies::read(const std::string& path, const std::string& bytes,
+                                          FileReader& files) {
+  Entry& entry = entries_[path];
+  entry.path = path;
+  Result<mesh::MeshFile> file = mesh::read_mesh(path, [&](const std::string& wanted) {
+    Result<std::string> read = wanted == path ? Result<std::string>(bytes) : files.read(wanted);
+    if (read) entry.bytes += read->size();
+    return read;
+  });
+  if (!file) {
+    entry.why_none = file.error().text;
+    return entry;
+  }
+  entry.mesh = std::make_shared<const mesh::Mesh>(std::move(file->mesh));
+  entry.warnings = std::move(file->warnings);
+  return entry;
+}
+
+const MeshBodies::Body& MeshBodies::body(const Entry& entry, const geom::Size* size) const {
+  const mesh::Mesh& whole = *entry.mesh;
+  const geom::Vec3 extent = whole.high - whole.low;
+  const geom::Size wanted = size ? *size : geom::Size{extent.x, extent.y, extent.z};
+  const auto [found, is_new] = entry.bodies.try_emplace({wanted.x, wanted.y, wanted.z});
+  Body& body = found->second;
+  body.is_new = is_new;
+  if (!is_new) return body;
+  body.size = wanted;
+  body.mesh = std::make_shared<const mesh::Mesh>(mesh::fitted(whole, {wanted.x, wanted.y, wanted.z}));
+  body.corners = corners_of(whole);
+  body.blocks = outlines_of(*body.mesh);
+  return body;
+}
+
+}  // namespace playhouse::scene

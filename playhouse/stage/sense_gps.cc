@@ -1,0 +1,88 @@
+/// GpsSense: the phase in which satellite receivers that are subscribed and due tell where they are.
+///
+/// In: poses of models; errors that each receiver's words tell; what it noted when it measured before.
+/// Out: where it believes to be and how fast it moves, in the frame of the world.
+/// Cost: a hundred random numbers for a receiver that has noise.
+/// Source: errors are white noise and a Gauss-Markov process of first order, x(t + dt) = b x(t) + sqrt(1 -
+/// b^2) s n
+///   with b = exp(-dt / T), deviation s and time T (Brown and Hwang, "Introduction to Random Signals and
+///   Applied Kalman Filtering", 2012, 3.6; Rankin, "An error model for sensor simulation GPS and differential
+///   GPS", 1994).
+
+#include <algorithm>
+#include <cmath>
+
+#include "playhouse/base/rng.h"
+#include "playhouse/stage/generated/senses.h"
+
+namespace playhouse::stage {
+namespace {
+
+using geom::Vec3;
+
+/// exp(-x) for x >= 0, from multiplications alone: the same bits everywhere. Error below 1e-12.
+double decay(double x) {
+  constexpr double kAll = 700;  // beyond it nothing is left
+  if (x > kAll) return 0;
+  int halvings = 0;
+  for (; x > 0.125; x *= 0.5) ++halvings;
+  double sum = 1;
+  for (int n = 10; n > 0; --n) sum = 1 - x / n * sum;
+  for (; halvings > 0; --halvings) sum *= sum;
+  return sum;
+}
+
+Vec3 gaussian(Rng& rng, double horizontal, double vertical) {
+  if (horizontal == 0 && vertical == 0) return {0, 0, 0};
+  const double x = rng.gaussian(), y = rng.gaussian(), z = rng.gaussian();
+  return {horizontal * x, horizontal * y, vertical * z};
+}
+
+class GpsSense final : public SensePhase {
+ public:
+  SensorTable table(world::World& world) const override {
+    return {world.receivers.model, world.receivers.measured_tick};
+  }
+  void populate(const world::World&, const Space&) override {}
+
+  std::uint64_t sense(world::World& world, const Space&, std::span<const std::uint32_t> due,
+                      std::uint64_t tick, world::Workers& workers) override {
+    workers.run(due.size(), 16, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) measure(world, due[i], tick);
+    });
+    return 0;
+  }
+
+ private:
+  static void measure(world::World& world, std::uint32_t row, std::uint64_t tick);
+};
+
+void GpsSense::measure(world::World& world, std::uint32_t row, std::uint64_t tick) {
+  world::Receivers& receivers = world.receivers;
+  const world::ModelRow model = receivers.model[row];
+  const scene::ModelDesc& desc = world.desc(model);
+  const scene::GpsDesc& gps = *desc.gps;
+  const geom::SpatialPose X_WB = geom::compose(
+      {world.models.X_WM[model.index], world.models.tilt_WM[model.index]}, {desc.X_MB, geom::Tilt{}});
+  const Vec3 p{X_WB.X.x, X_WB.X.y, X_WB.X.z};
+  Rng rng(world.seed(), tick, {Purpose::kFix, world.id(model).value});
+  const bool is_first = receivers.noted_tick[row] == 0;
+  const double dt = static_cast<double>(tick - receivers.noted_tick[row]) * world.scene().interval;
+  const double kept = is_first ? 0 : decay(dt / gps.drift_time), drawn = std::sqrt(1 - kept * kept);
+  receivers.drift[row] = kept * receivers.drift[row] +
+                         gaussian(rng, drawn * gps.drift_horizontal, drawn * gps.drift_vertical);
+  receivers.position[row] =
+      p + receivers.drift[row] + gaussian(rng, gps.noise_horizontal, gps.noise_vertical);
+  const Vec3 moved = is_first ? Vec3{} : (1 / dt) * (p - receivers.p_WB[row]);
+  receivers.velocity[row] = moved + gaussian(rng, gps.velocity_noise, gps.velocity_noise);
+  receivers.p_WB[row] = p;
+  receivers.noted_tick[row] = tick;
+}
+
+}  // namespace
+
+std::unique_ptr<SensePhase> make_gps_sense(unsigned) {
+  return std::make_unique<GpsSense>();
+}
+
+}  // namespace playhouse::stage

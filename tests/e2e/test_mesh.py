@@ -1,0 +1,73 @@
+"""Meshes as a user meets them: worlds/mesh.world in both engines, saved and converted; files of another program; files
+that are missing, broken or hostile."""
+
+import json
+import shutil
+import struct
+import subprocess
+import unittest
+
+from house import ROOT, HouseTest, finish
+
+MESH = ROOT / "worlds" / "mesh.world"
+
+
+class Mesh(HouseTest):
+    def run_of(self, world, engine, *more) -> dict:
+        done = finish("run", world, "--engine", engine, "--headless", "--fast", "--port", "0", "--duration", "3", "--json", *more)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(done.stdout)
+
+    def test_the_world_of_meshes_loads_without_a_word_and_runs_the_same_with_more_workers(self):
+        done = finish("check", MESH)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stderr, "")
+        self.run_of(MESH, "stage")
+        self.assertEqual(self.run_of(MESH, "arena", "--workers", "1")["hash"], self.run_of(MESH, "arena", "--workers", "3")["hash"])
+
+    def test_a_world_that_is_written_again_runs_the_same(self):
+        again = self.folder / "again.world"
+        done = finish("convert", MESH, "-o", again)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn('meshes/barrel.dae"', again.read_text())
+        self.assertEqual(self.run_of(again, "arena")["hash"], self.run_of(MESH, "arena")["hash"])
+
+    def test_a_gltf_of_the_world_has_materials_and_textures_of_its_meshes(self):
+        made = self.folder / "made.glb"
+        done = finish("convert", MESH, "-o", made)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        bytes_ = made.read_bytes()
+        (length,) = struct.unpack_from("<I", bytes_, 12)
+        text = json.loads(bytes_[20:20 + length])
+        self.assertEqual(len(text["images"]), 1)
+        self.assertIn("TEXCOORD_0", json.dumps(text["meshes"]))
+
+    @unittest.skipUnless(shutil.which("assimp"), "assimp-utils is not installed")
+    def test_files_of_another_program_are_the_same_body(self):
+        hashes = set()
+        for ending in ("dae", "glb2", "obj"):
+            name = f"ramp.{ending.rstrip('2')}"
+            subprocess.run(["assimp", "export", ROOT / "worlds/meshes/ramp.dae", self.folder / name, f"-f{'collada' if ending == 'dae' else ending}"],
+                           check=True, capture_output=True)
+            world = self.write("a.world", f'interval_sim 100\nmodel( mesh "{name}" )\nposition( pose [-2 0 0 0] velocity [0.5 0 0 0] '
+                               "ranger( sensor( samples 9 fov 90 range [0 8] ) ) )\n")
+            hashes.add(self.run_of(world, "arena")["hash"])
+        self.assertEqual(len(hashes), 1)
+
+    def test_what_is_wrong_with_a_file_is_one_line(self):
+        self.write("empty.obj", "v 0 0 0\n")
+        self.write("nan.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n")
+        self.write("none.dae", "<nothing/>")
+        self.write("endless.dae", (ROOT / "worlds/meshes/ramp.dae").read_text().replace(
+            '<instance_geometry url="#ramp">', '<instance_node url="#top"/><instance_geometry url="#ramp">'))
+        for name, what in (("gone.dae", "cannot be opened: no such file"), ("empty.obj", ""), ("nan.obj", ""), ("none.dae", "cannot be read: "),
+                           ("endless.dae", "cannot be read: it ")):
+            world = self.write("a.world", f'\nmodel( mesh "{name}" )\n')
+            done = finish("run", world, "--headless", "--port", "0", "--duration", "1")
+            self.assertEqual(done.returncode, 2, name)
+            self.assertRegex(done.stderr, rf'a\.world:2: error: mesh "[^"]*{name}" {what}')
+            self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,54 @@
+import { Color, Group, MeshLambertMaterial, Skeleton, SkinnedMesh, type Bone } from 'three';
+import { makeFigure } from './figure_body';
+import { pose } from './figure_pose';
+import type { Gait } from './gait';
+import { makeBones } from './skeleton';
+
+const kNear = 110; // pixels that the figure is high, from which on it is drawn fine
+const kFine = makeFigure({ corners: 18, full: true });
+const kCoarse = makeFigure({ corners: 7, full: false });
+
+/** One person: a skin over bones, fine or coarse, in the shirt of the model's colour. */
+export class Figure {
+  readonly object = new Group();
+  private readonly bones: Bone[] = makeBones();
+  private readonly skeleton = new Skeleton(this.bones);
+  private readonly shirt = new MeshLambertMaterial({ vertexColors: true });
+  private readonly rest = new MeshLambertMaterial({ vertexColors: true });
+  private readonly meshes: SkinnedMesh[];
+
+  constructor() {
+    this.object.add(this.bones[0]);
+    this.object.updateMatrixWorld(true);
+    this.skeleton.calculateInverses();
+    this.meshes = [kFine, kCoarse].map((geometry) => {
+      const mesh = new SkinnedMesh(geometry, [this.shirt, this.rest]);
+      mesh.bind(this.skeleton, this.object.matrixWorld);
+      mesh.frustumCulled = false;
+      this.object.add(mesh);
+      return mesh;
+    });
+    this.adapt(0);
+  }
+
+  set color(hex: number) {
+    this.shirt.color = new Color(hex);
+  }
+
+  pose(gait: Gait, wave: number): void {
+    pose(this.bones, gait, wave);
+  }
+
+  /** Fine when it is so many pixels high. */
+  adapt(pixels: number): void {
+    this.meshes[0].visible = pixels >= kNear;
+    this.meshes[1].visible = pixels < kNear;
+  }
+
+  /** Geometry is shared by all and stays. */
+  dispose(): void {
+    this.skeleton.dispose();
+    this.shirt.dispose();
+    this.rest.dispose();
+  }
+}
