@@ -5,7 +5,7 @@ get_filename_component(PLAYHOUSE_ROOT ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)
 
 find_program(CCACHE ccache)
 if(CCACHE)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE})
 endif()
 
 # Warnings are for this folder and those below it: a project that takes this one in as a part chooses its own.
@@ -36,6 +36,19 @@ if(PLAYHOUSE_FUZZ)
   add_custom_target(fuzzers)
 endif()
 
+# How files of tests are compiled, beside the options of all.
+function(playhouse_test_options TARGET)
+  cmake_parse_arguments(ARG "OPTIMISED" "" "" ${ARGN})
+  if(PLAYHOUSE_SANITIZE AND NOT ARG_OPTIMISED)  # which takes the compiler twice as long
+    target_compile_options(${TARGET} PRIVATE -O0)
+  endif()
+  if(PLAYHOUSE_FUZZ)  # what fuzzers cover is the libraries
+    target_compile_options(${TARGET} PRIVATE -fno-sanitize=fuzzer-no-link)
+  endif()
+endfunction()
+
+include(${CMAKE_CURRENT_LIST_DIR}/Precompiled.cmake)
+
 # playhouse_module(NAME DEPS a b c EXCEPT x.cc OPTIMISED_TESTS)
 # Declares the library playhouse_NAME from the folder's *.cc (and generated/*.cc, and one level of folders below it).
 # Beside a foo.cc: foo_test.cc goes into the test program, foo_bench.cc into the bench program and
@@ -58,6 +71,7 @@ function(playhouse_module NAME)
   set(TARGET playhouse_${NAME})
   if(SOURCES)
     add_library(${TARGET} STATIC ${SOURCES})
+    playhouse_precompile(${TARGET} library)
     set(SCOPE PUBLIC)
   else()
     add_library(${TARGET} INTERFACE)
@@ -69,11 +83,11 @@ function(playhouse_module NAME)
     add_executable(${TARGET}_test ${TESTS})
     target_link_libraries(${TARGET}_test PRIVATE ${TARGET} rapidcheck rapidcheck_gtest GTest::gtest GTest::gmock GTest::gtest_main)
     target_compile_definitions(${TARGET}_test PRIVATE PLAYHOUSE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-    if(PLAYHOUSE_SANITIZE AND NOT ARG_OPTIMISED_TESTS)  # which takes the compiler twice as long
-      target_compile_options(${TARGET}_test PRIVATE -O0)
-    endif()
-    if(PLAYHOUSE_FUZZ)  # what fuzzers cover is the libraries
-      target_compile_options(${TARGET}_test PRIVATE -fno-sanitize=fuzzer-no-link)
+    if(ARG_OPTIMISED_TESTS)
+      playhouse_test_options(${TARGET}_test OPTIMISED)
+    else()
+      playhouse_test_options(${TARGET}_test)
+      playhouse_precompile(${TARGET}_test test)
     endif()
     gtest_discover_tests(${TARGET}_test TEST_PREFIX "${NAME}." DISCOVERY_TIMEOUT 120
       PROPERTIES TIMEOUT 300 ENVIRONMENT RC_PARAMS=seed=1)  # laws draw the same cases in every run: a red one can be repeated
