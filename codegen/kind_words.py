@@ -25,7 +25,7 @@ COUNTED = {"integer", "number", "length", "angle", "pose", "size", "point"}  # w
 
 # Units of plain numbers in world files, and what the member behind the word is kept in.
 UNITS = {"1": "1", "m": "m", "s": "s", "ms": "s", "deg": "rad", "kg": "kg", "px": "px", "px/m": "px/m", "W": "W", "J": "J",
-         "kJ": "kJ", "dB": "dB", "dBm": "dBm", "MHz": "MHz", "bit/s": "bit/s", "m/s": "m/s", "m/s^2": "m/s^2", "rad/s": "rad/s",
+         "kJ": "kJ", "cd": "cd", "dB": "dB", "dBm": "dBm", "MHz": "MHz", "bit/s": "bit/s", "m/s": "m/s", "m/s^2": "m/s^2", "rad/s": "rad/s",
          "m/s^2/sqrt(Hz)": "m/s^2/sqrt(Hz)", "m/s^3/sqrt(Hz)": "m/s^3/sqrt(Hz)", "rad/s/sqrt(Hz)": "rad/s/sqrt(Hz)",
          "rad/s^2/sqrt(Hz)": "rad/s^2/sqrt(Hz)",
          "m or rad": "m or rad", "m/s or rad/s": "m/s or rad/s"}

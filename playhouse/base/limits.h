@@ -87,6 +87,7 @@ inline constexpr unsigned kMotionSteps = 1024;                    // collision t
 
 // Models.
 inline constexpr std::size_t kSayBytes = 1024;                    // of what a model says; the rest is cut off
+inline constexpr std::size_t kUtterances = 1024;                  // kept for who listens; a tick with more loses the oldest
 inline constexpr std::size_t kCustomNumbers = 4096;               // commands, state or readings of a custom model
 
 // Messages between radios.

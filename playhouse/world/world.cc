@@ -7,6 +7,7 @@
 
 #include "playhouse/base/assert.h"
 #include "playhouse/base/hash.h"
+#include "playhouse/base/limits.h"
 #include "playhouse/scene/actuator.h"
 #include "playhouse/world/columns.h"
 #include "playhouse/world/population.h"
@@ -448,6 +449,9 @@ void set_say(World& world, ModelRow model, std::string_view text) {
     says = spoken(text);
   }
   ++world.said_;
+  if (says.empty()) return;
+  if (world.utterances.size() == limits::kUtterances) world.utterances.pop_front();
+  world.utterances.push_back({world.said_, world.id(model), says});
 }
 
 void add_flags(World& world, ModelRow model, std::int64_t flags) {

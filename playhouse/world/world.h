@@ -8,6 +8,7 @@
 /// B body (M moved by the origin), O odometry.
 
 #include <cmath>
+#include <deque>
 #include <map>
 #include <memory>
 #include <set>
@@ -21,6 +22,13 @@
 #include "playhouse/world/generated/tables.h"
 
 namespace playhouse::world {
+
+/// What a model began to say.
+struct Utterance {
+  std::uint64_t number;  // World::said() just after: ascending
+  ModelId model;
+  std::string text;
+};
 
 class World : public Tables {
  public:
@@ -84,6 +92,8 @@ class World : public Tables {
   bool upright = true;
   std::uint64_t tick_ = 0;  // written by: freeze (the engine) alone
   std::uint64_t said_ = 0;  // written by: set_say, load_state
+  /// The newest limits::kUtterances, oldest first, for who listens: no state of a run. Written by set_say.
+  std::deque<Utterance> utterances;
 
  private:
   friend class Population;

@@ -40,7 +40,7 @@ class Population(HouseTest):
         viewer.send(do="add", robot=ROBOT, x=-2, y=4, a=0)
         viewer.turn_until(lambda: viewer.came)
         robot = viewer.models[viewer.came[0]]
-        self.assertEqual((robot["name"], robot["devices"]), ("r0~2", ["position2d:2", "position3d:2", "speech:2"]))
+        self.assertEqual((robot["name"], robot["devices"]), ("r0~2", ["position2d:2", "position3d:2", "speech:2", "speech_recognition:2"]))
         devices = self.devices_until(client, lambda devices: len(devices) == 2 * len(at_first) - 1 - (len(at_first) - 1) // 2)
         self.assertEqual([d for d in devices if d not in at_first][0], (POSITION2D, 2))
 
@@ -60,7 +60,7 @@ class Population(HouseTest):
         viewer.send(do="copy", model=robot["id"], x=0, y=4, a=0)   # has gone: nothing happens
         viewer.send(do="add", robot=ROBOT, x=-2, y=4, a=0)
         viewer.turn_until(lambda: len(viewer.came) == 2)
-        self.assertEqual(viewer.models[viewer.came[1]]["devices"], ["position2d:3", "position3d:3", "speech:3"], "an index is not used again")
+        self.assertEqual(viewer.models[viewer.came[1]]["devices"], ["position2d:3", "position3d:3", "speech:3", "speech_recognition:3"], "an index is not used again")
         self.assertEqual(viewer.notices, [])
 
     def churn(self, robots: int, viewers: list[Viewer], reader: Client):

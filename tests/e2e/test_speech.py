@@ -1,9 +1,9 @@
-"""What a Player client has models say."""
+"""What a Player client has models say, and what it hears others say."""
 
 import struct
 import unittest
 
-from house import ACK, CMD, SIMULATION, SPEECH, Client, House, HouseTest, text
+from house import ACK, CMD, SIMULATION, SPEECH, SPEECH_RECOGNITION, Client, House, HouseTest, text
 
 SAY = 1
 SAVE = 3
@@ -58,6 +58,15 @@ class Speech(HouseTest):
         self.assertEqual(saved.count("say "), 2, saved)
         self.assertIn('say "schön leise"', saved)
         self.assertIn('say "why?"', saved)
+
+    def test_robots_hear_each_other_and_not_themselves(self):
+        client = self.start("run", self.world(WORLD))
+        for robot in (0, 1):
+            self.assertEqual(client.open(SPEECH_RECOGNITION, robot).type, ACK)
+        self.say(client, 0, "marco")
+        self.assertEqual(client.next_data(SPEECH_RECOGNITION, 1).body, text("marco"))
+        self.say(client, 1, "polo, schön")
+        self.assertEqual(client.next_data(SPEECH_RECOGNITION, 0).body, text("polo, schön"), "its own voice was no message")
 
     def test_an_empty_text_ends_what_is_said_and_a_cut_one_changes_nothing(self):
         self.world(WORLD)

@@ -51,6 +51,8 @@ from .proxies import (
     Simulation,
     Size,
     Sonar,
+    Speech,
+    SpeechRecognition,
     State,
     State3d,
     Velocity,
@@ -64,5 +66,5 @@ __all__ = [
     "Access", "Aio", "Bumper", "Camera", "Client", "ConnectionLost", "Device", "DeviceAddress", "DeviceClosed",
     "DeviceEntry", "DeviceGone", "Face", "Fiducial", "Fix", "Geometry", "Gps", "Image", "Imu", "Inertia", "InvalidValue", "Laser", "Marker", "Mode", "Model", "NoData",
     "Opaque", "PlayerError", "Point", "PointCloud3d", "Pose", "Pose3d", "Position2d", "Position3d", "Ptz", "Ranger", "RequestRefused", "RequestTimeout", "Robot", "Rule",
-    "RunEnded", "Scan", "Simulation", "Size", "Sonar", "State", "State3d", "Velocity", "View", "WireError", "connect",
+    "RunEnded", "Scan", "Simulation", "Size", "Sonar", "Speech", "SpeechRecognition", "State", "State3d", "Velocity", "View", "WireError", "connect",
 ]

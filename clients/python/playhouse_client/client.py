@@ -11,6 +11,7 @@ from .generated import INTERFACES, common, find_message, player, simulation
 from .models import DeviceAddress, Model, ask_models, families
 from .proxies import (
     Aio, Bumper, Camera, Fiducial, Gps, Imu, Laser, Opaque, PointCloud3d, Position2d, Position3d, Ptz, Ranger, Simulation, Sonar,
+    Speech, SpeechRecognition,
 )
 from .robot import Robot
 from .session import Session
@@ -25,6 +26,7 @@ _PROXIES: Dict[str, Type[Device]] = {
     "position2d": Position2d, "ranger": Ranger, "laser": Laser, "sonar": Sonar, "fiducial": Fiducial,
     "aio": Aio, "bumper": Bumper, "camera": Camera, "ptz": Ptz, "opaque": Opaque, "simulation": Simulation,
     "position3d": Position3d, "imu": Imu, "gps": Gps, "pointcloud3d": PointCloud3d,
+    "speech": Speech, "speech_recognition": SpeechRecognition,
 }
 _Place = Tuple[int, str, int]  # port, interface, index
 
@@ -193,6 +195,12 @@ class Client:
 
     def pointcloud3d(self, index: int = 0, access: Access = Access.ALL) -> PointCloud3d:
         return self._open(PointCloud3d, "pointcloud3d", index, access)
+
+    def speech(self, index: int = 0, access: Access = Access.ALL) -> Speech:
+        return self._open(Speech, "speech", index, access)
+
+    def speech_recognition(self, index: int = 0, access: Access = Access.ALL) -> SpeechRecognition:
+        return self._open(SpeechRecognition, "speech_recognition", index, access)
 
     def simulation(self, index: int = 0, access: Access = Access.ALL) -> Simulation:
         return self._open(Simulation, "simulation", index, access)

@@ -13,7 +13,7 @@ from typing import Any, Deque, Iterator, List, NamedTuple, Optional, Tuple, cast
 from .device import Device
 from .errors import InvalidValue, RequestRefused, RunEnded, WireError
 from .generated import aio, bumper, camera, common, fiducial, gps, imu, laser, opaque, pointcloud3d, position2d, position3d, ptz, ranger
-from .generated import simulation, sonar
+from .generated import simulation, sonar, speech, speech_recognition
 from .wire import MessageType, Struct, c_string, text
 
 
@@ -681,6 +681,40 @@ class Opaque(Device):
 
     def take(self, message: MessageType, value: Struct, timestamp: float) -> None:
         self._messages.append(bytes(cast(opaque.Data, value).data))
+        super().take(message, value, timestamp)
+
+
+class Speech(Device):
+    """What a robot says."""
+
+    def say(self, text: str) -> None:
+        """In place of what it said; "" says nothing."""
+        self.command(speech.CMD_SAY, speech.Cmd(c_string(text)))
+
+
+class SpeechRecognition(Device):
+    """What others say, as a robot hears it."""
+
+    WAITING = 1024  # texts kept for take_texts(); of more the oldest are lost
+
+    def prepare(self) -> None:
+        self._texts: Deque[str] = collections.deque(maxlen=self.WAITING)
+
+    def take_texts(self) -> List[str]:
+        """Those that read() brought since the last call, in their order."""
+        taken = list(self._texts)
+        self._texts.clear()
+        return taken
+
+    def updates(self, timeout: Optional[float] = None) -> Iterator[str]:
+        """Reads for ever: every text. Raises RequestTimeout."""
+        while True:
+            while self._texts:
+                yield self._texts.popleft()
+            self.next_data(timeout)
+
+    def take(self, message: MessageType, value: Struct, timestamp: float) -> None:
+        self._texts.append(text(cast(speech_recognition.Data, value).text))
         super().take(message, value, timestamp)
 
 

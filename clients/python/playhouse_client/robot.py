@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Dict, List, cast
 from .device import Device
 from .errors import RequestRefused
 from .models import DeviceAddress, Model
-from .proxies import Aio, Bumper, Camera, Fiducial, Gps, Imu, Laser, Opaque, PointCloud3d, Position2d, Position3d, Ptz, Ranger, Sonar
+from .proxies import Aio, Bumper, Camera, Fiducial, Gps, Imu, Laser, Opaque, PointCloud3d, Position2d, Position3d, Ptz, Ranger, Sonar, Speech, SpeechRecognition
 
 if TYPE_CHECKING:
     from .client import Client
@@ -16,7 +16,7 @@ class Robot:
 
     `name` and `type` are those of the world file; `models` are the model itself and what it carries, `devices` the
     addresses of all their devices. `position2d`, `laser`, `ranger`, `sonar`, `fiducial`, `bumper`, `camera`, `ptz`,
-    `opaque`, `aio`, `position3d`, `imu`, `gps` and `pointcloud3d` are the first of their kind, `lasers` and so on all of them, opened on first use. Leaving a
+    `opaque`, `aio`, `position3d`, `imu`, `gps`, `pointcloud3d`, `speech` and `speech_recognition` are the first of their kind, `lasers` and so on all of them, opened on first use. Leaving a
     `with` block, or close(), closes what was opened here; a moving robot is stopped first.
     """
 
@@ -97,6 +97,14 @@ class Robot:
         return cast(PointCloud3d, self.device("pointcloud3d"))
 
     @property
+    def speech(self) -> Speech:
+        return cast(Speech, self.device("speech"))
+
+    @property
+    def speech_recognition(self) -> SpeechRecognition:
+        return cast(SpeechRecognition, self.device("speech_recognition"))
+
+    @property
     def position2ds(self) -> List[Position2d]:
         return cast(List[Position2d], self._all("position2d"))
 
@@ -151,6 +159,14 @@ class Robot:
     @property
     def pointcloud3ds(self) -> List[PointCloud3d]:
         return cast(List[PointCloud3d], self._all("pointcloud3d"))
+
+    @property
+    def speeches(self) -> List[Speech]:
+        return cast(List[Speech], self._all("speech"))
+
+    @property
+    def speech_recognitions(self) -> List[SpeechRecognition]:
+        return cast(List[SpeechRecognition], self._all("speech_recognition"))
 
     def close(self) -> None:
         """Closes the devices that were opened here, the last opened first. They open again when they are used."""

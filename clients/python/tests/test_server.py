@@ -155,6 +155,18 @@ class Radios(unittest.TestCase):
                 with self.assertRaises(RequestRefused):
                     radio.send_to(address, message)
 
+    def test_robots_hear_what_others_say(self) -> None:
+        with World("radio.world") as world, connect(world.address) as client, connect(world.address) as other:
+            first, second = client.speech(0), other.speech_recognition(1)
+            heard = second.updates()
+            for words in ("marco", "schön hier"):
+                first.say(words)
+                self.assertEqual(next(heard), words)
+            client.speech(1).say("my own voice")
+            first.say("polo")
+            self.assertEqual(next(heard), "polo")
+            self.assertEqual(second.take_texts(), [])
+
 
 @needed
 @unittest.skipUnless("PLAYHOUSE_CLIENT_ROBOTS" in os.environ, "run by ctest, which names the C++ program")

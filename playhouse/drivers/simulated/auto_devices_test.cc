@@ -62,14 +62,14 @@ class AutoDevicesTest : public ::testing::Test {
 };
 
 TEST_F(AutoDevicesTest, of_a_robot_that_comes_have_numbers_that_nobody_had) {
-  EXPECT_THAT(names({kTwo}), ElementsAre("position2d:1", "position3d:1", "speech:1"));
+  EXPECT_THAT(names({kTwo}), ElementsAre("position2d:1", "position3d:1", "speech:1", "speech_recognition:1"));
   EXPECT_THAT(names({kGate}), ElementsAre("ranger:3", "laser:3"));
   const ModelId first = come(kA);
-  EXPECT_THAT(names(first), ElementsAre("position2d:4", "position3d:4", "speech:4"))
+  EXPECT_THAT(names(first), ElementsAre("position2d:4", "position3d:4", "speech:4", "speech_recognition:4"))
       << "laser:2 and laser:3 are taken";
   EXPECT_THAT(names({first.value + 1}), ElementsAre("ranger:4", "laser:4"));
   const ModelId second = come(kTwo);
-  EXPECT_THAT(names(second), ElementsAre("position2d:5", "position3d:5", "speech:5"));
+  EXPECT_THAT(names(second), ElementsAre("position2d:5", "position3d:5", "speech:5", "speech_recognition:5"));
   EXPECT_THAT(names({second.value + 1}), ElementsAre("ranger:5", "laser:5"));
   EXPECT_THAT(names({second.value + 2}), ElementsAre("ranger:6", "laser:6"));
   EXPECT_THAT(names(come(kGate)), ElementsAre("ranger:7", "laser:7"));
@@ -79,12 +79,13 @@ TEST_F(AutoDevicesTest, of_a_robot_that_comes_have_numbers_that_nobody_had) {
 TEST_F(AutoDevicesTest, go_with_their_robot_and_leave_their_numbers_to_nobody) {
   const std::size_t before = devices();
   const ModelId first = come(kA);
-  EXPECT_EQ(devices(), before + 5);
+  EXPECT_EQ(devices(), before + 6);
   go(first);
   EXPECT_EQ(devices(), before);
   EXPECT_THAT(names(first), IsEmpty());
-  EXPECT_EQ(site.retired.size(), 5u);
-  EXPECT_THAT(names(come(kA)), ElementsAre("position2d:5", "position3d:5", "speech:5"));
+  EXPECT_EQ(site.retired.size(), 6u);
+  EXPECT_THAT(names(come(kA)),
+              ElementsAre("position2d:5", "position3d:5", "speech:5", "speech_recognition:5"));
   go({kA});
   EXPECT_FALSE(site.site().find({6665, p2d::kCode, 0}).has_value()) << "one of the start";
 }
@@ -95,15 +96,16 @@ TEST_F(AutoDevicesTest, are_decided_change_by_change_however_many_wait_for_a_tic
   post([&](world::World& world) { EXPECT_TRUE(world::despawn(world, gone)); });
   post([&](world::World& world) { stays = *world::spawn(world, kA, {}); });
   site.run(0);
-  EXPECT_THAT(names(stays), ElementsAre("position2d:5", "position3d:5", "speech:5"));
-  EXPECT_EQ(site.retired.size(), 5u) << "those of the first, which clients may have seen";
+  EXPECT_THAT(names(stays), ElementsAre("position2d:5", "position3d:5", "speech:5", "speech_recognition:5"));
+  EXPECT_EQ(site.retired.size(), 6u) << "those of the first, which clients may have seen";
 }
 
 TEST_F(AutoDevicesTest, are_none_of_what_goes_in_the_very_change_in_which_it_came) {
   post([&](world::World& world) { EXPECT_TRUE(world::despawn(world, *world::spawn(world, kA, {}))); });
   site.run(0);
   EXPECT_THAT(site.retired, IsEmpty());
-  EXPECT_THAT(names(come(kA)), ElementsAre("position2d:4", "position3d:4", "speech:4"));
+  EXPECT_THAT(names(come(kA)),
+              ElementsAre("position2d:4", "position3d:4", "speech:4", "speech_recognition:4"));
 }
 
 TEST_F(AutoDevicesTest, are_known_to_listeners_with_the_world_that_they_are_in) {
@@ -121,7 +123,7 @@ TEST_F(AutoDevicesTest, follow_what_a_tick_changes) {
   world::World& world = simulation().engine().world();
   const ModelId id = *world::spawn(world, kA, {});  // as a phase of the engine may
   site.run(1);
-  EXPECT_THAT(names(id), ElementsAre("position2d:4", "position3d:4", "speech:4"));
+  EXPECT_THAT(names(id), ElementsAre("position2d:4", "position3d:4", "speech:4", "speech_recognition:4"));
 }
 
 TEST_F(AutoDevicesTest, measure_and_obey_as_others_do_until_their_robot_goes) {
@@ -179,11 +181,12 @@ TEST_F(AutoDevicesTest, stay_when_the_run_is_taken_back_and_those_of_whom_came_s
   EXPECT_EQ(simulation().world().tick(), instant);
   EXPECT_EQ(devices(), before);
   EXPECT_THAT(names(robot), IsEmpty());
-  EXPECT_THAT(names({kA}), ElementsAre("position2d:0", "position3d:0", "speech:0"));
+  EXPECT_THAT(names({kA}), ElementsAre("position2d:0", "position3d:0", "speech:0", "speech_recognition:0"));
   EXPECT_EQ(site.held[site.id({6665, p2d::kCode, 0}).row].size(), 1u) << "who has it open goes on";
   site.run(0);
   EXPECT_EQ(simulation().source_count(), 1u);
-  EXPECT_THAT(names(come(kA)), ElementsAre("position2d:5", "position3d:5", "speech:5"))
+  EXPECT_THAT(names(come(kA)),
+              ElementsAre("position2d:5", "position3d:5", "speech:5", "speech_recognition:5"))
       << "and numbers are used once";
 }
 
@@ -199,8 +202,8 @@ TEST_F(AutoDevicesTest, of_robots_that_come_back_have_their_addresses_again) {
   site.run(10);
   testing::go_back(simulation(), instant);
   site.hear();
-  EXPECT_THAT(names(robot), ElementsAre("position2d:4", "position3d:4", "speech:4"));
-  EXPECT_THAT(names({kA}), ElementsAre("position2d:0", "position3d:0", "speech:0"));
+  EXPECT_THAT(names(robot), ElementsAre("position2d:4", "position3d:4", "speech:4", "speech_recognition:4"));
+  EXPECT_THAT(names({kA}), ElementsAre("position2d:0", "position3d:0", "speech:0", "speech_recognition:0"));
   const device::DeviceId wheels = site.id({6665, p2d::kCode, 4});
   ASSERT_TRUE(site.hold(wheels));
   site.run(1);
@@ -293,8 +296,8 @@ TEST_F(ManyRobots, have_no_devices_while_every_number_is_taken_or_rests) {
   use_up(0);
   const ModelId early = come(1).front();
   EXPECT_EQ(wheels(early), "");
-  EXPECT_EQ(robots->left_out(), 4u)
-      << "wheels, position3d, speech and laser; its ranger has one that nobody had";
+  EXPECT_EQ(robots->left_out(), 5u)
+      << "wheels, position3d, speech, speech_recognition and laser; its ranger has one that nobody had";
   rest();
   EXPECT_EQ(wheels(come(1).front()), "position2d:3");
   EXPECT_EQ(wheels(early), "") << "who had none gets none later";

@@ -41,13 +41,14 @@ TEST(AutoMap, an_empty_world_is_a_simulation) {
 }
 
 TEST(AutoMap, gives_every_robot_its_number_for_wheels_laser_and_sonar) {
-  EXPECT_EQ(mapped(std::string(kMacros) + R"(
+  EXPECT_EQ(
+      mapped(std::string(kMacros) + R"(
 position( name "a" sonars( name "s" ) laser( name "l" ) )
 model( name "box" )
 position( name "b" laser( name "l" ) fiducial( name "f" ) ))"),
-            (Lines{"simulation:0", "position2d:0=a", "position3d:0=a", "speech:0=a", "ranger:0=a.s",
-                   "sonar:0=a.s", "ranger:1=a.l", "laser:0=a.l", "position2d:1=b", "position3d:1=b",
-                   "speech:1=b", "ranger:2=b.l", "laser:1=b.l", "fiducial:0=b.f"}));
+      (Lines{"simulation:0", "position2d:0=a", "position3d:0=a", "speech:0=a", "speech_recognition:0=a",
+             "ranger:0=a.s", "sonar:0=a.s", "ranger:1=a.l", "laser:0=a.l", "position2d:1=b", "position3d:1=b",
+             "speech:1=b", "speech_recognition:1=b", "ranger:2=b.l", "laser:1=b.l", "fiducial:0=b.f"}));
 }
 
 TEST(AutoMap, a_robot_without_a_laser_leaves_its_number_free) {
@@ -55,24 +56,26 @@ TEST(AutoMap, a_robot_without_a_laser_leaves_its_number_free) {
 position( name "blind" )
 position( name "b" laser( name "l" ) ))"),
             (Lines{"simulation:0", "position2d:0=blind", "position3d:0=blind", "speech:0=blind",
-                   "position2d:1=b", "position3d:1=b", "speech:1=b", "ranger:0=b.l", "laser:1=b.l"}));
+                   "speech_recognition:0=blind", "position2d:1=b", "position3d:1=b", "speech:1=b",
+                   "speech_recognition:1=b", "ranger:0=b.l", "laser:1=b.l"}));
 }
 
 TEST(AutoMap, further_lasers_of_a_robot_come_behind_all_robots) {
-  EXPECT_EQ(mapped(std::string(kMacros) + R"(
+  EXPECT_EQ(
+      mapped(std::string(kMacros) + R"(
 position( name "a" laser( name "front" ) laser( name "rear" ) )
 position( name "b" laser( name "l" ) ))"),
-            (Lines{"simulation:0", "position2d:0=a", "position3d:0=a", "speech:0=a", "ranger:0=a.front",
-                   "laser:0=a.front", "ranger:1=a.rear", "position2d:1=b", "position3d:1=b", "speech:1=b",
-                   "ranger:2=b.l", "laser:1=b.l", "laser:2=a.rear"}));
+      (Lines{"simulation:0", "position2d:0=a", "position3d:0=a", "speech:0=a", "speech_recognition:0=a",
+             "ranger:0=a.front", "laser:0=a.front", "ranger:1=a.rear", "position2d:1=b", "position3d:1=b",
+             "speech:1=b", "speech_recognition:1=b", "ranger:2=b.l", "laser:1=b.l", "laser:2=a.rear"}));
 }
 
 TEST(AutoMap, sensors_that_no_robot_carries_are_devices_too) {
   EXPECT_EQ(mapped(std::string(kMacros) + R"(
 laser( name "gate" )
 position( name "a" laser( name "l" ) ))"),
-            (Lines{"simulation:0", "position2d:0=a", "position3d:0=a", "speech:0=a", "ranger:0=a.l",
-                   "laser:0=a.l", "ranger:1=gate", "laser:1=gate"}));
+            (Lines{"simulation:0", "position2d:0=a", "position3d:0=a", "speech:0=a", "speech_recognition:0=a",
+                   "ranger:0=a.l", "laser:0=a.l", "ranger:1=gate", "laser:1=gate"}));
 }
 
 TEST(AutoMap, lists_carried_wheels_where_they_are_and_further_lasers_and_sonars_last) {
@@ -82,15 +85,43 @@ model( name "cart" position( name "p" laser( name "l" ) ) fiducial( name "f" ) )
 position( name "a" laser( name "l" ) laser( name "m" ) position( name "p" sonars( name "s" ) sonars( name "t" ) ) )
 sonars( name "gate" )
 position( name "b" fiducial( name "f" ) laser( name "l" ) laser( name "m" ) sonars( name "s" ) ))"),
-            (Lines{"simulation:0",      "position2d:0=solo", "position3d:0=solo", "speech:0=solo",
-                   "position2d:1=a",    "position3d:1=a",    "speech:1=a",        "ranger:0=a.l",
-                   "laser:1=a.l",       "ranger:1=a.m",      "position2d:3=a.p",  "ranger:2=a.p.s",
-                   "sonar:1=a.p.s",     "ranger:3=a.p.t",    "position2d:2=b",    "position3d:2=b",
-                   "speech:2=b",        "fiducial:0=b.f",    "ranger:4=b.l",      "laser:2=b.l",
-                   "ranger:5=b.m",      "ranger:6=b.s",      "sonar:2=b.s",       "position2d:4=cart.p",
-                   "ranger:7=cart.p.l", "fiducial:1=cart.f", "ranger:8=gate",     "laser:3=a.m",
-                   "position3d:3=a.p",  "sonar:3=a.p.t",     "laser:4=b.m",       "position3d:4=cart.p",
-                   "laser:5=cart.p.l",  "sonar:4=gate"}));
+            (Lines{"simulation:0",
+                   "position2d:0=solo",
+                   "position3d:0=solo",
+                   "speech:0=solo",
+                   "speech_recognition:0=solo",
+                   "position2d:1=a",
+                   "position3d:1=a",
+                   "speech:1=a",
+                   "speech_recognition:1=a",
+                   "ranger:0=a.l",
+                   "laser:1=a.l",
+                   "ranger:1=a.m",
+                   "position2d:3=a.p",
+                   "ranger:2=a.p.s",
+                   "sonar:1=a.p.s",
+                   "ranger:3=a.p.t",
+                   "position2d:2=b",
+                   "position3d:2=b",
+                   "speech:2=b",
+                   "speech_recognition:2=b",
+                   "fiducial:0=b.f",
+                   "ranger:4=b.l",
+                   "laser:2=b.l",
+                   "ranger:5=b.m",
+                   "ranger:6=b.s",
+                   "sonar:2=b.s",
+                   "position2d:4=cart.p",
+                   "ranger:7=cart.p.l",
+                   "fiducial:1=cart.f",
+                   "ranger:8=gate",
+                   "laser:3=a.m",
+                   "position3d:3=a.p",
+                   "sonar:3=a.p.t",
+                   "laser:4=b.m",
+                   "position3d:4=cart.p",
+                   "laser:5=cart.p.l",
+                   "sonar:4=gate"}));
 }
 
 TEST(AutoMap, every_interface_of_what_is_simulated_has_a_device) {

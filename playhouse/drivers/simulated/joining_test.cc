@@ -83,14 +83,14 @@ TEST_F(Joining, types_stand_nowhere_until_a_robot_of_them_joins) {
 
 TEST_F(Joining, sensors_are_parts_of_the_robot_and_of_its_devices) {
   EXPECT_EQ(come(request("cart", 0, 0, {"bob", "", "scanner", "scanner 0.2 0 3"})), "bob");
-  EXPECT_EQ(devices("bob"), "position2d:1 position3d:1 speech:1 ranger:0 laser:1 ranger:1 laser:2");
+  EXPECT_EQ(devices("bob"), "position2d:1 position3d:1 speech:1 speech_recognition:1 ranger:0 laser:1 ranger:1 laser:2");
   const world::ModelRow first = world().find("bob-scanner"), second = world().find("bob-scanner~2");
   ASSERT_TRUE(first && second);
   EXPECT_EQ(world().models.X_PM[first.index].x, 0.1);
   EXPECT_EQ(world().models.X_PM[first.index].z, 0.2);
   EXPECT_EQ(world().models.X_PM[second.index].x, 0.2);
   EXPECT_EQ(world().models.X_PM[second.index].a, 3);
-  EXPECT_EQ(simulation().directory().size(), 10u) << "each device once";
+  EXPECT_EQ(simulation().directory().size(), 12u) << "each device once";
 }
 
 TEST_F(Joining, a_model_that_is_there_can_be_the_type) {

@@ -41,7 +41,10 @@ class SimulatedDevice : public Source {
   virtual world::ModelId robot() const { return {}; }
   void set_id(device::DeviceId id) { id_ = id; }
   /// Tick thread: the device is open, or no more.
-  void begin(world::World& world) { use_.begin(world, simulation_, model_); }
+  void begin(world::World& world) {
+    use_.begin(world, simulation_, model_);
+    opened(world);
+  }
   void end(world::World& world) {
     if (const world::ModelRow model = use_.end(world, simulation_)) closed(world, model);
   }
@@ -61,6 +64,8 @@ class SimulatedDevice : public Source {
   void emit(const world::World& world, std::vector<device::Publication>& out) override {
     static_cast<void>(world), static_cast<void>(out);
   }
+  /// Called on the tick thread after the first open.
+  virtual void opened(const world::World& world) { static_cast<void>(world); }
   /// Called on the tick thread after the last close, if the model is still there.
   virtual void closed(world::World& world, world::ModelRow model) {
     static_cast<void>(world), static_cast<void>(model);

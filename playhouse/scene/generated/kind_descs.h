@@ -66,6 +66,9 @@ struct PlainDesc {
   double friction_y = 1;
   /// What it is made of, as "glass": a name that detectors may look for, or through.
   std::string material;
+  /// How bright it shines, every way alike, in its color; a bulb of 60 W has 65. A lamp that can be switched
+  /// off shines while it is lit. For cameras of the arena engine, and a light for detectors. [cd]
+  double lamp = 0;
   /// Time between two measurements of a sensor, at least a tick. [s]
   double update_interval = 0.1;
   /// It moves or measures although nobody has opened it.

@@ -25,7 +25,7 @@ constexpr Meaning kOld_model_polygon{.how = Meaning::How::kNested, .part = "bloc
 constexpr Meaning kOld_model_blocks{.how = Meaning::How::kCount, .part = "block"};
 constexpr SaidWord kOld_model_block_part_words[] = {{"z", "0 1"}};
 constexpr Meaning kOld_model_block{.how = Meaning::How::kNested, .part = "block", .part_words = kOld_model_block_part_words};
-constexpr Word kWordsOfModel[61] = {
+constexpr Word kWordsOfModel[62] = {
     {.name = "name", .use = Use::kRead, .type = "text", .told = "the type and its number, as position:0", .doc = "What the model is called; inside a parent it is parent.name, with a leading / it stands as it is."},
     {.name = "pose", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .otherwise = "[0 0 0 0]", .doc = "Where the model is in its parent."},
     {.name = "origin", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .otherwise = "[0 0 0 0]", .doc = "Where body and sensors are, from the pose."},
@@ -46,6 +46,7 @@ constexpr Word kWordsOfModel[61] = {
     {.name = "friction", .use = Use::kRead, .type = "number", .otherwise = "0", .limits = "not negative", .doc = "How much its faces rub. In the plane nothing slides, so that it means nothing there, as in Stage; the arena multiplies it with that of what it touches."},
     {.name = "friction_axes", .use = Use::kRead, .type = "tuple", .form = "[x y]", .otherwise = "[1 1]", .limits = "from 0 to 1", .doc = "Shares of its friction along its x and y, in the arena: with [0.1 1] it slides along its x, as a sledge."},
     {.name = "material", .use = Use::kRead, .type = "text", .otherwise = "\"\"", .doc = "What it is made of, as \"glass\": a name that detectors may look for, or through."},
+    {.name = "lamp", .use = Use::kRead, .type = "number", .unit = "cd", .otherwise = "0", .limits = "not negative", .doc = "How bright it shines, every way alike, in its color; a bulb of 60 W has 65. A lamp that can be switched off shines while it is lit. For cameras of the arena engine, and a light for detectors."},
     {.name = "update_interval", .use = Use::kRead, .type = "number", .unit = "ms", .otherwise = "100", .limits = "not negative", .doc = "Time between two measurements of a sensor, at least a tick."},
     {.name = "alwayson", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "It moves or measures although nobody has opened it."},
     {.name = "gui_move", .use = Use::kRead, .type = "flag", .told = "1, inside another model 0", .doc = "A person may drag it in the page."},
@@ -89,8 +90,9 @@ constexpr Word kWordsOfModel[61] = {
     {.name = "interval_real", .use = Use::kOld},
 };
 
-constexpr KindInterface kInterfacesOfModel[1] = {
+constexpr KindInterface kInterfacesOfModel[2] = {
     {"speech", 12, Index::kRobot, Need::kNothing, Need::kRobot, true},
+    {"speech_recognition", 50, Index::kRobot, Need::kNothing, Need::kRobot, false},
 };
 
 constexpr Word kWordsOfPosition[12] = {

@@ -280,6 +280,8 @@ void read(const Properties& properties, std::size_t row, PlainDesc& to) {
   to.friction_x = friction_axes[0];
   to.friction_y = friction_axes[1];
   to.material = properties.text("material", to.material);
+  to.lamp = properties.number("lamp", to.lamp);
+  require(to.lamp >= 0, properties, "lamp", "must not be negative");
   to.update_interval = read_milliseconds(properties, "update_interval", to.update_interval);
   to.update_interval = at_least_zero(properties, "update_interval", to.update_interval, "every tick is meant");
   to.alwayson = properties.flag("alwayson", to.alwayson);
