@@ -84,9 +84,8 @@ world::PhysicsShapes ArenaEngine::physics_shapes() const {
     if (!solid.hull.empty()) shapes.fixed.push_back(std::move(solid.hull));
   for (std::uint32_t tree = 0; tree < trees_.size(); ++tree)
     if (bodies_[tree].number != Body::kNone)
-      shapes.bodies.push_back(
-          {world_.id({trees_.root[tree]}),
-           hulls_of(world_, trees_, solids_, tree, bodies_[tree].part, mesh_hulls_)});
+      shapes.bodies.push_back({world_.id({trees_.root[tree]}),
+                               hulls_of(world_, trees_, solids_, tree, bodies_[tree].part, mesh_hulls_)});
   return shapes;
 }
 

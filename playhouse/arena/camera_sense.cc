@@ -9,6 +9,7 @@
 #include "playhouse/scene/camera.h"
 #include "playhouse/stage/camera_image.h"
 #include "playhouse/stage/generated/senses.h"
+#include "playhouse/world/conditions.h"
 
 namespace playhouse::arena {
 namespace {
@@ -40,6 +41,14 @@ struct Placed {
 Placed model_in_world(const world::Models& models, std::uint32_t row) {
   const geom::Pose& X_WM = models.X_WM[row];
   return {{X_WM.x, X_WM.y, X_WM.z}, geom::orientation(X_WM.a, models.tilt_WM[row])};
+}
+
+/// A lamp that is not lit at the moment.
+bool is_switched_off(const world::World& world, std::uint32_t model) {
+  const scene::ModelKind kind = world.models.kind[model];
+  const bool has_switch =
+      kind == scene::ModelKind::kBlinkenlight || kind == scene::ModelKind::kLightindicator;
+  return has_switch && !world::is_lit(world, model);
 }
 
 /// Calls visit(model, begin, end) for the solids of each model.
@@ -83,6 +92,11 @@ void CameraSense::find_bodies(const world::World& world, const stage::Solids& so
   bodies_.clear();
   people_.clear();
   smokes_.clear();
+  shining_.clear();
+  for (std::uint32_t model = 0; model < world.models.size(); ++model) {
+    const scene::ModelDesc& desc = world.desc({model});
+    if (desc.lamp > 0 || (desc.mesh && !desc.mesh->lights.empty())) shining_.push_back(model);
+  }
   each_model(solids, [&](std::uint32_t model, std::size_t begin, std::size_t end) {
     const scene::ModelDesc& desc = world.desc({model});
     const Look look = look_of(desc);
@@ -101,12 +115,12 @@ void CameraSense::place_bodies(const world::World& world, double time) {
   clouds_.clear();
   for (const Body& body : bodies_) {
     // A mesh has colors of its own.
-    const std::array<float, 4> tint = world.desc({body.model}).mesh ? std::array<float, 4>{1, 1, 1, 1}
-                                                                    : light_of(models.color[body.model]);
+    const std::array<float, 4> tint =
+        world.desc({body.model}).mesh ? std::array<float, 4>{1, 1, 1, 1} : light_of(models.color[body.model]);
     if (!(tint[3] > 0)) continue;
     const Placed at = model_in_world(models, body.model);
-    instances_.push_back(
-        {body.shape, at.p, at.q, tint, stage::segment_of(models.id[body.model]), models.root[body.model]});
+    instances_.push_back({body.shape, at.p, at.q, tint, stage::segment_of(models.id[body.model]),
+                          models.root[body.model], world::is_lit(world, body.model) ? 1.0f : 0.0f});
   }
   for (const std::uint32_t model : people_) {
     const std::array<float, 4> clothes = light_of(models.color[model]);
@@ -134,6 +148,17 @@ void CameraSense::place_bodies(const world::World& world, double time) {
                        {0.5 * desc.size.x, 0.5 * desc.size.y, 0.5 * desc.size.z},
                        tint,
                        models.root[model]});
+  }
+}
+
+void CameraSense::place_lamps(const world::World& world) {
+  lamps_.clear();
+  for (const std::uint32_t model : shining_) {
+    if (is_switched_off(world, model)) continue;
+    const scene::ModelDesc& desc = world.desc({model});
+    const Placed at = model_in_world(world.models, model);
+    if (desc.lamp > 0) lamps_.push_back(lamp_of(desc, world.models.color[model], at.p, at.q));
+    if (desc.mesh) add_lamps(*desc.mesh, desc.X_MB, at.p, at.q, lamps_);
   }
 }
 
@@ -170,9 +195,11 @@ std::uint64_t CameraSense::sense(world::World& world, const stage::Space& space,
   if (is_stale_) find_bodies(world, space.solids);
   const double time = static_cast<double>(tick) * world.scene().interval;
   place_bodies(world, time);
+  place_lamps(world);
   views_.clear();
   for (const std::uint32_t camera : due) views_.push_back(view_of(world, camera));
-  renderer_->draw(surroundings_of(world.scene(), time), {instances_, figures_, clouds_}, views_, pictures_);
+  renderer_->draw(surroundings_of(world.scene(), time), {instances_, figures_, clouds_, lamps_}, views_,
+                  pictures_);
   workers.run(due.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       stage::expose(world, due[i], tick, {pictures_[i].depth, pictures_[i].sample});

@@ -4,7 +4,7 @@
 /// walk, light, shadows, fog and smoke. What images are of, how far they reach and their errors are those of
 /// the stage engine. Without OpenGL the images are those of the stage engine, too.
 ///
-/// In: poses, bodies, colours of models; where each camera looks; sun, sky and fog.
+/// In: poses, bodies, colours and lamps of models; where each camera looks; sun, sky and fog.
 /// Out: its pixels.
 /// Cost: OpenGL is made ready by the first image of a run; then that of Renderer::draw(), once for all images
 /// of a tick. Thread: the tick thread; images become pixels on the workers.
@@ -40,6 +40,7 @@ class CameraSense final : public stage::SensePhase {
   void begin();
   void find_bodies(const world::World& world, const stage::Solids& solids);
   void place_bodies(const world::World& world, double time);
+  void place_lamps(const world::World& world);
   render::View view_of(const world::World& world, std::uint32_t camera) const;
 
   unsigned workers_;
@@ -49,10 +50,11 @@ class CameraSense final : public stage::SensePhase {
   bool is_stale_ = true;                             // bodies_ and the others are of another population
   std::map<std::uint32_t, std::uint32_t> shape_of_;  // by row of SceneDesc::models
   std::vector<Body> bodies_;
-  std::vector<std::uint32_t> people_, smokes_;  // rows of world::Models
+  std::vector<std::uint32_t> people_, smokes_, shining_;  // rows of world::Models
   std::vector<render::Instance> instances_;
   std::vector<render::Figure> figures_;
   std::vector<render::Smoke> clouds_;
+  std::vector<render::Lamp> lamps_;
   std::vector<render::View> views_;
   std::vector<render::Picture> pictures_;
 };

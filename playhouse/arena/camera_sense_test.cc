@@ -213,6 +213,72 @@ camera( name "seg" pose [0 0 0.85 0] alwayson 1 resolution [60 80] fov [50 60] r
   EXPECT_EQ(hue(color[28 * 60 + 30]), 'r') << "its shirt";
 }
 
+/// The brightest red of an image at night of a white wall 3 m ahead, with a lamp beside the camera.
+int brightest(const std::string& lamp) {
+  Session run(R"(
+interval_sim 100
+sun [0 -10 0] sky [0 0 0]
+model( pose [3 0 0 0] size [0.1 4 2] color "white" )
+camera( pose [0 0 0.5 0] size [0 0 0] alwayson 1 resolution [40 30] range [0.1 12] )
+)" + lamp,
+              true);
+  run.step();
+  int most = 0;
+  for (const std::uint32_t sample : run.image(0)) most = std::max(most, channel(sample, 16));
+  return most;
+}
+
+TEST(CameraSense, lamps_shine_at_night_in_their_color_while_they_are_lit) {
+  const int night = brightest("");
+  EXPECT_LT(night, 70);
+  EXPECT_GT(brightest("model( pose [0 1 0.9 0] size [0.1 0.1 0.1] color \"white\" lamp 65 )"), night + 80);
+  EXPECT_EQ(brightest("model( pose [0 1 0.9 0] size [0.1 0.1 0.1] color \"blue\" lamp 65 )"), night);
+  const std::string switched = "blinkenlight( pose [0 1 0.9 0] color \"white\" lamp 65 enabled ";
+  EXPECT_GT(brightest(switched + "1 )"), night + 80);
+  EXPECT_EQ(brightest(switched + "0 )"), night);
+}
+
+TEST(CameraSense, a_lamp_that_is_lit_glows) {
+  const auto shown = [](const char* enabled) {
+    Session run(std::string(R"(
+interval_sim 100
+sun [0 -10 0] sky [0 0 0]
+camera( pose [0 0 0.5 0] size [0 0 0] alwayson 1 resolution [40 30] range [0.1 12] )
+blinkenlight( pose [1 0 0.25 0] size [0.5 0.5 0.5] color "green" enabled )") +
+                    enabled + " )",
+                true);
+    run.step();
+    return channel(run.image(0)[15 * 40 + 20], 8);
+  };
+  EXPECT_GE(shown("1"), 255);
+  EXPECT_LT(shown("0"), 70);
+}
+
+TEST(Looks, lights_of_a_mesh_are_where_its_model_is) {
+  mesh::Mesh mesh;
+  mesh::Light point, spot, sun;
+  point.p = {1, 0, 2};
+  point.color = {5, 6, 7};
+  spot.kind = mesh::LightKind::kSpot;
+  spot.d = {1, 0, 0};
+  spot.inner = 0.2f;
+  spot.outer = 0.5f;
+  sun.kind = mesh::LightKind::kDirection;
+  mesh.lights = {point, spot, sun};
+  std::vector<render::Lamp> lamps;
+  add_lamps(mesh, {0.5, 0, 0, geom::kPi / 2}, {10, 0, 0}, geom::orientation(geom::kPi / 2, {}), lamps);
+  ASSERT_EQ(lamps.size(), 2u) << "the sun is the world's";
+  // The body is half a metre along the model's x, which is the world's y, and turned about: its x is -x.
+  EXPECT_NEAR(lamps[0].p.x, 9, 1e-12);
+  EXPECT_NEAR(lamps[0].p.y, 0.5, 1e-12);
+  EXPECT_NEAR(lamps[0].p.z, 2, 1e-12);
+  EXPECT_EQ(lamps[0].light, (render::Rgb{5, 6, 7}));
+  EXPECT_EQ(lamps[0].outer, -1) << "every way";
+  EXPECT_NEAR(lamps[1].way.x, -1, 1e-12);
+  EXPECT_NEAR(lamps[1].inner, std::cos(0.2), 1e-6);
+  EXPECT_NEAR(lamps[1].outer, std::cos(0.5), 1e-6);
+}
+
 TEST(CameraSense, without_opengl_images_are_those_of_the_stage_engine) {
   CameraSense sense(1, [] {
     return Result<std::unique_ptr<render::Renderer>>(Error{{}, "there is no OpenGL 4.5"});

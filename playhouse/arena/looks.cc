@@ -18,7 +18,8 @@ constexpr double kRunsPerSecond = 1.4;      // of who runs
 constexpr double kRunning = 2.2;            // m/s
 constexpr double kStanding = 0.02;          // m/s
 constexpr float kSunlight = 0.72f, kDaylight = 0.42f, kNight = 0.05f;  // see render::Surroundings
-constexpr double kTwilight = 0.35;  // sine of the elevation of a sun that is up altogether
+constexpr double kMostCandela = 1e9;  // beyond any lighthouse; more would be no float
+constexpr double kTwilight = 0.35;    // sine of the elevation of a sun that is up altogether
 
 struct Shine {
   std::string_view material;
@@ -103,6 +104,33 @@ mesh::Mesh mesh_of(const scene::ModelDesc& desc, const stage::Solids& solids, st
   mesh.materials.push_back(material_of(desc));
   mesh.surfaces.push_back(surface_of(triangles));
   return mesh;
+}
+
+render::Lamp lamp_of(const scene::ModelDesc& desc, const scene::Color& color, const geom::Vec3& p,
+                     const geom::Quaternion& q) {
+  const std::array<float, 4> light = light_of(color);
+  const auto candela = static_cast<float>(std::min(desc.lamp, kMostCandela));
+  render::Lamp lamp;
+  lamp.p = p + q * Vec3{desc.X_MB.x, desc.X_MB.y, desc.X_MB.z + 0.5 * desc.size.z};
+  lamp.light = {candela * light[0], candela * light[1], candela * light[2]};
+  return lamp;
+}
+
+void add_lamps(const mesh::Mesh& mesh, const geom::Pose& X_MB, const geom::Vec3& p, const geom::Quaternion& q,
+               std::vector<render::Lamp>& lamps) {
+  const geom::Quaternion q_WB = q * geom::orientation(X_MB.a, {});
+  for (const mesh::Light& light : mesh.lights) {
+    if (light.kind == mesh::LightKind::kDirection) continue;
+    render::Lamp lamp;
+    lamp.p = p + q * Vec3{X_MB.x, X_MB.y, X_MB.z} + q_WB * light.p;
+    lamp.light = light.color;
+    if (light.kind == mesh::LightKind::kSpot) {
+      lamp.way = q_WB * light.d;
+      lamp.inner = static_cast<float>(geom::sincos(light.inner).cos);
+      lamp.outer = static_cast<float>(geom::sincos(light.outer).cos);
+    }
+    lamps.push_back(lamp);
+  }
 }
 
 std::array<float, 4> light_of(const scene::Color& color) {

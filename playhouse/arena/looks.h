@@ -24,6 +24,13 @@ std::array<float, 4> light_of(const scene::Color& color);
 /// speed, so that the strides follow from the speed, and the gait from the state alone. [m/s, rad, s]
 render::Gait gait_of(const geom::Vec3& v, double heading, double height, double time, std::uint32_t id);
 
+/// The lamp that is a model at p and q in W: in the middle of its body, every way alike.
+render::Lamp lamp_of(const scene::ModelDesc& desc, const scene::Color& color, const geom::Vec3& p,
+                     const geom::Quaternion& q);
+/// Appends the lights of a mesh that have a place, of a model at p and q in W.
+void add_lamps(const mesh::Mesh& mesh, const geom::Pose& X_MB, const geom::Vec3& p, const geom::Quaternion& q,
+               std::vector<render::Lamp>& lamps);
+
 /// Sun, sky and fog, as a world file says them, at a time. [s]
 render::Surroundings surroundings_of(const scene::WorldDesc& world, double time);
 

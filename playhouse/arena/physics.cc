@@ -246,12 +246,10 @@ struct Physics::Impl {
     std::unique_ptr<Solids> solids;  // or
     std::unique_ptr<Sheet> sheet;
     std::unique_ptr<btRigidBody> body;
-    double lowest_top = 0;  // m; a wheel further below stands on none of it
+    double lowest_top = 0;                               // m; a wheel further below stands on none of it
     Vec3 low{-1e300, -1e300, 0}, high{1e300, 1e300, 0};  // no wheel beside stands on it
 
-    bool is_beside(const Vec3& p) const {
-      return p.x < low.x || p.x > high.x || p.y < low.y || p.y > high.y;
-    }
+    bool is_beside(const Vec3& p) const { return p.x < low.x || p.x > high.x || p.y < low.y || p.y > high.y; }
   };
   std::vector<Fixed> fixed;  // of each surface, and of each sheet
   std::vector<std::unique_ptr<Moving>> bodies;
@@ -306,7 +304,8 @@ struct Ray {
   bool meet(btRigidBody& body, Footing& footing) const {
     const btTransform begin(btQuaternion::getIdentity(), top), end(btQuaternion::getIdentity(), bottom);
     btCollisionWorld::ClosestRayResultCallback hit(top, bottom);
-    btCollisionWorld::rayTestSingle(begin, end, &body, body.getCollisionShape(), body.getWorldTransform(), hit);
+    btCollisionWorld::rayTestSingle(begin, end, &body, body.getCollisionShape(), body.getWorldTransform(),
+                                    hit);
     if (!hit.hasHit() || hit.m_closestHitFraction <= 0 || hit.m_hitNormalWorld.z() < kUpright) return false;
     const double gap = hit.m_closestHitFraction * (rise + kWheelDrop) - rise;
     if (footing.is_near && footing.gap < gap) return false;
@@ -423,9 +422,8 @@ void Physics::set_fixed(std::span<const FixedSolid> solids) {
   for (const FixedSolid& solid : solids) {
     if (solid.hull.empty()) continue;
     const double heading = solid.surface.has_grain() ? solid.heading : 0;
-    auto same = std::ranges::find_if(parts, [&](const Alike& part) {
-      return part.surface == solid.surface && part.heading == heading;
-    });
+    auto same = std::ranges::find_if(
+        parts, [&](const Alike& part) { return part.surface == solid.surface && part.heading == heading; });
     if (same == parts.end()) same = parts.insert(same, {solid.surface, heading, {}});
     same->hulls.push_back(turned(solid.hull, -heading));
   }

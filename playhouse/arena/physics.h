@@ -20,7 +20,7 @@ namespace playhouse::arena {
 struct FixedSolid {
   Hull hull;  // in W
   Surface surface;
-  double heading = 0;  // rad, of the x along which the surface has its share
+  double heading = 0;   // rad, of the x along which the surface has its share
   Triangles triangles;  // in W
 };
 

@@ -4,7 +4,8 @@
 ///
 /// In: boxes along W's axes that hold the bodies.
 /// Out: for a box, the bodies whose boxes overlap it, in the order of their numbers.
-/// Cost: set() a sort of all boxes; find() those whose low side is within kWide ahead of the box in x, and all
+/// Cost: set() a sort of all boxes; find() those whose low side is within kWide ahead of the box in x, and
+/// all
 ///   that are wider than kWide.
 /// Source: sweep and prune along one axis (Baraff, 1992).
 ///

@@ -30,6 +30,7 @@ CardInstance seen_from(const geom::Vec3& eye, const Instance& instance) {
   set_rows(to, instance.q, instance.p - eye, 1);
   std::ranges::copy(instance.tint, to.tint);
   to.segment = instance.segment;
+  to.glow = instance.glow;
   return to;
 }
 

@@ -18,8 +18,9 @@ struct CardInstance {
   float rows[12];
   float tint[4];
   std::uint32_t segment, first_bone;
+  float glow;
 };
-static_assert(sizeof(CardInstance) == 72);
+static_assert(sizeof(CardInstance) == 76);
 
 /// Draws instances [first, first + count) of one shape, or of one level of figures.
 struct DrawRun {

@@ -33,6 +33,13 @@ struct ViewBlock {
 };
 static_assert(sizeof(ViewBlock) == 2 * 64 + 9 * 16);
 
+/// As shaders.cc has it.
+struct LampBlock {
+  std::array<float, 4> count{};
+  std::array<std::array<float, 4>, kMostLamps> at{}, way{}, light{};
+};
+static_assert(sizeof(LampBlock) == 16 * (1 + 3 * 16));
+
 std::array<float, 4> four(const Vec3& v, double w) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), static_cast<float>(w)};
 }
@@ -111,7 +118,7 @@ class Renderer::Impl {
     Program sky;
     Program smoke;
     VertexArray rigid, bent, empty;
-    Buffer view, instances, bones;
+    Buffer view, lamps, instances, bones;
     std::array<ShadowMap, kShadowTexels.size()> shadows;
     Texture white;
     Page colors{Shows::kColor}, depths{Shows::kDepth}, segments{Shows::kSegments};
@@ -137,12 +144,14 @@ class Renderer::Impl {
                     Paints paints, float least);
   ViewBlock block_of(const Drawn& drawn, const View& view, const Axes& axes, const Place& place) const;
   void send(const ViewBlock& block);
+  void send_lamps(std::span<const Lamp> lamps, const Vec3& eye);
   Page& page_of(Shows shows);
 
   std::unique_ptr<GlContext> context_;
   std::unique_ptr<OnCard> card_;
   InstanceList bodies_, people_, glass_;
   std::vector<std::array<float, 12>> bone_rows_;
+  std::vector<std::pair<float, std::uint32_t>> lamp_order_;
 };
 
 Renderer::Impl::~Impl() {
@@ -212,6 +221,7 @@ void Renderer::Impl::make_arrays() {
     glEnableVertexArrayAttrib(to, 8);
     glVertexArrayAttribIFormat(to, 8, 2, GL_UNSIGNED_INT, offsetof(CardInstance, segment));
     glVertexArrayAttribBinding(to, 8, 1);
+    attribute(to, 9, 1, offsetof(CardInstance, glow), 1);
     glVertexArrayBindingDivisor(to, 1, 1);
   };
   constexpr GLuint kFloat = sizeof(float);
@@ -336,6 +346,29 @@ void Renderer::Impl::send(const ViewBlock& block) {
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, card_->view);
 }
 
+/// Those that are brightest at the eye, the first of equals.
+void Renderer::Impl::send_lamps(std::span<const Lamp> lamps, const Vec3& eye) {
+  lamp_order_.clear();
+  for (std::uint32_t row = 0; row < lamps.size(); ++row) {
+    const Lamp& lamp = lamps[row];
+    const Vec3 away = lamp.p - eye;
+    const float light = std::max({lamp.light[0], lamp.light[1], lamp.light[2]});
+    lamp_order_.emplace_back(-light / static_cast<float>(std::max(dot(away, away), 1.0)), row);
+  }
+  const std::size_t count = std::min(lamp_order_.size(), kMostLamps);
+  std::ranges::partial_sort(lamp_order_, lamp_order_.begin() + static_cast<std::ptrdiff_t>(count));
+  LampBlock block;
+  block.count[0] = static_cast<float>(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Lamp& lamp = lamps[lamp_order_[i].second];
+    block.at[i] = four(lamp.p - eye, lamp.outer);
+    block.way[i] = four(lamp.way, lamp.inner);
+    for (std::size_t k = 0; k < 3; ++k) block.light[i][k] = lamp.light[k] / kWhiteLux;
+  }
+  card_->lamps.set(std::span<const LampBlock>(&block, 1), GL_STREAM_DRAW);
+  glBindBufferBase(GL_UNIFORM_BUFFER, 2, card_->lamps);
+}
+
 void Renderer::Impl::draw_view(const Drawn& drawn, const View& view, const Place& place) {
   const Axes axes = axes_of(view.q_WC);
   const Paints paints = paints_of(view.shows);
@@ -351,6 +384,7 @@ void Renderer::Impl::draw_view(const Drawn& drawn, const View& view, const Place
     draw_shadows(drawn, view, box, map);
   }
   send(block);
+  if (paints == Paints::kColor) send_lamps(drawn.scene.lamps, view.eye);
   page_of(view.shows).bind();
   glViewport(static_cast<GLint>(place.x), static_cast<GLint>(place.y), static_cast<GLsizei>(view.width),
              static_cast<GLsizei>(view.height));

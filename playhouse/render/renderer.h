@@ -3,7 +3,7 @@
 /// Renderer: pictures of meshes and people as cameras take them, without a screen. It knows nothing of
 /// worlds: shapes are added once, and every call of draw() says what is where and who looks.
 ///
-/// In: shapes, instances and figures in W, a sun, a sky, fog; views.
+/// In: shapes, instances and figures in W, lamps, a sun, a sky, fog; views.
 /// Out: pictures: colours, distances along the way that a view looks, numbers that instances have.
 /// Cost: for each view, its visible instances as one draw for each kind of surface; pictures of colours draw
 /// what
@@ -48,7 +48,20 @@ struct Instance {
   std::array<float, 4> tint = {1, 1, 1, 1};  // times the colours of its shape; below 1 one sees through it
   std::uint32_t segment = 0;                 // what pictures of segments have there
   std::uint32_t group = kNoGroup;            // see View::hides
+  float glow = 0;                            // light that it gives off itself, times its colours
 };
+
+/// What shines from a point, without shadows. Of those of a scene each view has the kMostLamps that are
+/// brightest where its eye is.
+struct Lamp {
+  geom::Vec3 p;                  // m, in W
+  Rgb light = {1, 1, 1};         // cd, along `way`
+  geom::Vec3 way = {0, 0, -1};   // unit, in W
+  float inner = -1, outer = -1;  // cosines of the angles from `way` up to which a spot shines fully, and at
+                                 // all; -1: every way
+};
+inline constexpr std::size_t kMostLamps = 16;
+inline constexpr float kWhiteLux = 20;  // at which a white face is as bright as a picture shows
 
 /// A person.
 struct Figure {
@@ -70,9 +83,10 @@ struct Smoke {
 };
 
 struct Scene {
-  std::span<const Instance> instances;
-  std::span<const Figure> figures;
-  std::span<const Smoke> smokes;
+  std::span<const Instance> instances = {};
+  std::span<const Figure> figures = {};
+  std::span<const Smoke> smokes = {};
+  std::span<const Lamp> lamps = {};
 };
 
 /// Pixels row by row from the top.

@@ -86,7 +86,7 @@ TEST(Renderer, a_box_is_where_a_pinhole_has_it_in_colour_depth_and_segments) {
   // Its near face is 2 m ahead, 1 m wide and high, its middle half a metre to the left and at the height of
   // the eye.
   const std::vector<Instance> boxes{box_at({2.5, 0.5, 1})};
-  const Scene scene{boxes, {}, {}};
+  const Scene scene{.instances = boxes};
   const Shot color = shot(lookout(Shows::kColor), scene), depth = shot(lookout(Shows::kDepth), scene),
              segments = shot(lookout(Shows::kSegments), scene);
   // 0 .. 1 m left at 2 m: 0 .. 0.5 of 0.8, so columns 40 - 25 .. 39; up and down 0.25 of 0.6: rows 17.5
@@ -302,7 +302,7 @@ TEST(Renderer, another_thread_and_another_renderer_draw_the_same_pictures_of_a_t
     views.push_back(lookout(static_cast<Shows>(k % 3), 1 + 0.1 * k, 0.1));
     views.back().width = static_cast<std::uint32_t>(40 + 8 * k);
   }
-  const Scene scene{boxes, {}, {}};
+  const Scene scene{.instances = boxes};
   std::vector<Picture> here, there, alone;
   renderer().draw(noon(), scene, views, here);
   std::thread other([&] { renderer().draw(noon(), scene, views, there); });
@@ -319,6 +319,95 @@ TEST(Renderer, another_thread_and_another_renderer_draw_the_same_pictures_of_a_t
     EXPECT_EQ(here[i].depth, alone[i].depth) << i;
     EXPECT_EQ(here[i].sample.size() + here[i].depth.size(), std::size_t{views[i].width} * views[i].height);
   }
+}
+
+/// Everything is dark but for lamps.
+Surroundings dark() {
+  Surroundings around;
+  around.sun = around.ambient = 0;
+  around.floor = {0.5f, 0.5f, 0.5f};
+  return around;
+}
+
+/// The light of a pixel: its red, from 0 to 1.
+double light_at(const Shot& shot, std::uint32_t x, std::uint32_t y) {
+  return linear(static_cast<float>(shot.red(x, y)) / 255);
+}
+
+TEST(Renderer, the_floor_under_a_lamp_is_as_bright_as_the_inverse_square_says) {
+  // From 4 m above, straight down, on 4 m x 3 m; the lamp is 1.5 m above the middle.
+  View view = lookout(Shows::kColor, 4, 0.5 * geom::kPi);
+  view.half_width = 0.5;
+  view.half_height = 0.375;
+  Lamp lamp;
+  lamp.p = {0, 0, 1.5};
+  lamp.light = {40, 40, 40};
+  const Shot color = shot(view, {.lamps = {&lamp, 1}}, dark());
+  int compared = 0;
+  for (std::uint32_t y = 3; y < 60; y += 6)
+    for (std::uint32_t x = 3; x < 80; x += 6) {
+      const Vec3 p = 4 * ray(view, x, y);  // across, from the eye
+      const double square = p.x * p.x + p.y * p.y + 1.5 * 1.5;
+      const double lux = 40 * 1.5 / (square * std::sqrt(square));
+      const double expected = 0.5 * lux / kWhiteLux;
+      if (std::fabs(p.x - std::round(p.x)) < 0.06 || std::fabs(p.y - std::round(p.y)) < 0.06)
+        continue;                                                               // a joint
+      EXPECT_NEAR(light_at(color, x, y) / expected, 1, 0.08) << x << " " << y;  // slabs differ by 2.5 %
+      ++compared;
+    }
+  EXPECT_GT(compared, 50);
+}
+
+TEST(Renderer, a_spot_shines_within_its_cone_alone) {
+  View view = lookout(Shows::kColor, 4, 0.5 * geom::kPi);
+  Lamp lamp;
+  lamp.p = {0, 0, 1};
+  lamp.light = {40, 40, 40};
+  lamp.inner = std::cos(0.4f);
+  lamp.outer = std::cos(0.5f);
+  const Shot color = shot(view, {.lamps = {&lamp, 1}}, dark());
+  for (std::uint32_t x = 0; x < 80; ++x) {
+    const Vec3 p = 4 * ray(view, x, 30);
+    const double away = std::atan(std::sqrt(p.x * p.x + p.y * p.y));
+    if (away < 0.38) EXPECT_GT(light_at(color, x, 30), 0.3) << x;
+    if (away > 0.52) EXPECT_EQ(color.red(x, 30), 0) << x;
+  }
+}
+
+TEST(Renderer, a_lamp_lights_the_faces_that_look_at_it_in_its_color) {
+  const std::vector<Instance> boxes{box_at({3, 0, 1}, {1, 1, 1, 1})};
+  Lamp before, behind;
+  before.p = {1, 0, 1};
+  before.light = {0, 60, 0};
+  behind.p = {6, 0, 1};
+  behind.light = {600, 0, 0};
+  const std::vector<Lamp> lamps{before, behind};
+  const Shot color = shot(lookout(Shows::kColor), {.instances = boxes, .lamps = lamps}, dark());
+  EXPECT_GT(color.green(40, 30), 200);
+  EXPECT_EQ(color.red(40, 30), 0);
+}
+
+TEST(Renderer, what_glows_shows_its_color_in_the_dark) {
+  std::vector<Instance> boxes{box_at({3, 1, 1}, {0, 1, 0, 1}), box_at({3, -1, 1}, {0, 1, 0, 1})};
+  boxes[1].glow = 1;
+  const Shot color = shot(lookout(Shows::kColor), {.instances = boxes}, dark());
+  EXPECT_EQ(color.green(23, 30), 0);
+  EXPECT_EQ(color.sample(56, 30), 0x00ff00u);
+}
+
+TEST(Renderer, of_many_lamps_those_shine_that_are_brightest_at_the_eye) {
+  View view = lookout(Shows::kColor, 4, 0.5 * geom::kPi);
+  std::vector<Lamp> lamps(kMostLamps + 1);
+  for (Lamp& lamp : lamps) {
+    lamp.p = {0, 0, 1};
+    lamp.light = {0, 2, 0};
+  }
+  lamps[3].light = {1, 0, 0};
+  const Shot without = shot(view, {.lamps = lamps}, dark());
+  EXPECT_EQ(without.red(40, 30), 0);
+  lamps[3].light = {3, 0, 0};
+  const Shot with = shot(view, {.lamps = lamps}, dark());
+  EXPECT_GT(with.red(40, 30), 0);
 }
 
 }  // namespace

@@ -22,7 +22,14 @@ layout(std140, binding = 0) uniform ViewBlock {
 };
 )";
 
+// As renderer.cc fills it (LampBlock). Its 16 is kMostLamps.
 constexpr const char* kLight = R"(
+layout(std140, binding = 2) uniform LampBlock {
+  vec4 lamp_count;      // x
+  vec4 lamp_at[16];     // in E; w: cosine of where a spot ends
+  vec4 lamp_way[16];    // w: cosine up to which it shines fully
+  vec4 lamp_light[16];  // of a white face at 1 m
+};
 layout(binding = 0) uniform sampler2DShadow shadow_map;
 
 /// How much of the sun reaches p, of a surface with the normal n.
@@ -43,15 +50,20 @@ vec3 light_from(vec3 d) {
   return sky.w * mix(floor_color.rgb * 0.6, above, 0.5 + 0.5 * d.z);
 }
 
-vec3 shade(vec3 p, vec3 n, vec3 base, float metallic, float roughness) {
-  vec3 v = -normalize(p);
-  float nv = max(dot(n, v), 1e-3), nl = dot(n, to_sun.xyz);
-  vec3 f0 = mix(vec3(0.04), base, metallic), diffuse = base * (1 - metallic);
-  float away = 1 - nv, away2 = away * away;
-  vec3 mirror = f0 + (max(vec3(1 - roughness), f0) - f0) * (away2 * away2 * away);
-  vec3 light = diffuse * light_from(n) + mirror * light_from(reflect(-v, n)) * (1 - 0.6 * roughness);
-  if (nl <= 0 || to_sun.w <= 0) return light;
-  vec3 h = normalize(v + to_sun.xyz);
+/// What a white face at p gets from lamp i, and the way d to it; less than nothing of one that is behind it.
+float lamplit(int i, vec3 p, vec3 n, out vec3 d) {
+  vec3 way = lamp_at[i].xyz - p;
+  float square = max(dot(way, way), 1e-4);
+  d = way * inversesqrt(square);
+  float spot = lamp_at[i].w > -1 ? smoothstep(lamp_at[i].w, max(lamp_way[i].w, lamp_at[i].w + 1e-4), -dot(d, lamp_way[i].xyz)) : 1;
+  return spot * dot(n, d) / square;
+}
+
+/// What a surface returns to v of light from l, for each share that meets a face square on (Cook and
+/// Torrance, 1982, with the terms of Walter et al., 2007, and Schlick, 1994).
+vec3 returned(vec3 l, vec3 v, vec3 n, vec3 diffuse, vec3 f0, float roughness) {
+  float nl = dot(n, l), nv = max(dot(n, v), 1e-3);
+  vec3 h = normalize(v + l);
   float nh = max(dot(n, h), 0), vh = max(dot(v, h), 0);
   float a = max(roughness * roughness, 0.02), a2 = a * a;
   float bump = nh * nh * (a2 - 1) + 1;
@@ -59,8 +71,24 @@ vec3 shade(vec3 p, vec3 n, vec3 base, float metallic, float roughness) {
   float visible = 0.5 / (nl * sqrt(nv * nv * (1 - a2) + a2) + nv * sqrt(nl * nl * (1 - a2) + a2));
   float aside = 1 - vh, aside2 = aside * aside;
   vec3 fresnel = f0 + (1 - f0) * (aside2 * aside2 * aside);
-  vec3 of_sun = diffuse * (1 - fresnel) / 3.14159265 + fresnel * spread * visible;
-  return light + of_sun * (3.14159265 * to_sun.w * nl * sunlit(p, n));
+  return diffuse * (1 - fresnel) + 3.14159265 * fresnel * spread * visible;
+}
+
+vec3 shade(vec3 p, vec3 n, vec3 base, float metallic, float roughness) {
+  vec3 v = -normalize(p);
+  float nv = max(dot(n, v), 1e-3), nl = dot(n, to_sun.xyz);
+  vec3 f0 = mix(vec3(0.04), base, metallic), diffuse = base * (1 - metallic);
+  float away = 1 - nv, away2 = away * away;
+  vec3 mirror = f0 + (max(vec3(1 - roughness), f0) - f0) * (away2 * away2 * away);
+  vec3 light = diffuse * light_from(n) + mirror * light_from(reflect(-v, n)) * (1 - 0.6 * roughness);
+  if (nl > 0 && to_sun.w > 0)
+    light += returned(to_sun.xyz, v, n, diffuse, f0, roughness) * (to_sun.w * nl * sunlit(p, n));
+  for (int i = 0; i < int(lamp_count.x); ++i) {
+    vec3 d;
+    float lit = lamplit(i, p, n, d);
+    if (lit > 0) light += returned(d, v, n, diffuse, f0, roughness) * lamp_light[i].rgb * lit;
+  }
+  return light;
 }
 
 /// What fog leaves of light from p.
@@ -75,6 +103,7 @@ layout(location = 5) in vec4 row1;
 layout(location = 6) in vec4 row2;
 layout(location = 7) in vec4 tint;
 layout(location = 8) in uvec2 mark;  // of segments; the first of its bones
+layout(location = 9) in float glow;
 
 vec3 placed(vec3 p) { return vec3(dot(row0, vec4(p, 1)), dot(row1, vec4(p, 1)), dot(row2, vec4(p, 1))); }
 vec3 turned(vec3 d) { return vec3(dot(row0.xyz, d), dot(row1.xyz, d), dot(row2.xyz, d)); }
@@ -110,7 +139,7 @@ vec3 body_normal() { return bent(vec4(normal, 0)); }
 std::string passed_on(Bends bends, Paints paints) {
   if (paints == Paints::kSegments) return "  segment = mark.x;\n";
   if (paints == Paints::kDepth) return "";
-  return std::string("  p_E = p;\n  n_E = turned(body_normal());\n") +
+  return std::string("  p_E = p;\n  n_E = turned(body_normal());\n  glows = glow;\n") +
          (bends == Bends::kYes
               ? "  base = vec4(mix(paint.rgb, tint.rgb, paint.a), tint.a);\n  at = vec2(0);\n"
               : "  base = tint;\n  at = uv;\n");
@@ -120,7 +149,8 @@ std::string varying(Paints paints, const char* way) {
   const std::string to = way;
   if (paints == Paints::kSegments) return "flat " + to + " uint segment;\n";
   if (paints == Paints::kDepth) return "";
-  return to + " vec3 p_E;\n" + to + " vec3 n_E;\n" + to + " vec4 base;\n" + to + " vec2 at;\n";
+  return to + " vec3 p_E;\n" + to + " vec3 n_E;\n" + to + " vec4 base;\n" + to + " vec2 at;\nflat " + to +
+         " float glows;\n";
 }
 
 constexpr const char* kSurface = R"(
@@ -136,7 +166,7 @@ void main() {
   if (painted.a < material.w) discard;
   vec3 n = normalize(n_E);
   if (!gl_FrontFacing) n = -n;
-  vec3 light = shade(p_E, n, painted.rgb, material.x, material.y) + emission;
+  vec3 light = shade(p_E, n, painted.rgb, material.x, material.y) + emission + glows * painted.rgb;
   color = vec4(through_fog(light, p_E), painted.a);
 }
 )";
@@ -169,6 +199,10 @@ void main() {
   vec3 up_there = vec3(0, 0, 1);
   vec3 light = light_from(up_there);
   if (to_sun.w > 0) light += to_sun.w * to_sun.z * sunlit(p, up_there);
+  for (int i = 0; i < int(lamp_count.x); ++i) {
+    vec3 to_lamp;
+    light += lamp_light[i].rgb * max(lamplit(i, p, up_there, to_lamp), 0);
+  }
   color = vec4(through_fog(floor_at(eye.xy + p.xy, wide) * light, p), 1);
   gl_FragDepth = depth_value(t);
 }

@@ -14,9 +14,11 @@ void tell_of_unseen_weather(const scene::SceneDesc& scene) {
   const scene::WorldDesc none;
   const bool has_sun = scene.sun_heading != none.sun_heading || scene.sun_elevation != none.sun_elevation ||
                        scene.sun_brightness != none.sun_brightness;
-  if (has_sun || scene.fog > 0)
+  const bool has_lamps =
+      std::ranges::any_of(scene.models, [](const scene::ModelDesc& model) { return model.lamp > 0; });
+  if (has_sun || scene.fog > 0 || has_lamps)
     log::info(
-        "{}: sun and fog have no effect: cameras of the stage engine show colors without light; "
+        "{}: sun, fog and lamps have no effect: cameras of the stage engine show colors without light; "
         "--engine arena shows them",
         scene.path);
 }

@@ -24,13 +24,6 @@ double speed_of(const World& world, std::uint32_t model) {
   return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
 }
 
-bool is_lit(const World& world, std::uint32_t model) {
-  const std::uint32_t part = world.models.part[model];
-  if (world.models.kind[model] == ModelKind::kBlinkenlight) return world.blinkenlights.lit[part] != 0;
-  if (world.models.kind[model] == ModelKind::kLightindicator) return world.lightindicators.lit[part] != 0;
-  return false;
-}
-
 /// A lamp that is lit is the model, or part of it.
 bool has_light(const World& world, std::uint32_t model) {
   if (is_lit(world, model)) return true;
@@ -68,6 +61,13 @@ bool compares(const scene::Term& term, double number) {
 }
 
 }  // namespace
+
+bool is_lit(const World& world, std::uint32_t model) {
+  const std::uint32_t part = world.models.part[model];
+  if (world.models.kind[model] == ModelKind::kBlinkenlight) return world.blinkenlights.lit[part] != 0;
+  if (world.models.kind[model] == ModelKind::kLightindicator) return world.lightindicators.lit[part] != 0;
+  return world.desc({model}).lamp > 0;
+}
 
 Conditions::Conditions(const World& world, std::span<const std::string> texts) {
   for (const std::string& text : texts) {

@@ -14,6 +14,9 @@
 
 namespace playhouse::world {
 
+/// Whether a model gives light: a lamp that can be switched, while it is on; any other that has candela.
+bool is_lit(const World& world, std::uint32_t model);
+
 class Conditions {
  public:
   /// Texts that were read without an error before. Valid as long as the population is.
