@@ -132,7 +132,13 @@ Result<void> Device::command_bytes(std::uint8_t subtype, std::span<const std::by
 const std::vector<std::byte>* Device::latest_bytes(std::uint8_t subtype) const {
   if (!is_open()) return nullptr;
   const auto found = slot_->latest.find(subtype);
-  return found == slot_->latest.end() ? nullptr : &found->second;
+  return found == slot_->latest.end() ? nullptr : &found->second.body;
+}
+
+double Device::timestamp(std::uint8_t subtype) const {
+  if (!is_open()) return 0;
+  const auto found = slot_->latest.find(subtype);
+  return found == slot_->latest.end() ? 0 : found->second.timestamp;
 }
 
 Result<void> Device::usable() const {

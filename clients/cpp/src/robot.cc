@@ -87,4 +87,28 @@ Result<Aio> Robot::aio(std::size_t n, Access access) const {
   return open<Aio>("aio", n, access);
 }
 
+Result<Position3d> Robot::position3d(std::size_t n, Access access) const {
+  return open<Position3d>("position3d", n, access);
+}
+
+Result<Imu> Robot::imu(std::size_t n, Access access) const {
+  return open<Imu>("imu", n, access);
+}
+
+Result<Gps> Robot::gps(std::size_t n, Access access) const {
+  return open<Gps>("gps", n, access);
+}
+
+Result<PointCloud3d> Robot::pointcloud3d(std::size_t n, Access access) const {
+  return open<PointCloud3d>("pointcloud3d", n, access);
+}
+
+Result<Speech> Robot::speech(std::size_t n, Access access) const {
+  return open<Speech>("speech", n, access);
+}
+
+Result<SpeechRecognition> Robot::speech_recognition(std::size_t n, Access access) const {
+  return open<SpeechRecognition>("speech_recognition", n, access);
+}
+
 }  // namespace playhouse::client

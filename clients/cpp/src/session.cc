@@ -246,7 +246,7 @@ bool Session::deliver_one(const Message& message) {
     if (std::find(slots_.begin(), slots_.end(), slot) == slots_.end()) continue;
     if (slot->interf != header.interf || slot->index != header.index) continue;
     if (is_open && !slot->gone.empty()) continue;
-    slot->latest[header.subtype] = message.body;
+    slot->latest[header.subtype] = {message.body, header.timestamp};
     if (slot->kept_limit > 0) keep(*slot, message.body);
     slot->timestamp = header.timestamp;
     slot->fresh = true;

@@ -25,7 +25,11 @@ struct Slot {
   std::uint16_t interf = 0;
   std::uint16_t index = 0;
   std::string driver;
-  std::map<std::uint8_t, std::vector<std::byte>> latest;  // body by subtype
+  struct Latest {
+    std::vector<std::byte> body;
+    double timestamp = 0;  // s
+  };
+  std::map<std::uint8_t, Latest> latest;  // by subtype
   double timestamp = 0;                                   // s
   bool fresh = false;
   std::size_t kept_limit = 0;               // of bodies that stay until somebody takes them

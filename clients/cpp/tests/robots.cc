@@ -1,10 +1,13 @@
-/// What programs do with radios and cameras of the real server, done with this library:
-/// playhouse_client_robots radio|camera HOST:PORT, beside worlds/radio.world or worlds/camera.world. Says
-/// what is wrong and ends with 1; clients/python/tests/test_server.py runs it.
+/// What programs do with radios, cameras, voices and inertial units of the real server, done with this
+/// library: playhouse_client_robots radio|camera|voice|inertia HOST:PORT, beside worlds/radio.world,
+/// camera.world, radio.world or outdoor.world. Says what is wrong and ends with 1;
+/// clients/python/tests/test_server.py runs it.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -81,6 +84,50 @@ void use_cameras(const std::string& address) {
   must(mount.turn(0));
 }
 
+void use_voices(const std::string& address) {
+  Client client = must(Client::connect(address)), other = must(Client::connect(address));
+  Speech voice = must(must(client.robot("r0")).speech()), own = must(must(other.robot("r1")).speech());
+  SpeechRecognition ears = must(must(other.robot("r1")).speech_recognition());
+  must(own.say("my own voice"));
+  must(voice.say("marco"));
+  must(client.read());
+  must(voice.say("sch\xc3\xb6n"));
+  std::vector<std::string> heard;
+  while (heard.empty() || heard.back() != "sch\xc3\xb6n") {
+    must(other.read());
+    for (std::string& text : ears.take_texts()) heard.push_back(std::move(text));
+  }
+  must_be(heard.size() <= 2 && std::ranges::find(heard, "my own voice") == heard.end(),
+          "a robot hears others and not itself");
+}
+
+void use_inertia(const std::string& address) {
+  Client client = must(Client::connect(address));
+  const Robot robot = must(client.robot("r0"));
+  Position3d base = must(robot.position3d());
+  Imu unit = must(robot.imu());
+  Gps receiver = must(robot.gps());
+  PointCloud3d lidar = must(robot.pointcloud3d());
+  must_be(!unit.inertia() && !unit.attitude(), "there are no data before the first");
+  must(unit.send(wire::imu::kDataEuler));
+  while (!base.state() || !unit.attitude() || !receiver.fix() || lidar.points().empty()) must(client.read());
+  must_be(std::abs(unit.inertia()->acceleration[2] - 9.81) < 1, "it feels gravity");
+  must_be(std::abs(unit.attitude()->roll) < 0.2, "it is level");
+  must_be(!unit.velocity() && !unit.quaternion(), "of what is not sent there are no data");
+  must_be(std::abs(receiver.fix()->latitude - 50.7747) < 0.001 && receiver.fix()->quality > 0,
+          "it is in Aachen");
+  must_be(lidar.points().front().color[3] == 255, "points are opaque");
+  must(base.set_odometry({5, 6, 0, 0, 0, 0}));
+  while (std::abs(base.state()->pose.x - 5) > 1) must(client.read());
+  must_be(!base.drive(std::numeric_limits<double>::infinity(), 0), "a number that is not finite is an error");
+  must(base.drive(0.2, 0));
+  while (base.state()->velocity.x < 0.1) must(client.read());
+  must(unit.send(wire::imu::kDataFullstate));
+  while (!unit.velocity()) must(client.read());
+  must(unit.reset_orientation());
+  must(base.close());
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -89,8 +136,12 @@ int main(int argc, char** argv) {
     use_radios(argv[2]);
   } else if (use == "camera") {
     use_cameras(argv[2]);
+  } else if (use == "voice") {
+    use_voices(argv[2]);
+  } else if (use == "inertia") {
+    use_inertia(argv[2]);
   } else {
-    fail("usage: playhouse_client_robots radio|camera HOST:PORT");
+    fail("usage: playhouse_client_robots radio|camera|voice|inertia HOST:PORT");
   }
   return 0;
 }

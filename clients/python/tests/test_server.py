@@ -171,8 +171,8 @@ class Radios(unittest.TestCase):
 @needed
 @unittest.skipUnless("PLAYHOUSE_CLIENT_ROBOTS" in os.environ, "run by ctest, which names the C++ program")
 class RobotsInCpp(unittest.TestCase):
-    def check(self, use: str) -> None:
-        with World(f"{use}.world") as world:
+    def check(self, use: str, file: str = "") -> None:
+        with World(file or f"{use}.world") as world:
             command = [os.environ["PLAYHOUSE_CLIENT_ROBOTS"], use, world.address]
             done = subprocess.run(command, stderr=subprocess.PIPE, text=True, timeout=HANG)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
@@ -182,6 +182,12 @@ class RobotsInCpp(unittest.TestCase):
 
     def test_cameras_show_and_turn(self) -> None:
         self.check("camera")
+
+    def test_voices_are_heard(self) -> None:
+        self.check("voice", "radio.world")
+
+    def test_inertial_units_receivers_and_lidars_measure(self) -> None:
+        self.check("inertia", "outdoor.world")
 
 
 @needed

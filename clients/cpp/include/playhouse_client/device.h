@@ -84,6 +84,8 @@ class Device {
 
   /// The server's time (s) at the last data; 0 before the first.
   double timestamp() const;
+  /// The same at the last data of a subtype.
+  double timestamp(std::uint8_t subtype) const;
 
   /// Whether data have come since the last call of this function.
   bool take_fresh();
@@ -111,6 +113,7 @@ class Device {
   friend class Opaque;
   friend class Robot;
   friend class Simulation;
+  friend class SpeechRecognition;
   static Result<Device> open(const std::shared_ptr<Session>& session, std::uint16_t interf,
                              std::uint16_t index, Access access);
   Device(std::shared_ptr<Session> session, std::unique_ptr<Slot> slot);

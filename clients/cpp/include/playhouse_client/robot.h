@@ -12,13 +12,19 @@
 #include "playhouse_client/bumper.h"
 #include "playhouse_client/camera.h"
 #include "playhouse_client/fiducial.h"
+#include "playhouse_client/gps.h"
+#include "playhouse_client/imu.h"
 #include "playhouse_client/laser.h"
 #include "playhouse_client/model.h"
 #include "playhouse_client/opaque.h"
+#include "playhouse_client/pointcloud3d.h"
 #include "playhouse_client/position2d.h"
+#include "playhouse_client/position3d.h"
 #include "playhouse_client/ptz.h"
 #include "playhouse_client/ranger.h"
 #include "playhouse_client/sonar.h"
+#include "playhouse_client/speech.h"
+#include "playhouse_client/speech_recognition.h"
 
 namespace playhouse::client {
 
@@ -48,6 +54,12 @@ class Robot {
   Result<Ptz> ptz(std::size_t n = 0, Access access = Access::kAll) const;
   Result<Opaque> opaque(std::size_t n = 0, Access access = Access::kAll) const;
   Result<Aio> aio(std::size_t n = 0, Access access = Access::kAll) const;
+  Result<Position3d> position3d(std::size_t n = 0, Access access = Access::kAll) const;
+  Result<Imu> imu(std::size_t n = 0, Access access = Access::kAll) const;
+  Result<Gps> gps(std::size_t n = 0, Access access = Access::kAll) const;
+  Result<PointCloud3d> pointcloud3d(std::size_t n = 0, Access access = Access::kAll) const;
+  Result<Speech> speech(std::size_t n = 0, Access access = Access::kAll) const;
+  Result<SpeechRecognition> speech_recognition(std::size_t n = 0, Access access = Access::kAll) const;
   /// Any interface, by its name.
   Result<Device> device(std::string_view interf, std::size_t n = 0, Access access = Access::kAll) const;
 

@@ -1,0 +1,32 @@
+#include "playhouse_client/speech_recognition.h"
+
+#include <utility>
+
+#include "playhouse/wire/codec.h"
+#include "session.h"
+
+namespace playhouse::client {
+
+namespace heard = wire::speech_recognition;
+
+Result<SpeechRecognition> SpeechRecognition::open(Client& client, std::uint16_t index, Access access) {
+  Result<Device> device = Device::open(client, heard::kCode, index, access);
+  if (!device) return device.error();
+  return SpeechRecognition(std::move(*device));
+}
+
+SpeechRecognition::SpeechRecognition(Device device) : device_(std::move(device)) {
+  device_.slot_->kept_limit = kWaiting;
+}
+
+std::vector<std::string> SpeechRecognition::take_texts() {
+  std::vector<std::string> taken;
+  if (!device_.is_open()) return taken;
+  for (const std::vector<std::byte>& body : std::exchange(device_.slot_->kept, {})) {
+    const heard::Data data = *wire::decode<heard::Data>(body);  // checked when it came
+    taken.emplace_back(wire::text(data.text));
+  }
+  return taken;
+}
+
+}  // namespace playhouse::client
