@@ -68,6 +68,31 @@ TEST_F(PhysicsTest, drives_five_metres_and_turns_ten_radians_as_its_wheels_say) 
   EXPECT_NEAR(physics_.state(body).p.x, 0, 0.005);
 }
 
+// At the limit of its grip F = mu (m g - N) on the axle, and the caster behind it, at a distance d, bears N =
+// F h / d of a body whose centre is at a height h: it speeds up by mu g / (1 + mu h / d).
+TEST_F(PhysicsTest, a_vehicle_of_any_height_speeds_up_as_its_grip_lets_it) {
+  const double mu = 0.8, d = 0.16;
+  for (const double height : {0.2, 0.5, 1.0, 1.5}) {
+    BodyDesc desc;
+    desc.hulls = {box(0.4, 0.4, 0.03, height)};
+    desc.mass = 10;
+    desc.center = {0, 0, 0.3 * height};
+    for (const double y : {-0.16, 0.16}) desc.wheels.push_back({{0, y, 0}, mu, mu});
+    for (const double x : {-d, d}) desc.wheels.push_back({{x, 0, 0}, 0, 0});
+    Physics physics;
+    const std::uint32_t body = physics.add(desc);
+    physics.step(kStep, workers_);
+    physics.drive(body, {5, 0, 0, 0});
+    for (int i = 0; i < 20; ++i) physics.step(kStep, workers_);
+    const double expected = mu * 9.81 / (1 + mu * desc.center.z / d);
+    EXPECT_NEAR(physics.state(body).v.x, 0.2 * expected, 0.01 * expected) << height;
+    physics.put(body, {}, false);
+    physics.drive(body, {0, 0, 0, 1});
+    for (int i = 0; i < 100; ++i) physics.step(kStep, workers_);
+    EXPECT_NEAR(heading(physics.state(body).q), 1, 0.1) << height;
+  }
+}
+
 // A box that slides at v0 stops after v0^2 / (2 mu g).
 TEST_F(PhysicsTest, a_box_slides_as_far_as_friction_lets_it) {
   BodyDesc desc;

@@ -25,7 +25,9 @@ struct Row {
 struct Contact {
   Row normal, along, across;
   double grip_along = 0, grip_across = 0;
+  double x = 0;  // m ahead, in B
   WheelImpulse* impulse = nullptr;
+  bool is_caster() const { return grip_along <= 0 && grip_across <= 0; }
 };
 
 class Vehicle {
@@ -107,13 +109,42 @@ double grip(Contact& contact, Vehicle& vehicle) {
   return std::fabs(next_along - along) + std::fabs(next_across - across);
 }
 
+/// Two driven wheels between two casters bear a vehicle in more than one way: what both casters take off the
+/// axle leaves its motion as it is. Here they take as little as keeps it from tipping, as sprung casters do;
+/// a tall vehicle would spin its wheels else.
+void unload_casters(std::span<Contact> contacts, Vehicle& vehicle) {
+  std::array<Contact*, 2> driven{}, casters{};
+  std::size_t driven_count = 0, caster_count = 0;
+  if (contacts.size() != 4) return;
+  for (Contact& contact : contacts) {
+    if (contact.is_caster() ? caster_count == 2 : driven_count == 2) return;
+    (contact.is_caster() ? casters[caster_count++] : driven[driven_count++]) = &contact;
+  }
+  const double apart = casters[1]->x - casters[0]->x;
+  if (apart == 0) return;
+  const double share = (driven[0]->x - casters[0]->x) / apart;  // of the load, of the second caster
+  if (share < 0 || share > 1) return;
+  const double of_first = casters[0]->impulse->normal, of_second = casters[1]->impulse->normal;
+  const double moved = share == 0   ? of_first
+                       : share == 1 ? of_second
+                                    : std::min(of_first / (1 - share), of_second / share);
+  const auto add = [&](Contact& contact, double impulse) {
+    contact.impulse->normal += impulse;
+    vehicle.push(contact.normal, impulse);
+  };
+  add(*casters[0], -moved * (1 - share));
+  add(*casters[1], -moved * share);
+  for (Contact* const wheel : driven) add(*wheel, 0.5 * moved);
+}
+
 /// Until impulses change by less than `enough`.  [N s]
 void iterate(std::span<Contact> contacts, double enough, Vehicle& vehicle) {
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     double change = 0;
     for (Contact& contact : contacts) change += press(contact, vehicle);
+    unload_casters(contacts, vehicle);
     for (Contact& contact : contacts)
-      if (contact.grip_along > 0 || contact.grip_across > 0) change += grip(contact, vehicle);
+      if (!contact.is_caster()) change += grip(contact, vehicle);
     if (change < enough) return;
   }
 }
@@ -146,6 +177,7 @@ void solve_wheels(const BodyDesc& desc, const Inertia& inertia, const geom::Twis
         vehicle.row(left, from_center, velocity.y + velocity.a * wheel.p_B.x + dot(left, footing.v));
     contact.grip_along = wheel.along * friction_along(footing, along);
     contact.grip_across = wheel.across * friction_along(footing, left);
+    contact.x = wheel.p_B.x;
     contact.impulse = &impulses[i];
     vehicle.push(contact.normal, contact.impulse->normal);
     vehicle.push(contact.along, contact.impulse->along);
