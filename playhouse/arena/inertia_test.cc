@@ -293,5 +293,23 @@ position( name "r" size [0.4 0.4 0.3] alwayson 1 velocity [0.4 0 0 0]
   EXPECT_EQ(pressed(), std::pair(false, false));
 }
 
+TEST(BumperSense, feels_what_is_as_high_as_its_robot_and_nothing_above) {
+  const auto pressed = [](const std::string& thing) {
+    Session run(R"(
+interval_sim 20
+position( name "r" size [0.4 0.4 0.3] alwayson 1
+  bumper( size [0.4 0.4 0.1] noblocks 1 alwayson 1 bcount 1 blength 0.3 bpose[0] [0.25 0 0 0] ) )
+model( pose [0.3 0 )" +
+                    thing + R"( 0] size [0.2 1 0.1] gui_move 0 )
+)",
+                true);
+    run.step(5);
+    return static_cast<bool>(run.world().bumpers.hits[0][0]);
+  };
+  EXPECT_TRUE(pressed("0"));
+  EXPECT_TRUE(pressed("0.35")) << "it stands on the robot";
+  EXPECT_FALSE(pressed("0.45")) << "a beam above it";
+}
+
 }  // namespace
 }  // namespace playhouse::arena

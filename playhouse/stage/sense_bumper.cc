@@ -4,10 +4,12 @@
 /// Out: who presses each switch.
 /// Cost: a ray along the face of each switch, and one more to those that nobody meets.
 /// Source: as in Stage, the face of a switch is a segment, pressed by whatever of another tree has an outline
-///   across it, at any height. In Stage robots stop before they touch; here they drive up to a wall, and a
-///   straight face may be inside it, where no outline is. So an obstacle presses a switch as well by an
-///   outline between the middle of the robot and the middle of the face.
+///   across it, at any height; where models are in space, at those of its robot and its own. In Stage robots
+///   stop before they touch; here they drive up to a wall, and a straight face may be inside it, where no
+///   outline is. So an obstacle presses a switch as well by an outline between the middle of the robot and
+///   the middle of the face.
 
+#include <algorithm>
 #include <cmath>
 
 #include "playhouse/stage/generated/senses.h"
@@ -16,23 +18,39 @@
 namespace playhouse::stage {
 namespace {
 
+/// What a switch is pressed by.  [m, in W]
+struct Heights {
+  double low = -1e300, high = 1e300;
+};
+
+/// In Stage's worlds a bumper stands on its robot, like any part, and is meant to be around it: heights are
+/// those of both.
+Heights heights_of(const world::World& world, world::ModelRow bumper, std::uint32_t root) {
+  if (world.upright) return {};
+  const double own = world.models.X_WM[bumper.index].z, robot = world.models.X_WM[root].z;
+  return {std::min(own, robot), std::max(own + world.desc(bumper).size.z, robot + world.desc({root}).size.z)};
+}
+
 /// The first solid that is on the way from a to b, or touched there, as the observer sees them; a row of
 /// Solids or kNone.
-std::uint32_t met(const Space& space, Vec2 a, Vec2 b, Observer by, std::uint32_t root) {
+std::uint32_t met(const Space& space, Vec2 a, Vec2 b, const Heights& heights, Observer by,
+                  std::uint32_t root) {
   const Vec2 way = b - a;
   const double length = std::sqrt(geom::dot(way, way));
   if (!(length > 0)) return world::ModelRow::kNone;
   const Vec2 d = (1 / length) * way;
-  return cast(space, {a - kTouch * d, d, -1e300, 1e300, length + 2 * kTouch, bit(by), root}).solid;
+  return cast(space, {a - kTouch * d, d, heights.low, heights.high, length + 2 * kTouch, bit(by), root})
+      .solid;
 }
 
 /// Who presses the switch that has its face at X_WS.
-std::uint32_t pressed_by(const Space& space, const Pose& X_WS, double length, Vec2 middle,
-                         std::uint32_t root) {
+std::uint32_t pressed_by(const Space& space, const Pose& X_WS, double length, const Heights& heights,
+                         Vec2 middle, std::uint32_t root) {
   const Vec2 left = Rotation::of(X_WS.a) * Vec2{0, 0.5 * length};
-  const std::uint32_t across = met(space, X_WS.xy() - left, X_WS.xy() + left, Observer::kBumper, root);
+  const std::uint32_t across =
+      met(space, X_WS.xy() - left, X_WS.xy() + left, heights, Observer::kBumper, root);
   if (across != world::ModelRow::kNone) return across;
-  return met(space, middle, X_WS.xy(), Observer::kMotion, root);
+  return met(space, middle, X_WS.xy(), heights, Observer::kMotion, root);
 }
 
 class BumperSense final : public SensePhase {
@@ -63,10 +81,11 @@ class BumperSense final : public SensePhase {
     const std::uint32_t root = world.models.root[model.index];
     const Vec2 middle = world.models.X_WM[root].xy();
     std::vector<world::ModelId>& hits = world.bumpers.hits[row];
+    const Heights heights = heights_of(world, model, root);
     hits.clear();
     for (std::size_t k = 0; k < bumper.X_BS.size(); ++k) {
       const Pose X_WS = geom::compose(X_WB, bumper.X_BS[k]);
-      const std::uint32_t solid = pressed_by(space, X_WS, bumper.blength[k], middle, root);
+      const std::uint32_t solid = pressed_by(space, X_WS, bumper.blength[k], heights, middle, root);
       const bool pressed = solid != world::ModelRow::kNone;
       hits.push_back(pressed ? world.id({space.solids.model[solid]}) : world::ModelId{});
     }
