@@ -319,6 +319,8 @@ TEST_F(Shown, a_lamp_that_is_lit_and_motion_are_seen) {
   const auto out = [](world::World& world) { world.blinkenlights.enabled[0] = 0; };
   EXPECT_TRUE(sees("light=off", out));
   EXPECT_FALSE(sees("light=on", out));
+  scene_.models[1].lamp = 65;
+  EXPECT_TRUE(sees("light=on", out)) << "one without a switch";
   EXPECT_TRUE(sees("speed<0.1"));
   EXPECT_FALSE(sees("speed>0.1"));
   const auto drive = [](world::World& world) { world.positions.command[0] = {0.5, 0, 0, 0}; };
