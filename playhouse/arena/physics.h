@@ -20,8 +20,8 @@ namespace playhouse::arena {
 struct FixedSolid {
   Hull hull;  // in W
   Surface surface;
-  double heading = 0;   // rad, of the x along which the surface has its share
-  Triangles triangles;  // in W
+  double heading = 0;     // rad, of the x along which the surface has its share
+  Triangles triangles{};  // in W
 };
 
 class Physics {
