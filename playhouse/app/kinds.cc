@@ -21,11 +21,11 @@ using scene::Word;
 constexpr std::array<std::string_view, 5> kForms = {"model", "part", "trait", "window", "world"};
 constexpr std::array<std::string_view, 4> kUses = {"read", "silent", "later", "old"};
 constexpr std::array<std::string_view, 3> kIndices = {"one", "robot", "count"};
-constexpr std::array<std::string_view, 4> kNeeds = {"", "scanner", "several sensors", "robot"};
+constexpr std::array<std::string_view, 5> kNeeds = {"", "scanner", "several sensors", "robot", "rings"};
 
 template <typename Enum, std::size_t kCount>
 std::string_view name_of(const std::array<std::string_view, kCount>& names, Enum value) {
-  return names[static_cast<std::size_t>(value)];
+  return names.at(static_cast<std::size_t>(value));
 }
 
 /// Null for what there is nothing to say of.

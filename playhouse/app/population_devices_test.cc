@@ -42,7 +42,7 @@ position( name "r" size [0.4 0.4 0.3]
   ranger( sensor( pose [0 0 0 0] ) sensor( pose [0 0 0 90] ) )
   fiducial( ) )
 )";
-constexpr std::size_t kDevicesOfRobot = 8;
+constexpr std::size_t kDevicesOfRobot = 9;
 
 /// A world with its server. The test is both threads.
 class Town final : public drivers::Surroundings {

@@ -173,8 +173,17 @@ TEST(SecondEngine, serves_clients_and_viewers_as_the_first_does) {
     if (!laser) return laser.error();
     if (!wheels) return wheels.error();
     if (const auto driven = wheels->go_to({2, 0, 0}); !driven) return driven.error();
-    while (!wheels->state() || !laser->scan() || wheels->state()->pose.x < 1.9)
-      if (const auto read = client->read(); !read) return read.error();
+    const auto read_until = [&](const auto& holds) -> Result<void> {
+      while (!holds())
+        if (const auto read = client->read(); !read) return read.error();
+      return {};
+    };
+    if (const auto read = read_until([&] { return wheels->state() && wheels->state()->pose.x >= 1.9; });
+        !read)
+      return read.error();
+    const double arrived = wheels->state()->time;  // scans of before are from farther away
+    if (const auto read = read_until([&] { return laser->scan() && laser->scan()->time >= arrived; }); !read)
+      return read.error();
     return laser->scan()->ranges[4];
   };
   const auto lean_the_post = [&]() -> Result<client::Pose3d> {

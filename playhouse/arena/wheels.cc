@@ -7,11 +7,13 @@
 namespace playhouse::arena {
 namespace {
 
-constexpr int kIterations = 20;      // at most,
-constexpr double kConverged = 1e-7;  // m/s by which an iteration still changes the motion
-constexpr double kPushOut = 0.2;     // of a wheel that is pressed in, a step
-constexpr double kClimb = 1;         // m/s at most
-constexpr double kSlop = 1e-4;       // m that it may be
+constexpr int kIterations = 20;           // at most,
+constexpr double kConverged = 1e-7;       // m/s by which an iteration still changes the motion
+constexpr double kPushOut = 0.2;          // of a wheel that is pressed in, a step
+constexpr double kClimb = 1;              // m/s at most
+constexpr double kSlop = 1e-4;            // m that it may be
+constexpr double kEven = 1e-3;            // m between the ground and a wheel on even ground
+constexpr double kSameNormal = 1 - 1e-8;  // cosine of the angle between normals of even ground
 
 /// One direction in which an impulse at a wheel acts.
 struct Row {
@@ -25,7 +27,8 @@ struct Row {
 struct Contact {
   Row normal, along, across;
   double grip_along = 0, grip_across = 0;
-  double x = 0;  // m ahead, in B
+  double x = 0;          // m ahead, in B
+  bool is_even = false;  // the ground is as high as the wheel
   WheelImpulse* impulse = nullptr;
   bool is_caster() const { return grip_along <= 0 && grip_across <= 0; }
 };
@@ -109,22 +112,35 @@ double grip(Contact& contact, Vehicle& vehicle) {
   return std::fabs(next_along - along) + std::fabs(next_across - across);
 }
 
-/// Two driven wheels between two casters bear a vehicle in more than one way: what both casters take off the
-/// axle leaves its motion as it is. Here they take as little as keeps it from tipping, as sprung casters do;
-/// a tall vehicle would spin its wheels else.
-void unload_casters(std::span<Contact> contacts, Vehicle& vehicle) {
+/// Two driven wheels between two casters, on even ground.
+struct Axle {
   std::array<Contact*, 2> driven{}, casters{};
+  double share = -1;  // of the axle's load, of the second caster; below 0: there is no such axle
+};
+
+Axle axle_of(std::span<Contact> contacts) {
+  Axle axle;
+  if (contacts.size() != 4) return axle;
   std::size_t driven_count = 0, caster_count = 0;
-  if (contacts.size() != 4) return;
   for (Contact& contact : contacts) {
-    if (contact.is_caster() ? caster_count == 2 : driven_count == 2) return;
-    (contact.is_caster() ? casters[caster_count++] : driven[driven_count++]) = &contact;
+    if (!contact.is_even || dot(contact.normal.direction, contacts[0].normal.direction) < kSameNormal)
+      return axle;
+    if (contact.is_caster() ? caster_count == 2 : driven_count == 2) return axle;
+    (contact.is_caster() ? axle.casters[caster_count++] : axle.driven[driven_count++]) = &contact;
   }
-  const double apart = casters[1]->x - casters[0]->x;
-  if (apart == 0) return;
-  const double share = (driven[0]->x - casters[0]->x) / apart;  // of the load, of the second caster
-  if (share < 0 || share > 1) return;
-  const double of_first = casters[0]->impulse->normal, of_second = casters[1]->impulse->normal;
+  const double first = axle.casters[0]->x, apart = axle.casters[1]->x - first;
+  const double share = apart == 0 ? -1 : (axle.driven[0]->x - first) / apart;
+  if (share >= 0 && share <= 1) axle.share = share;
+  return axle;
+}
+
+/// Such wheels bear a vehicle in more than one way: what both casters take off the axle leaves its motion as
+/// it is. Here they take as little as keeps it from tipping, as sprung casters do; a tall vehicle would spin
+/// its wheels else.
+void unload_casters(const Axle& axle, Vehicle& vehicle) {
+  if (axle.share < 0) return;
+  const double share = axle.share;
+  const double of_first = axle.casters[0]->impulse->normal, of_second = axle.casters[1]->impulse->normal;
   const double moved = share == 0   ? of_first
                        : share == 1 ? of_second
                                     : std::min(of_first / (1 - share), of_second / share);
@@ -132,17 +148,18 @@ void unload_casters(std::span<Contact> contacts, Vehicle& vehicle) {
     contact.impulse->normal += impulse;
     vehicle.push(contact.normal, impulse);
   };
-  add(*casters[0], -moved * (1 - share));
-  add(*casters[1], -moved * share);
-  for (Contact* const wheel : driven) add(*wheel, 0.5 * moved);
+  add(*axle.casters[0], -moved * (1 - share));
+  add(*axle.casters[1], -moved * share);
+  for (Contact* const wheel : axle.driven) add(*wheel, 0.5 * moved);
 }
 
 /// Until impulses change by less than `enough`.  [N s]
 void iterate(std::span<Contact> contacts, double enough, Vehicle& vehicle) {
+  const Axle axle = axle_of(contacts);
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     double change = 0;
+    unload_casters(axle, vehicle);  // before press(), which mends what it changes
     for (Contact& contact : contacts) change += press(contact, vehicle);
-    unload_casters(contacts, vehicle);
     for (Contact& contact : contacts)
       if (!contact.is_caster()) change += grip(contact, vehicle);
     if (change < enough) return;
@@ -178,6 +195,7 @@ void solve_wheels(const BodyDesc& desc, const Inertia& inertia, const geom::Twis
     contact.grip_along = wheel.along * friction_along(footing, along);
     contact.grip_across = wheel.across * friction_along(footing, left);
     contact.x = wheel.p_B.x;
+    contact.is_even = std::fabs(footing.gap) < kEven;
     contact.impulse = &impulses[i];
     vehicle.push(contact.normal, contact.impulse->normal);
     vehicle.push(contact.along, contact.impulse->along);

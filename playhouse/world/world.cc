@@ -67,6 +67,16 @@ void stop(Table& table, std::uint32_t row) {
 /// A custom model goes on as it was told: its code knows whether it is used.
 void stop(Customs&, std::uint32_t) {}
 
+/// For who listens; those who are there keep their memory.
+void utter(World& world, ModelRow model, const std::string& text) {
+  Utterances& utterances = world.utterances;
+  if (utterances.listeners == 0) return;
+  if (utterances.newest.empty()) utterances.newest.resize(limits::kUtterances);
+  Utterances::One& one = utterances.newest[utterances.count++ % limits::kUtterances];
+  one.model = world.id(model);
+  one.text = text;
+}
+
 }  // namespace
 
 World::World(const scene::SceneDesc& scene, std::uint64_t seed) : scene_(&scene), seed_(seed) {
@@ -449,9 +459,7 @@ void set_say(World& world, ModelRow model, std::string_view text) {
     says = spoken(text);
   }
   ++world.said_;
-  if (says.empty()) return;
-  if (world.utterances.size() == limits::kUtterances) world.utterances.pop_front();
-  world.utterances.push_back({world.said_, world.id(model), says});
+  if (!says.empty()) utter(world, model, says);
 }
 
 void add_flags(World& world, ModelRow model, std::int64_t flags) {

@@ -8,7 +8,6 @@
 /// B body (M moved by the origin), O odometry.
 
 #include <cmath>
-#include <deque>
 #include <map>
 #include <memory>
 #include <set>
@@ -23,11 +22,15 @@
 
 namespace playhouse::world {
 
-/// What a model began to say.
-struct Utterance {
-  std::uint64_t number;  // World::said() just after: ascending
-  ModelId model;
-  std::string text;
+/// What models began to say, for who listens; no state of a run.
+struct Utterances {
+  struct One {
+    ModelId model;
+    std::string text;
+  };
+  std::uint64_t count = 0;      // of all that were kept, ever
+  std::vector<One> newest;      // number n, from 0, is in row n % limits::kUtterances
+  std::uint32_t listeners = 0;  // while there are none, nothing is kept
 };
 
 class World : public Tables {
@@ -92,8 +95,7 @@ class World : public Tables {
   bool upright = true;
   std::uint64_t tick_ = 0;  // written by: freeze (the engine) alone
   std::uint64_t said_ = 0;  // written by: set_say, load_state
-  /// The newest limits::kUtterances, oldest first, for who listens: no state of a run. Written by set_say.
-  std::deque<Utterance> utterances;
+  Utterances utterances;    // written by: set_say, and who listens
 
  private:
   friend class Population;

@@ -47,6 +47,7 @@ class SimulatedDevice : public Source {
   }
   void end(world::World& world) {
     if (const world::ModelRow model = use_.end(world, simulation_)) closed(world, model);
+    ended(world);
   }
 
   // Any thread. Only messages of served() arrive.
@@ -65,11 +66,14 @@ class SimulatedDevice : public Source {
     static_cast<void>(world), static_cast<void>(out);
   }
   /// Called on the tick thread after the first open.
-  virtual void opened(const world::World& world) { static_cast<void>(world); }
+  virtual void opened(world::World& world) { static_cast<void>(world); }
   /// Called on the tick thread after the last close, if the model is still there.
   virtual void closed(world::World& world, world::ModelRow model) {
     static_cast<void>(world), static_cast<void>(model);
   }
+
+  /// Called on the tick thread after the last close, whether the model is there or not.
+  virtual void ended(world::World& world) { static_cast<void>(world); }
 
  protected:
   Simulation& simulation() const { return simulation_; }

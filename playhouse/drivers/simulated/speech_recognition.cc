@@ -2,8 +2,7 @@
 
 #include "playhouse/wire/generated/speech_recognition.h"
 
-#include <algorithm>
-
+#include "playhouse/base/limits.h"
 #include "playhouse/drivers/generated/device_makers.h"
 
 namespace playhouse::drivers {
@@ -20,23 +19,28 @@ class SpeechRecognition final : public SimulatedDevice {
   void request(const device::Message&, device::Replier) override {}
 
   /// What was said before is not heard.
-  void opened(const world::World& world) override { heard_ = world.said(); }
+  void opened(world::World& world) override {
+    ++world.utterances.listeners;
+    heard_ = world.utterances.count;
+  }
+  void ended(world::World& world) override { --world.utterances.listeners; }
 
   void emit(const world::World& world, std::vector<device::Publication>& out) override {
+    const world::Utterances& said = world.utterances;
     const world::ModelRow row = world.row(model());
-    if (!row || heard_ == world.said()) return;
+    if (!row || heard_ == said.count) return;
     const std::uint32_t root = world.models.root[row.index];
-    const auto first = std::ranges::upper_bound(world.utterances, heard_, {}, &world::Utterance::number);
-    for (auto each = first; each != world.utterances.end(); ++each) {
-      const world::ModelRow speaker = world.row(each->model);
+    if (said.count - heard_ > limits::kUtterances) heard_ = said.count - limits::kUtterances;
+    for (; heard_ < said.count; ++heard_) {
+      const world::Utterances::One& one = said.newest[heard_ % limits::kUtterances];
+      const world::ModelRow speaker = world.row(one.model);
       if (speaker && world.models.root[speaker.index] == root) continue;  // its own voice
-      publish(world, heard::kDataString, heard::Data{wire::c_string(each->text)}, out);
+      publish(world, heard::kDataString, heard::Data{wire::c_string(one.text)}, out);
     }
-    heard_ = world.said();
   }
 
  private:
-  std::uint64_t heard_ = 0;  // World::said() after the last utterance that it heard
+  std::uint64_t heard_ = 0;  // the number of the next utterance
 };
 
 }  // namespace
