@@ -62,6 +62,7 @@ TEST(RobotFile, what_is_wrong_is_told_with_its_line_and_the_nearest_word) {
   EXPECT_EQ(fault("pose = [0, 0, 0]\n"), "my.toml:1: a robot has a type, as type = \"pioneer2dx\"");
   EXPECT_EQ(fault("type = \"a\"\n"), "my.toml:1: a robot has a pose, as pose = [x, y, heading]");
   EXPECT_EQ(fault("type = \"\"\n"), "my.toml:1: \"type\" is a text that is not empty");
+  EXPECT_EQ(fault("type = \"a\"\npose = [0, 0, 0]\n[, 0]\n").substr(0, 11), "my.toml:3: ");
   EXPECT_EQ(fault("robot = 3\n"), "my.toml:1: robots are written as [[robot]] tables");
   EXPECT_EQ(fault("type = \"a\"\n[[robot]]\ntype = \"b\"\npose = [0, 0, 0]\n"),
             "my.toml:1: \"type\" stands outside of the [[robot]] tables");
