@@ -400,6 +400,8 @@ void Physics::Impl::push_supports() {
       if (moving->supports[i] == kNobody) continue;
       Moving& support = *bodies[moving->supports[i]];
       if (support.is_guided()) continue;
+      // People put their feet beside a robot, whose edge they would weigh down.
+      if (moving->desc.is_upright && support.is_vehicle()) continue;
       const Vec3 p = moving->state.p + moving->state.q * moving->desc.wheels[i].p_B;
       const Vec3 center = support.state.p + support.state.q * support.desc.center;
       support.body->applyImpulse(bullet(-1 * moving->impulses[i].total), bullet(p - center));

@@ -225,7 +225,7 @@ TEST_F(PhysicsTest, a_vehicle_that_rests_falls_when_what_it_stands_on_is_pulled_
   EXPECT_NEAR(physics_.state(body).p.z, 0, 5e-3);
 }
 
-TEST_F(PhysicsTest, who_walks_steps_onto_what_is_loose_and_low) {
+BodyDesc walker() {
   BodyDesc person;
   person.hulls = {box(0.3, 0.4, 0.3, 1.7)};
   person.mass = 70;
@@ -233,7 +233,25 @@ TEST_F(PhysicsTest, who_walks_steps_onto_what_is_loose_and_low) {
   person.is_upright = true;
   for (const auto& [x, y] : {std::pair(0.0, 0.0), {-0.15, -0.2}, {0.15, 0.2}, {-0.15, 0.2}, {0.15, -0.2}})
     person.wheels.push_back({{x, y, 0}, 1, 1, 0.3});
-  const std::uint32_t body = physics_.add(person), crate = physics_.add(slab(40, 2, 0.25, 1));
+  return person;
+}
+
+TEST_F(PhysicsTest, who_walks_over_a_robot_does_not_tip_it) {
+  const std::uint32_t person = physics_.add(walker()), robot = physics_.add(rover());
+  for (const double aside : {0.0, 0.15}) {
+    physics_.put(person, {}, false);
+    physics_.put(robot, {.p = {1, aside, 0}}, false);
+    physics_.drive(person, {1, 0, 0, 0});
+    for (int i = 0; i < 30; ++i) {
+      run(0.1);
+      EXPECT_GT((physics_.state(robot).q * Vec3{0, 0, 1}).z, 0.999) << aside;
+    }
+    EXPECT_GT(physics_.state(person).p.x, 2) << "it is over it";
+  }
+}
+
+TEST_F(PhysicsTest, who_walks_steps_onto_what_is_loose_and_low) {
+  const std::uint32_t body = physics_.add(walker()), crate = physics_.add(slab(40, 2, 0.25, 1));
   physics_.put(crate, {.p = {1.5, 0, 0}}, false);
   physics_.drive(body, {1, 0, 0, 0});
   run(2);
