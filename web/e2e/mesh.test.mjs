@@ -35,10 +35,11 @@ test('each file is served as glTF, once for the world', async () => {
 });
 
 test('the page draws them instead of their outlines', async () => {
-  await page.reload();
+  const drawn = () => page.waitForFunction(() => window.playhouse?.meshes === 3, null, { timeout: 30000 });
+  await drawn();  // whatever it asks for is here
   page.on('request', (request) => asked.push(request.url()));
   await page.reload();
-  await page.waitForFunction(() => window.playhouse?.meshes === 3, null, { timeout: 30000 });
+  await drawn();
   assert.equal(asked.filter((url) => url.includes('/meshes/')).length, 3, 'a file is loaded once, however many look so');
   assert.deepEqual(said.filter((line) => /mesh|Content Security/i.test(line)), []);
   await page.screenshot({ path: join(results, 'mesh.png') });
