@@ -29,9 +29,7 @@ drivers::Site& DeviceService::open_site(std::uint16_t port) {
 DeviceService::~DeviceService() = default;
 
 Result<void> DeviceService::make_drivers(const scene::CfgFile& file) {
-  drivers::Registry registry;
-  drivers::register_drivers(registry);
-  Result<std::vector<std::unique_ptr<device::Driver>>> made = drivers::make_drivers(registry, file, *site_);
+  Result<std::vector<std::unique_ptr<device::Driver>>> made = drivers::make_drivers(file, *site_);
   for (const std::string& warning : site_->warnings()) warn(warning);
   if (!made) return made.error();
   drivers_ = std::move(*made);

@@ -192,9 +192,7 @@ Result<void> Service::make_devices() {
 }
 
 Result<void> Service::make_drivers() {
-  drivers::Registry registry;
-  drivers::register_drivers(registry);
-  Result<std::vector<std::unique_ptr<device::Driver>>> made = drivers::make_drivers(registry, *cfg_, *site_);
+  Result<std::vector<std::unique_ptr<device::Driver>>> made = drivers::make_drivers(*cfg_, *site_);
   for (const std::string& warning : site_->warnings()) warn_(warning);
   if (!made) return made.error();
   drivers_ = std::move(*made);

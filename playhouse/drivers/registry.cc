@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
+#include <utility>
+
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/drivers/passthrough/passthrough.h"
@@ -11,6 +14,28 @@
 
 namespace playhouse::drivers {
 namespace {
+
+/// Makes the driver of one section and adds its devices to the site. Errors carry "file:line".
+using Factory = Result<std::unique_ptr<device::Driver>> (*)(const scene::CfgSection&, Site&);
+
+/// Every driver of this program, by name.
+constexpr std::pair<std::string_view, Factory> kDrivers[] = {
+    {"passthrough", make_passthrough},
+    {"rangertolaser", make_ranger_to_laser},
+    {"stage", make_stage_driver},
+    {"vfh", make_vfh},
+};
+
+Result<std::unique_ptr<device::Driver>> make_driver(const scene::CfgSection& section, Site& site) {
+  std::vector<std::string_view> names;
+  for (const auto& [name, make] : kDrivers) {
+    if (name == section.name()) return make(section, site);
+    names.push_back(name);
+  }
+  return Error{section.at("name"),
+               fmt::format("there is no driver {}{}; this program has {}", in_quotes(section.name()),
+                           did_you_mean(section.name(), names), fmt::join(names, ", "))};
+}
 
 /// Opens every device of the section for as long as the program runs.
 Result<void> keep_open(const scene::CfgSection& section, Site& site) {
@@ -28,28 +53,10 @@ Result<void> keep_open(const scene::CfgSection& section, Site& site) {
 
 }  // namespace
 
-void register_drivers(Registry& registry) {
-  registry.add("stage", make_stage_driver);
-  registry.add("rangertolaser", make_ranger_to_laser);
-  registry.add("vfh", make_vfh);
-  registry.add("passthrough", make_passthrough);
-}
-
-Result<std::unique_ptr<device::Driver>> Registry::make(const scene::CfgSection& section, Site& site) const {
-  const auto found = factories_.find(section.name());
-  if (found != factories_.end()) return found->second(section, site);
-  std::vector<std::string_view> names;
-  for (const auto& [name, factory] : factories_) names.push_back(name);
-  return Error{section.at("name"),
-               fmt::format("there is no driver {}{}; this program has {}", in_quotes(section.name()),
-                           did_you_mean(section.name(), names), fmt::join(names, ", "))};
-}
-
-Result<std::vector<std::unique_ptr<device::Driver>>> make_drivers(const Registry& registry,
-                                                                  const scene::CfgFile& file, Site& site) {
+Result<std::vector<std::unique_ptr<device::Driver>>> make_drivers(const scene::CfgFile& file, Site& site) {
   std::vector<std::unique_ptr<device::Driver>> drivers;
   for (const scene::CfgSection& section : file.drivers) {
-    Result<std::unique_ptr<device::Driver>> driver = registry.make(section, site);
+    Result<std::unique_ptr<device::Driver>> driver = make_driver(section, site);
     if (!driver) return driver.error();
     drivers.push_back(std::move(*driver));
     if (const Result<void> fault = section.fault(); !fault) return fault.error();

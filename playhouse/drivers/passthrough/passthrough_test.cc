@@ -8,7 +8,7 @@
 #include <memory>
 #include <optional>
 
-#include "playhouse/drivers/registry.h"
+#include "playhouse/drivers/testing/memory_site.h"
 #include "playhouse/net/simulated.h"
 #include "playhouse/server/fake_driver.h"
 #include "playhouse/server/server.h"
@@ -48,16 +48,9 @@ class Relay : public ::testing::Test, public Surroundings {
   }
   /// "", or the error's line.
   std::string build(const std::string& cfg) {
-    scene::MemoryFiles none({});
-    const Result<scene::CfgFile> file = scene::load_cfg_text(cfg, "test.cfg", none);
-    if (!file) return file.error().line();
-    Registry registry;
-    register_drivers(registry);
-    Result<std::vector<std::unique_ptr<device::Driver>>> made = make_drivers(registry, *file, site);
-    if (!made) return made.error().line();
-    drivers = std::move(*made);
-    network_.run();
-    return "";
+    const std::string error = testing::build_drivers(cfg, site, drivers);
+    if (error.empty()) network_.run();
+    return error;
   }
   static Bytes ask(std::uint8_t subtype, const Bytes& body = {}) {
     return message(MessageType::kReq, p2d::kCode, 0, subtype, body, 7);

@@ -19,6 +19,18 @@
 
 namespace playhouse::drivers::testing {
 
+/// Makes the drivers of a file at a site; "" or the error's line.
+inline std::string build_drivers(const std::string& cfg, Site& site,
+                                 std::vector<std::unique_ptr<device::Driver>>& drivers) {
+  scene::MemoryFiles none({});
+  const Result<scene::CfgFile> file = scene::load_cfg_text(cfg, "test.cfg", none);
+  if (!file) return file.error().line();
+  Result<std::vector<std::unique_ptr<device::Driver>>> made = make_drivers(*file, site);
+  if (!made) return made.error().line();
+  drivers = std::move(*made);
+  return "";
+}
+
 class MemorySite final : public Surroundings {
  public:
   explicit MemorySite(std::string world) : world_text_(std::move(world)), site_(*this, 6665) {
@@ -29,17 +41,7 @@ class MemorySite final : public Surroundings {
   }
 
   /// Makes the drivers of a file; "" or the error's line.
-  std::string build(const std::string& cfg) {
-    scene::MemoryFiles none({});
-    const Result<scene::CfgFile> file = scene::load_cfg_text(cfg, "test.cfg", none);
-    if (!file) return file.error().line();
-    Registry registry;
-    register_drivers(registry);
-    Result<std::vector<std::unique_ptr<device::Driver>>> made = make_drivers(registry, *file, site_);
-    if (!made) return made.error().line();
-    drivers_ = std::move(*made);
-    return "";
-  }
+  std::string build(const std::string& cfg) { return build_drivers(cfg, site_, drivers_); }
 
   /// "port:code:index=driver" of every device, in order of creation.
   std::vector<std::string> devices() const {
