@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "playhouse/app/server_surroundings.h"
 #include "playhouse/drivers/registry.h"
 #include "playhouse/drivers/site.h"
 #include "playhouse/net/io_loop.h"
@@ -16,7 +17,7 @@
 
 namespace playhouse::app {
 
-class DeviceService final : private drivers::Surroundings {
+class DeviceService final : private ServerSurroundings {
  public:
   explicit DeviceService(const std::string& bind);
   ~DeviceService() override;
@@ -36,16 +37,8 @@ class DeviceService final : private drivers::Surroundings {
   void end(int code);
 
  private:
-  Result<device::DeviceId> add_device(device::Address address, device::Driver& driver) override {
-    return server_->add_device(address, driver);
-  }
-  void retire_device(device::DeviceId device) override { server_->retire_device(device); }
-  Result<void> hold(device::DeviceId device, device::Driver* holder) override {
-    return server_->hold(device, holder);
-  }
-  void release(device::DeviceId device, device::Driver* holder) override { server_->release(device, holder); }
-  void post(std::function<void()> task) override { loop_.post(std::move(task)); }
-  net::Network& network() override { return loop_; }
+  server::Server& the_server() override { return *server_; }
+  net::IoLoop& the_loop() override { return loop_; }
   Result<std::unique_ptr<drivers::Simulation>> open_world(const std::string& path) override;
 
   // What is below uses what is above.

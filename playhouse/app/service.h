@@ -16,6 +16,7 @@
 #include "playhouse/app/again.h"
 #include "playhouse/app/options.h"
 #include "playhouse/app/playback.h"
+#include "playhouse/app/server_surroundings.h"
 #include "playhouse/app/world_opener.h"
 #include "playhouse/app/world_saver.h"
 #include "playhouse/drivers/registry.h"
@@ -52,7 +53,7 @@ struct Outcome {
 /// Of what an engine has run, in so much time. [s]
 Outcome outcome_of(world::Engine& engine, double wall_time);
 
-class Service final : private drivers::Surroundings {
+class Service final : private ServerSurroundings {
  public:
   Service(Serving serving, Running running, QuitTime quit_time);
   ~Service() override;
@@ -119,16 +120,8 @@ class Service final : private drivers::Surroundings {
   const server::Server& server() const { return *server_; }
 
  private:
-  Result<device::DeviceId> add_device(device::Address address, device::Driver& driver) override {
-    return server_->add_device(address, driver);
-  }
-  void retire_device(device::DeviceId device) override { server_->retire_device(device); }
-  Result<void> hold(device::DeviceId device, device::Driver* holder) override {
-    return server_->hold(device, holder);
-  }
-  void release(device::DeviceId device, device::Driver* holder) override { server_->release(device, holder); }
-  void post(std::function<void()> task) override { loop_.post(std::move(task)); }
-  net::Network& network() override { return loop_; }
+  server::Server& the_server() override { return *server_; }
+  net::IoLoop& the_loop() override { return loop_; }
   Result<std::unique_ptr<drivers::Simulation>> open_world(const std::string& path) override;
 
   Result<void> open_playback();
