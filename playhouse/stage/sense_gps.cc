@@ -14,6 +14,7 @@
 
 #include "playhouse/base/rng.h"
 #include "playhouse/stage/generated/senses.h"
+#include "playhouse/stage/pose_sense.h"
 
 namespace playhouse::stage {
 namespace {
@@ -38,39 +39,28 @@ Vec3 gaussian(Rng& rng, double horizontal, double vertical) {
   return {horizontal * x, horizontal * y, vertical * z};
 }
 
-class GpsSense final : public SensePhase {
+class GpsSense final : public PoseSense {
  public:
   SensorTable table(world::World& world) const override {
     return {world.receivers.model, world.receivers.measured_tick};
   }
-  void populate(const world::World&, const Space&) override {}
-
-  std::uint64_t sense(world::World& world, const Space&, std::span<const std::uint32_t> due,
-                      std::uint64_t tick, world::Workers& workers) override {
-    workers.run(due.size(), 16, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) measure(world, due[i], tick);
-    });
-    return 0;
-  }
 
  private:
-  static void measure(world::World& world, std::uint32_t row, std::uint64_t tick);
+  void measure(world::World& world, std::uint32_t row, std::uint64_t tick) const override;
 };
 
-void GpsSense::measure(world::World& world, std::uint32_t row, std::uint64_t tick) {
+void GpsSense::measure(world::World& world, std::uint32_t row, std::uint64_t tick) const {
   world::Receivers& receivers = world.receivers;
   const world::ModelRow model = receivers.model[row];
-  const scene::ModelDesc& desc = world.desc(model);
-  const scene::GpsDesc& gps = *desc.gps;
-  const geom::SpatialPose X_WB = geom::compose(
-      {world.models.X_WM[model.index], world.models.tilt_WM[model.index]}, {desc.X_MB, geom::Tilt{}});
+  const scene::GpsDesc& gps = *world.desc(model).gps;
+  const geom::SpatialPose X_WB = body_pose(world, model);
   const Vec3 p{X_WB.X.x, X_WB.X.y, X_WB.X.z};
   Rng rng(world.seed(), tick, {Purpose::kFix, world.id(model).value});
   const bool is_first = receivers.noted_tick[row] == 0;
   const double dt = static_cast<double>(tick - receivers.noted_tick[row]) * world.scene().interval;
   const double kept = is_first ? 0 : decay(dt / gps.drift_time), drawn = std::sqrt(1 - kept * kept);
-  receivers.drift[row] = kept * receivers.drift[row] +
-                         gaussian(rng, drawn * gps.drift_horizontal, drawn * gps.drift_vertical);
+  receivers.drift[row] =
+      kept * receivers.drift[row] + gaussian(rng, drawn * gps.drift_horizontal, drawn * gps.drift_vertical);
   receivers.position[row] =
       p + receivers.drift[row] + gaussian(rng, gps.noise_horizontal, gps.noise_vertical);
   const Vec3 moved = is_first ? Vec3{} : (1 / dt) * (p - receivers.p_WB[row]);

@@ -17,6 +17,7 @@
 
 #include "playhouse/base/rng.h"
 #include "playhouse/stage/generated/senses.h"
+#include "playhouse/stage/pose_sense.h"
 
 namespace playhouse::stage {
 namespace {
@@ -52,26 +53,17 @@ Vec3 within(const Vec3& v, double most) {
   return {std::clamp(v.x, -most, most), std::clamp(v.y, -most, most), std::clamp(v.z, -most, most)};
 }
 
-class ImuSense final : public SensePhase {
+class ImuSense final : public PoseSense {
  public:
   SensorTable table(world::World& world) const override {
     return {world.imus.model, world.imus.measured_tick};
   }
-  void populate(const world::World&, const Space&) override {}
-
-  std::uint64_t sense(world::World& world, const Space&, std::span<const std::uint32_t> due,
-                      std::uint64_t tick, world::Workers& workers) override {
-    workers.run(due.size(), 16, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) measure(world, due[i], tick);
-    });
-    return 0;
-  }
 
  private:
-  static void measure(world::World& world, std::uint32_t row, std::uint64_t tick);
+  void measure(world::World& world, std::uint32_t row, std::uint64_t tick) const override;
   static void begin(world::World& world, std::uint32_t row, const geom::SpatialPose& X_WB, Rng& rng);
-  static void believe(world::World& world, std::uint32_t row, double dt, const Quaternion& q_WB, const Vec3& f,
-                      double turn_error);
+  static void believe(world::World& world, std::uint32_t row, double dt, const Quaternion& q_WB,
+                      const Vec3& f, double turn_error);
 };
 
 /// How a point of a tree moves: as its body does, or, in the plane, as the robot drives.  [m/s, in W]
@@ -100,13 +92,11 @@ void ImuSense::begin(world::World& world, std::uint32_t row, const geom::Spatial
   imus.heading_error[row] = 0;
 }
 
-void ImuSense::measure(world::World& world, std::uint32_t row, std::uint64_t tick) {
+void ImuSense::measure(world::World& world, std::uint32_t row, std::uint64_t tick) const {
   world::Imus& imus = world.imus;
   const world::ModelRow model = imus.model[row];
-  const scene::ModelDesc& desc = world.desc(model);
-  const scene::ImuDesc& imu = *desc.imu;
-  const geom::SpatialPose X_WB = geom::compose(
-      {world.models.X_WM[model.index], world.models.tilt_WM[model.index]}, {desc.X_MB, geom::Tilt{}});
+  const scene::ImuDesc& imu = *world.desc(model).imu;
+  const geom::SpatialPose X_WB = body_pose(world, model);
   Rng rng(world.seed(), tick, {Purpose::kInertia, world.id(model).value});
   const bool is_first = imus.noted_tick[row] == 0;
   const std::uint64_t ticks = is_first ? 1 : tick - imus.noted_tick[row];
@@ -144,8 +134,8 @@ void ImuSense::measure(world::World& world, std::uint32_t row, std::uint64_t tic
 }
 
 /// Integrates what it felt: velocities first, as the readings are differences of those.
-void ImuSense::believe(world::World& world, std::uint32_t row, double dt, const Quaternion& q_WA, const Vec3& f,
-                       double turn_error) {
+void ImuSense::believe(world::World& world, std::uint32_t row, double dt, const Quaternion& q_WA,
+                       const Vec3& f, double turn_error) {
   world::Imus& imus = world.imus;
   const Quaternion q_WE = about({0, 0, imus.heading_error[row]}) * q_WA;
   const Vec3 v = imus.v_WE[row] + dt * (q_WE * f - Vec3{0, 0, world.scene().gravity});
