@@ -43,14 +43,6 @@ Placed model_in_world(const world::Models& models, std::uint32_t row) {
   return {{X_WM.x, X_WM.y, X_WM.z}, geom::orientation(X_WM.a, models.tilt_WM[row])};
 }
 
-/// A lamp that is not lit at the moment.
-bool is_switched_off(const world::World& world, std::uint32_t model) {
-  const scene::ModelKind kind = world.models.kind[model];
-  const bool has_switch =
-      kind == scene::ModelKind::kBlinkenlight || kind == scene::ModelKind::kLightindicator;
-  return has_switch && !world::is_lit(world, model);
-}
-
 /// Calls visit(model, begin, end) for the solids of each model.
 template <typename Visit>
 void each_model(const stage::Solids& solids, const Visit& visit) {
@@ -142,8 +134,7 @@ void CameraSense::place_bodies(const world::World& world, double time) {
     if (!(tint[3] > 0)) continue;
     const scene::ModelDesc& desc = world.desc({model});
     const Placed at = model_in_world(models, model);
-    const Vec3 middle{desc.X_MB.x, desc.X_MB.y, desc.X_MB.z + 0.5 * desc.size.z};
-    clouds_.push_back({at.p + at.q * middle,
+    clouds_.push_back({at.p + at.q * middle_of(desc),
                        at.q * geom::orientation(desc.X_MB.a, {}),
                        {0.5 * desc.size.x, 0.5 * desc.size.y, 0.5 * desc.size.z},
                        tint,
@@ -154,7 +145,7 @@ void CameraSense::place_bodies(const world::World& world, double time) {
 void CameraSense::place_lamps(const world::World& world) {
   lamps_.clear();
   for (const std::uint32_t model : shining_) {
-    if (is_switched_off(world, model)) continue;
+    if (!world::switch_of(world, model).value_or(true)) continue;
     const scene::ModelDesc& desc = world.desc({model});
     const Placed at = model_in_world(world.models, model);
     if (desc.lamp > 0) lamps_.push_back(lamp_of(desc, world.models.color[model], at.p, at.q));

@@ -106,12 +106,16 @@ mesh::Mesh mesh_of(const scene::ModelDesc& desc, const stage::Solids& solids, st
   return mesh;
 }
 
+Vec3 middle_of(const scene::ModelDesc& desc) {
+  return {desc.X_MB.x, desc.X_MB.y, desc.X_MB.z + 0.5 * desc.size.z};
+}
+
 render::Lamp lamp_of(const scene::ModelDesc& desc, const scene::Color& color, const geom::Vec3& p,
                      const geom::Quaternion& q) {
   const std::array<float, 4> light = light_of(color);
   const auto candela = static_cast<float>(std::min(desc.lamp, kMostCandela));
   render::Lamp lamp;
-  lamp.p = p + q * Vec3{desc.X_MB.x, desc.X_MB.y, desc.X_MB.z + 0.5 * desc.size.z};
+  lamp.p = p + q * middle_of(desc);
   lamp.light = {candela * light[0], candela * light[1], candela * light[2]};
   return lamp;
 }

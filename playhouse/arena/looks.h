@@ -24,6 +24,9 @@ std::array<float, 4> light_of(const scene::Color& color);
 /// speed, so that the strides follow from the speed, and the gait from the state alone. [m/s, rad, s]
 render::Gait gait_of(const geom::Vec3& v, double heading, double height, double time, std::uint32_t id);
 
+/// The middle of the body of a model.  [m, in M]
+geom::Vec3 middle_of(const scene::ModelDesc& desc);
+
 /// The lamp that is a model at p and q in W: in the middle of its body, every way alike.
 render::Lamp lamp_of(const scene::ModelDesc& desc, const scene::Color& color, const geom::Vec3& p,
                      const geom::Quaternion& q);

@@ -62,11 +62,15 @@ bool compares(const scene::Term& term, double number) {
 
 }  // namespace
 
-bool is_lit(const World& world, std::uint32_t model) {
+std::optional<bool> switch_of(const World& world, std::uint32_t model) {
   const std::uint32_t part = world.models.part[model];
   if (world.models.kind[model] == ModelKind::kBlinkenlight) return world.blinkenlights.lit[part] != 0;
   if (world.models.kind[model] == ModelKind::kLightindicator) return world.lightindicators.lit[part] != 0;
-  return world.desc({model}).lamp > 0;
+  return std::nullopt;
+}
+
+bool is_lit(const World& world, std::uint32_t model) {
+  return switch_of(world, model).value_or(world.desc({model}).lamp > 0);
 }
 
 Conditions::Conditions(const World& world, std::span<const std::string> texts) {

@@ -5,6 +5,7 @@
 /// none has as much.
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,6 +15,8 @@
 
 namespace playhouse::world {
 
+/// Whether a lamp that can be switched is on; none for what has no switch.
+std::optional<bool> switch_of(const World& world, std::uint32_t model);
 /// Whether a model gives light: a lamp that can be switched, while it is on; any other that has candela.
 bool is_lit(const World& world, std::uint32_t model);
 
