@@ -2,11 +2,7 @@
 
 #include <cmath>
 
-#include "playhouse/arena/engine.h"
-#include "playhouse/scene/world_loader.h"
-#include "playhouse/stage/engine.h"
-#include "playhouse/world/population.h"
-#include "playhouse/world/state.h"
+#include "playhouse/arena/testing_runs.h"
 
 namespace playhouse::arena {
 namespace {
@@ -29,29 +25,9 @@ scene::SceneDesc scene_of(const char* text) {
   return std::move(*scene);
 }
 
-class ArenaTest : public testing::Test {
+class ArenaTest : public ArenaRun {
  protected:
-  void start(const char* text, unsigned workers = 1) {
-    scene_ = std::make_unique<scene::SceneDesc>(scene_of(text));
-    engine_ = engine(workers);
-  }
-  std::unique_ptr<world::Engine> engine(unsigned workers) {
-    auto made = make_engine(*scene_, {.seed = 1, .workers = workers});
-    EXPECT_TRUE(made);
-    return std::move(*made);
-  }
-  world::World& world() { return engine_->world(); }
-  geom::Pose pose(const char* name) { return world().models.X_WM[world().find(name).index]; }
-  void drive(const char* name, geom::Twist velocity) {
-    const world::ModelRow row = world().find(name);
-    world::subscribe(world(), row);
-    ASSERT_TRUE(world::command_velocity(world(), world().position(world().id(row)), velocity));
-  }
-  void run(double seconds) {
-    for (int i = 0; i < std::lround(seconds * 10); ++i) engine_->step();
-  }
-  std::unique_ptr<scene::SceneDesc> scene_;
-  std::unique_ptr<world::Engine> engine_;
+  void start(const char* text, unsigned workers = 1) { ArenaRun::start(scene_of(text), workers); }
 };
 
 TEST_F(ArenaTest, what_physics_takes_bodies_for_can_be_told) {
@@ -229,32 +205,9 @@ TEST_F(ArenaTest, is_the_same_run_for_any_number_of_workers_and_from_any_saved_t
     if (tick == 25) ASSERT_TRUE(world::detach(world, world.id(world.find("high"))));
     if (tick == 30) ASSERT_TRUE(world::set_pose(world, world.find("box"), {0, 1, 0.5, 1}));
   };
-  constexpr int kTicks = 45;
-  std::vector<std::uint64_t> hashes;
-  std::vector<std::vector<std::byte>> saved(kTicks);
-  for (const unsigned workers : {1u, 3u}) {
-    engine_ = engine(workers);
-    std::vector<std::uint64_t> now;
-    for (int tick = 0; tick < kTicks; ++tick) {
-      command(world(), tick);
-      saved[tick].clear();
-      ASSERT_TRUE(world::save_state(world(), saved[tick]));
-      engine_->step();
-      now.push_back(world().hash());
-    }
-    if (hashes.empty()) hashes = now;
-    EXPECT_EQ(now, hashes);
-  }
-  for (int from = 1; from < kTicks; from += 3) {
-    engine_ = engine(2);
-    ASSERT_TRUE(world::load_state(world(), saved[from]));
-    for (const char* name : {"a", "b"}) world::subscribe(world(), world().find(name));
-    for (int tick = from; tick < kTicks; ++tick) {
-      if (tick > from) command(world(), tick);
-      engine_->step();
-      ASSERT_EQ(world().hash(), hashes[tick]) << "from " << from << " at " << tick;
-    }
-  }
+  expect_the_same_run(45, 3, command, [](world::World& world) {
+    for (const char* name : {"a", "b"}) world::subscribe(world, world.find(name));
+  });
 }
 
 TEST_F(ArenaTest, runs_bodies_that_enclose_nothing) {

@@ -6,34 +6,15 @@
 
 #include <cmath>
 
-#include "playhouse/arena/engine.h"
 #include "playhouse/arena/looks.h"
-#include "playhouse/scene/world_loader.h"
+#include "playhouse/arena/testing_runs.h"
 #include "playhouse/stage/camera_image.h"
-#include "playhouse/stage/engine.h"
-#include "playhouse/world/population.h"
-#include "playhouse/world/state.h"
 
 namespace playhouse::arena {
 namespace {
 
-struct Session {
-  std::unique_ptr<scene::SceneDesc> scene;
-  std::unique_ptr<world::Engine> engine;
-
-  Session(const std::string& text, bool arena, unsigned workers = 1) {
-    scene::MemoryFiles files({{"w.world", text}});
-    Result<scene::SceneDesc> loaded = scene::load_world_text(text, "w.world", files);
-    EXPECT_TRUE(loaded) << loaded.error().line();
-    scene = std::make_unique<scene::SceneDesc>(std::move(*loaded));
-    engine = arena ? std::move(*make_engine(*scene, {.seed = 1, .workers = workers}))
-                   : std::move(*stage::make_engine(*scene, {.seed = 1, .workers = workers}));
-  }
-  world::World& world() { return engine->world(); }
-  Session& step(int ticks = 1) {
-    for (int i = 0; i < ticks; ++i) engine->step();
-    return *this;
-  }
+struct Session : EngineRun {
+  using EngineRun::EngineRun;
   /// Of a camera, in the order of the file.
   std::vector<std::uint32_t> image(std::size_t camera) {
     std::vector<std::uint32_t> samples;
@@ -188,7 +169,8 @@ camera( name "eye" pose [0 0 1 0] alwayson 1 resolution [40 30] range [0.1 12] n
   EXPECT_NE(first.image(0), middle) << "somebody walks there";
   second.step(3);
   ASSERT_TRUE(world::load_state(second.world(), saved));
-  EXPECT_EQ(second.step(5).image(0), first.image(0));
+  second.step(5);
+  EXPECT_EQ(second.image(0), first.image(0));
 }
 
 TEST(CameraSense, people_are_people) {

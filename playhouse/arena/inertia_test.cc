@@ -5,10 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "playhouse/arena/engine.h"
-#include "playhouse/scene/world_loader.h"
-#include "playhouse/stage/engine.h"
-#include "playhouse/world/population.h"
+#include "playhouse/arena/testing_runs.h"
 
 namespace playhouse::arena {
 namespace {
@@ -17,25 +14,10 @@ using geom::Vec3;
 
 constexpr double kGravity = 9.81;
 
-struct Session {
-  std::unique_ptr<scene::SceneDesc> scene;
-  std::unique_ptr<world::Engine> engine;
-
-  Session(const std::string& text, bool arena, unsigned workers = 1) {
-    scene::MemoryFiles files({{"w.world", text}});
-    Result<scene::SceneDesc> loaded = scene::load_world_text(text, "w.world", files);
-    EXPECT_TRUE(loaded) << loaded.error().line();
-    scene = std::make_unique<scene::SceneDesc>(std::move(*loaded));
-    engine = arena ? std::move(*make_engine(*scene, {.seed = 1, .workers = workers}))
-                   : std::move(*stage::make_engine(*scene, {.seed = 1, .workers = workers}));
-  }
-  world::World& world() { return engine->world(); }
+struct Session : EngineRun {
+  using EngineRun::EngineRun;
   world::Imus& imus() { return world().imus; }
   world::Receivers& receivers() { return world().receivers; }
-  Session& step(int ticks = 1) {
-    for (int i = 0; i < ticks; ++i) engine->step();
-    return *this;
-  }
 };
 
 void expect_near(const Vec3& is, const Vec3& wanted, double error) {

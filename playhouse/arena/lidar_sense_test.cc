@@ -6,31 +6,14 @@
 
 #include <cmath>
 
-#include "playhouse/arena/engine.h"
-#include "playhouse/scene/world_loader.h"
-#include "playhouse/stage/engine.h"
-#include "playhouse/world/population.h"
+#include "playhouse/arena/testing_runs.h"
 
 namespace playhouse::arena {
 namespace {
 
-struct Session {
-  std::unique_ptr<scene::SceneDesc> scene;
-  std::unique_ptr<world::Engine> engine;
-
-  Session(const char* text, bool arena, unsigned workers = 1) {
-    scene::MemoryFiles files({{"w.world", text}});
-    Result<scene::SceneDesc> loaded = scene::load_world_text(text, "w.world", files);
-    EXPECT_TRUE(loaded) << loaded.error().line();
-    scene = std::make_unique<scene::SceneDesc>(std::move(*loaded));
-    engine = arena ? std::move(*make_engine(*scene, {.seed = 1, .workers = workers}))
-                   : std::move(*stage::make_engine(*scene, {.seed = 1, .workers = workers}));
+struct Session : EngineRun {
+  Session(const char* text, bool arena, unsigned workers = 1) : EngineRun(text, arena, workers) {
     for (const world::ModelRow ranger : world().rangers.model) world::subscribe(world(), ranger);
-  }
-  world::World& world() { return engine->world(); }
-  Session& step(int ticks = 1) {
-    for (int i = 0; i < ticks; ++i) engine->step();
-    return *this;
   }
   float range(std::size_t beam) { return world().sensors.ranges[beam]; }
   float intensity(std::size_t beam) { return world().sensors.intensities[beam]; }
@@ -99,7 +82,8 @@ model( name "post" pose [0 0 0 0] size [0.2 0.2 0.5]
   ranger( pose [0 0 0.5 0] size [0.02 0.02 0.02] alwayson 1 sensor( samples 3 fov 20 range [0 8] ) ) )
 )";
   Session run(kPlank, true);
-  EXPECT_NEAR(run.step().range(1), 1.95, 1e-4) << "stands";
+  run.step();
+  EXPECT_NEAR(run.range(1), 1.95, 1e-4) << "stands";
   const world::ModelRow plank = run.world().find("plank");
   world::wake(run.world().models);
   run.world().models.V_WM.set(plank.index, {{}, {1, 0, 0}});

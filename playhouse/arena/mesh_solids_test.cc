@@ -7,12 +7,9 @@
 #include <cmath>
 #include <fstream>
 
-#include "playhouse/arena/engine.h"
 #include "playhouse/arena/surface.h"
+#include "playhouse/arena/testing_runs.h"
 #include "playhouse/mesh/testing_meshes.h"
-#include "playhouse/scene/world_loader.h"
-#include "playhouse/world/population.h"
-#include "playhouse/world/state.h"
 
 namespace playhouse::arena {
 namespace {
@@ -22,7 +19,7 @@ std::string file(const std::string& name) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-class MeshTest : public testing::Test {
+class MeshTest : public ArenaRun {
  protected:
   void start(const std::string& text) {
     std::map<std::string, std::string> files{{"box.obj", mesh::test_obj()}};
@@ -30,27 +27,9 @@ class MeshTest : public testing::Test {
     scene::MemoryFiles memory(files);
     Result<scene::SceneDesc> scene = scene::load_world_text("interval_sim 100\n" + text, "w.world", memory);
     ASSERT_TRUE(scene) << scene.error().line();
-    scene_ = std::make_unique<scene::SceneDesc>(std::move(*scene));
-    engine_ = engine(1);
+    ArenaRun::start(std::move(*scene));
   }
-  std::unique_ptr<world::Engine> engine(unsigned workers) {
-    auto made = make_engine(*scene_, {.seed = 1, .workers = workers});
-    EXPECT_TRUE(made);
-    return std::move(*made);
-  }
-  world::World& world() { return engine_->world(); }
   std::uint32_t row(const char* name) { return world().find(name).index; }
-  const geom::Pose& pose(const char* name) { return world().models.X_WM[row(name)]; }
-  void drive(const char* name, geom::Twist velocity) {
-    const world::ModelRow model = world().find(name);
-    world::subscribe(world(), model);
-    ASSERT_TRUE(world::command_velocity(world(), world().position(world().id(model)), velocity));
-  }
-  void run(double seconds) {
-    for (int i = 0; i < std::lround(seconds * 10); ++i) engine_->step();
-  }
-  std::unique_ptr<scene::SceneDesc> scene_;
-  std::unique_ptr<world::Engine> engine_;
 };
 
 constexpr const char* kRover =
@@ -128,31 +107,12 @@ TEST_F(MeshTest, is_the_same_run_for_any_number_of_workers_and_from_any_saved_ti
         "model( name \"ramp\" mesh \"ramp.dae\" )\nmodel( name \"barrel\" mesh \"barrel.dae\" pose [0.3 0 "
         "0.5 0] )\n"
         "model( name \"table\" mesh \"table.dae\" pose [0.1 0 1.5 0] )");
-  constexpr int kTicks = 50;
-  std::vector<std::uint64_t> hashes;
-  std::vector<std::vector<std::byte>> saved(kTicks);
-  for (const unsigned workers : {1u, 3u}) {
-    engine_ = engine(workers);
-    drive("rover", {0.5, 0, 0, 0});
-    std::vector<std::uint64_t> now;
-    for (int tick = 0; tick < kTicks; ++tick) {
-      saved[tick].clear();
-      ASSERT_TRUE(world::save_state(world(), saved[tick]));
-      engine_->step();
-      now.push_back(world().hash());
-    }
-    if (hashes.empty()) hashes = now;
-    EXPECT_EQ(now, hashes);
-  }
-  for (int from = 1; from < kTicks; from += 7) {
-    engine_ = engine(2);
-    ASSERT_TRUE(world::load_state(world(), saved[from]));
-    world::subscribe(world(), world().find("rover"));
-    for (int tick = from; tick < kTicks; ++tick) {
-      engine_->step();
-      ASSERT_EQ(world().hash(), hashes[tick]) << "from " << from << " at " << tick;
-    }
-  }
+  expect_the_same_run(
+      50, 7,
+      [&](world::World&, int tick) {
+        if (tick == 0) drive("rover", {0.5, 0, 0, 0});
+      },
+      [](world::World& world) { world::subscribe(world, world.find("rover")); });
 }
 
 TEST(HullContent, is_that_of_a_box_wherever_it_is) {
