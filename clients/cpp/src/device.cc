@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "done.h"
 #include "playhouse/wire/generated/player.h"
 #include "playhouse_client/client.h"
 #include "session.h"
@@ -135,6 +136,14 @@ const std::vector<std::byte>* Device::latest_bytes(std::uint8_t subtype) const {
   return found == slot_->latest.end() ? nullptr : &found->second.body;
 }
 
+void Device::keep(std::size_t most) {
+  slot_->kept_limit = most;
+}
+
+std::deque<Device::Bytes> Device::take_kept() {
+  return is_open() ? std::exchange(slot_->kept, {}) : std::deque<Bytes>();
+}
+
 double Device::timestamp(std::uint8_t subtype) const {
   if (!is_open()) return 0;
   const auto found = slot_->latest.find(subtype);
@@ -167,8 +176,7 @@ Result<void> set(Device& device, std::uint8_t subtype, std::string_view key, Val
   Req body;
   body.key = wire::c_string(key);
   body.value = std::move(value);
-  const auto done = device.request(subtype, body);
-  return done ? Result<void>() : done.error();
+  return done(device.request(subtype, body));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "convert.h"
+#include "done.h"
 
 namespace playhouse::client {
 
@@ -35,8 +36,7 @@ Result<fiducial::Fov> Fiducial::field_of_view() {
 }
 
 Result<void> Fiducial::set_field_of_view(const fiducial::Fov& fov) {
-  const auto done = device_.request(fiducial::kReqSetFov, fov);
-  return done ? Result<void>() : done.error();
+  return done(device_.request(fiducial::kReqSetFov, fov));
 }
 
 Result<Geometry> Fiducial::geometry() {

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "convert.h"
+#include "done.h"
 #include "finite.h"
 
 namespace playhouse::client {
@@ -10,10 +11,6 @@ namespace playhouse::client {
 namespace imu = wire::imu;
 
 namespace {
-
-Result<void> done(const Result<Nothing>& answer) {
-  return answer ? Result<void>() : answer.error();
-}
 
 Inertia inertia_of(const imu::DataCalib& data) {
   return {{data.accel_x, data.accel_y, data.accel_z},

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "convert.h"
+#include "done.h"
 
 namespace playhouse::client {
 
@@ -35,8 +36,7 @@ Result<laser::Config> Laser::config() {
 }
 
 Result<void> Laser::set_config(const laser::Config& config) {
-  const auto done = device_.request(laser::kReqSetConfig, config);
-  return done ? Result<void>() : done.error();
+  return done(device_.request(laser::kReqSetConfig, config));
 }
 
 Result<Geometry> Laser::geometry() {

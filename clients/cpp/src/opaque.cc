@@ -2,9 +2,9 @@
 
 #include <utility>
 
+#include "done.h"
 #include "playhouse/base/limits.h"
 #include "playhouse/wire/codec.h"
-#include "session.h"
 
 namespace playhouse::client {
 
@@ -31,7 +31,7 @@ Result<Opaque> Opaque::open(Client& client, std::uint16_t index, Access access) 
 }
 
 Opaque::Opaque(Device device) : device_(std::move(device)) {
-  device_.slot_->kept_limit = kWaiting;
+  device_.keep(kWaiting);
 }
 
 Result<void> Opaque::send(std::string_view message) {
@@ -42,14 +42,12 @@ Result<void> Opaque::send(std::string_view message) {
 Result<void> Opaque::send_to(std::string_view address, std::string_view message) {
   const auto data = on_wire(device_, wire::c_string(address).append(message));
   if (!data) return data.error();
-  const auto done = device_.request(opaque::kReqData, *data);
-  return done ? Result<void>() : done.error();
+  return done(device_.request(opaque::kReqData, *data));
 }
 
 std::vector<std::string> Opaque::take_messages() {
   std::vector<std::string> taken;
-  if (!device_.is_open()) return taken;
-  for (const std::vector<std::byte>& body : std::exchange(device_.slot_->kept, {})) {
+  for (const std::vector<std::byte>& body : device_.take_kept()) {
     const opaque::Data data = *wire::decode<opaque::Data>(body);  // checked when it came
     taken.emplace_back(data.data.begin(), data.data.end());
   }

@@ -3,19 +3,12 @@
 #include <utility>
 
 #include "convert.h"
+#include "done.h"
 #include "finite.h"
 
 namespace playhouse::client {
 
 namespace position2d = wire::position2d;
-
-namespace {
-
-Result<void> done(const Result<Nothing>& answer) {
-  return answer ? Result<void>() : answer.error();
-}
-
-}  // namespace
 
 Result<Position2d> Position2d::open(Client& client, std::uint16_t index, Access access) {
   Result<Device> device = Device::open(client, position2d::kCode, index, access);
@@ -87,10 +80,7 @@ Result<Geometry> Position2d::geometry() {
 }
 
 Result<void> Position2d::close() {
-  if (!device_.is_open()) return {};
-  const Result<void> stopped = moving_ && !device_.gone() ? stop() : Result<void>();
-  const Result<void> closed = device_.close();
-  return stopped ? closed : stopped;
+  return stop_and_close(*this, moving_);
 }
 
 }  // namespace playhouse::client

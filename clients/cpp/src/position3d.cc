@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "convert.h"
+#include "done.h"
 #include "finite.h"
 
 namespace playhouse::client {
@@ -10,10 +11,6 @@ namespace playhouse::client {
 namespace position3d = wire::position3d;
 
 namespace {
-
-Result<void> done(const Result<Nothing>& answer) {
-  return answer ? Result<void>() : answer.error();
-}
 
 Result<void> finite_pose(const Device& device, std::string_view what, const Pose3d& p) {
   return finite(device, what, {p.x, p.y, p.z, p.roll, p.pitch, p.yaw});
@@ -84,10 +81,7 @@ Result<Geometry> Position3d::geometry() {
 }
 
 Result<void> Position3d::close() {
-  if (!device_.is_open()) return {};
-  const Result<void> stopped = moving_ && !device_.gone() ? stop() : Result<void>();
-  const Result<void> closed = device_.close();
-  return stopped ? closed : stopped;
+  return stop_and_close(*this, moving_);
 }
 
 }  // namespace playhouse::client

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "convert.h"
+#include "done.h"
 #include "finite.h"
 
 namespace playhouse::client {
@@ -40,8 +41,7 @@ Result<void> Ptz::turn(double pan_speed, double tilt_speed) {
 
 Result<void> Ptz::set_velocity_control(bool on) {
   const std::uint32_t mode = on ? ptz::kVelocityControl : ptz::kPositionControl;
-  const auto done = device_.request(ptz::kReqControlMode, ptz::ReqControlMode{mode});
-  return done ? Result<void>() : done.error();
+  return done(device_.request(ptz::kReqControlMode, ptz::ReqControlMode{mode}));
 }
 
 Result<Geometry> Ptz::geometry() {

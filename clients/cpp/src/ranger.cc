@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "convert.h"
+#include "done.h"
 
 namespace playhouse::client {
 
@@ -61,13 +62,11 @@ Result<void> Ranger::set_config(const ranger::Config& config) {
 }
 
 Result<void> Ranger::set_power(bool on) {
-  const auto done = device_.request(ranger::kReqPower, ranger::PowerConfig{static_cast<std::uint8_t>(on)});
-  return done ? Result<void>() : done.error();
+  return done(device_.request(ranger::kReqPower, ranger::PowerConfig{static_cast<std::uint8_t>(on)}));
 }
 
 Result<void> Ranger::set_intensities(bool on) {
-  const auto done = device_.request(ranger::kReqIntns, ranger::IntnsConfig{static_cast<std::uint8_t>(on)});
-  return done ? Result<void>() : done.error();
+  return done(device_.request(ranger::kReqIntns, ranger::IntnsConfig{static_cast<std::uint8_t>(on)}));
 }
 
 }  // namespace playhouse::client

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "convert.h"
+#include "done.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/wire/codec.h"
 #include "session.h"
@@ -111,8 +112,7 @@ Result<std::string> Simulation::ask_world(std::string_view name, std::string_vie
 }
 
 Result<void> Simulation::join(std::string_view name) {
-  const auto done = ask_world("", "join", wire::c_string(name), patience());
-  return done ? Result<void>() : done.error();
+  return done(ask_world("", "join", wire::c_string(name), patience()));
 }
 
 Result<void> Simulation::step(std::uint32_t ticks) {
@@ -127,8 +127,7 @@ Result<void> Simulation::step(std::uint32_t ticks, Seconds patience) {
 }
 
 Result<void> Simulation::reset(std::uint64_t seed) {
-  const auto done = ask_world("", "reset", raw(seed), patience());
-  return done ? Result<void>() : done.error();
+  return done(ask_world("", "reset", raw(seed), patience()));
 }
 
 Result<std::string> Simulation::spawn(std::string_view like, const Pose& pose, std::string_view name) {
@@ -140,8 +139,7 @@ Result<std::string> Simulation::spawn(std::string_view like, const Pose& pose, s
 }
 
 Result<void> Simulation::remove(std::string_view name) {
-  const auto done = ask_world(name, "remove", {}, patience());
-  return done ? Result<void>() : done.error();
+  return done(ask_world(name, "remove", {}, patience()));
 }
 
 }  // namespace playhouse::client

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "convert.h"
+#include "done.h"
 
 namespace playhouse::client {
 
@@ -28,8 +29,7 @@ Result<std::vector<Pose3d>> Sonar::poses() {
 }
 
 Result<void> Sonar::set_power(bool on) {
-  const auto done = device_.request(sonar::kReqPower, sonar::PowerConfig{static_cast<std::uint8_t>(on)});
-  return done ? Result<void>() : done.error();
+  return done(device_.request(sonar::kReqPower, sonar::PowerConfig{static_cast<std::uint8_t>(on)}));
 }
 
 }  // namespace playhouse::client

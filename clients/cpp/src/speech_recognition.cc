@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "playhouse/wire/codec.h"
-#include "session.h"
 
 namespace playhouse::client {
 
@@ -16,13 +15,12 @@ Result<SpeechRecognition> SpeechRecognition::open(Client& client, std::uint16_t 
 }
 
 SpeechRecognition::SpeechRecognition(Device device) : device_(std::move(device)) {
-  device_.slot_->kept_limit = kWaiting;
+  device_.keep(kWaiting);
 }
 
 std::vector<std::string> SpeechRecognition::take_texts() {
   std::vector<std::string> taken;
-  if (!device_.is_open()) return taken;
-  for (const std::vector<std::byte>& body : std::exchange(device_.slot_->kept, {})) {
+  for (const std::vector<std::byte>& body : device_.take_kept()) {
     const heard::Data data = *wire::decode<heard::Data>(body);  // checked when it came
     taken.emplace_back(wire::text(data.text));
   }

@@ -8,7 +8,7 @@ first data of the device. next_data() and updates() wait.
 import collections
 import math
 import struct
-from typing import Any, Deque, Iterator, List, NamedTuple, Optional, Tuple, cast
+from typing import Any, Deque, Generic, Iterator, List, NamedTuple, Optional, Tuple, TypeVar, cast
 
 from .device import Device
 from .errors import InvalidValue, RequestRefused, RunEnded, WireError
@@ -16,6 +16,7 @@ from .generated import aio, bumper, camera, common, fiducial, gps, imu, laser, o
 from .generated import simulation, sonar, speech, speech_recognition
 from .wire import MessageType, Struct, c_string, text
 
+Kept = TypeVar("Kept")
 
 _ENDED = "the run has ended"  # why the server refuses a step then
 
@@ -649,13 +650,36 @@ class Aio(Device):
         self.command(aio.CMD_STATE, aio.Cmd(output, voltage))
 
 
-class Opaque(Device):
-    """Messages of bytes: of a simulated radio, those between robots; of other drivers what they make of them."""
+class _Keeping(Device, Generic[Kept]):
+    """Whose data are each of their own: they are kept until somebody takes them."""
 
-    WAITING = 1024  # messages kept for take_messages(); of more the oldest are lost
+    WAITING = 1024  # kept; of more the oldest are lost
 
     def prepare(self) -> None:
-        self._messages: Deque[bytes] = collections.deque(maxlen=self.WAITING)
+        self._kept: Deque[Kept] = collections.deque(maxlen=self.WAITING)
+
+    def updates(self, timeout: Optional[float] = None) -> Iterator[Kept]:
+        """Reads for ever: each of them. Raises RequestTimeout."""
+        while True:
+            while self._kept:
+                yield self._kept.popleft()
+            self.next_data(timeout)
+
+    def take(self, message: MessageType, value: Struct, timestamp: float) -> None:
+        self._kept.append(self._meaning(value))
+        super().take(message, value, timestamp)
+
+    def _meaning(self, value: Struct) -> Kept:
+        raise NotImplementedError
+
+    def _take_kept(self) -> List[Kept]:
+        taken = list(self._kept)
+        self._kept.clear()
+        return taken
+
+
+class Opaque(_Keeping[bytes]):
+    """Messages of bytes: of a simulated radio, those between robots; of other drivers what they make of them."""
 
     def send(self, message: bytes) -> None:
         """To the driver; a radio sends it to all who hear it."""
@@ -668,20 +692,10 @@ class Opaque(Device):
 
     def take_messages(self) -> List[bytes]:
         """Those that read() brought since the last call, in their order."""
-        taken = list(self._messages)
-        self._messages.clear()
-        return taken
+        return self._take_kept()
 
-    def updates(self, timeout: Optional[float] = None) -> Iterator[bytes]:
-        """Reads for ever: every message. Raises RequestTimeout."""
-        while True:
-            while self._messages:
-                yield self._messages.popleft()
-            self.next_data(timeout)
-
-    def take(self, message: MessageType, value: Struct, timestamp: float) -> None:
-        self._messages.append(bytes(cast(opaque.Data, value).data))
-        super().take(message, value, timestamp)
+    def _meaning(self, value: Struct) -> bytes:
+        return bytes(cast(opaque.Data, value).data)
 
 
 class Speech(Device):
@@ -692,30 +706,15 @@ class Speech(Device):
         self.command(speech.CMD_SAY, speech.Cmd(c_string(text)))
 
 
-class SpeechRecognition(Device):
+class SpeechRecognition(_Keeping[str]):
     """What others say, as a robot hears it."""
-
-    WAITING = 1024  # texts kept for take_texts(); of more the oldest are lost
-
-    def prepare(self) -> None:
-        self._texts: Deque[str] = collections.deque(maxlen=self.WAITING)
 
     def take_texts(self) -> List[str]:
         """Those that read() brought since the last call, in their order."""
-        taken = list(self._texts)
-        self._texts.clear()
-        return taken
+        return self._take_kept()
 
-    def updates(self, timeout: Optional[float] = None) -> Iterator[str]:
-        """Reads for ever: every text. Raises RequestTimeout."""
-        while True:
-            while self._texts:
-                yield self._texts.popleft()
-            self.next_data(timeout)
-
-    def take(self, message: MessageType, value: Struct, timestamp: float) -> None:
-        self._texts.append(text(cast(speech_recognition.Data, value).text))
-        super().take(message, value, timestamp)
+    def _meaning(self, value: Struct) -> str:
+        return text(cast(speech_recognition.Data, value).text)
 
 
 class Simulation(Device):

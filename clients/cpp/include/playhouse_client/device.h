@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -122,6 +123,9 @@ class Device {
   Result<std::optional<Bytes>> ask_bytes(std::uint8_t subtype, std::span<const std::byte> body);
   Result<void> command_bytes(std::uint8_t subtype, std::span<const std::byte> body);
   const std::vector<std::byte>* latest_bytes(std::uint8_t subtype) const;
+  /// Bodies of data stay until take_kept(), the newest so many, in the order in which they came.
+  void keep(std::size_t most);
+  std::deque<Bytes> take_kept();
   Error undecoded(std::uint8_t subtype, std::string_view what) const;
   Result<void> usable() const;
 
