@@ -281,17 +281,9 @@ class EveryColumn : public ::testing::Test {
     world.wifis.incoming[0][0].size = world.wifis.outgoing[0][0].size = 1;  // as the lists of bytes have it
   }
 
-  /// The values of a column, whichever table it is of.
   template <typename Table, typename Values>
   static const Values& column_of(const World& world, const Column<Table, Values>& column) {
-    const Values* found = nullptr;
-    each_column(
-        [&](const auto& each, const auto& values) {
-          if constexpr (std::is_same_v<std::remove_cvref_t<decltype(each)>, Column<Table, Values>>)
-            if (each.values == column.values) found = &values;
-        },
-        world);
-    return *found;
+    return world.*std::get<Table Tables::*>(kTables).*column.values;
   }
 
   static scene::SceneDesc make_scene() {

@@ -7,7 +7,7 @@ import unittest
 from house import ROOT, HouseTest, finish
 
 sys.path.insert(0, str(ROOT / "clients/python"))
-from playhouse_client import RequestRefused, connect  # noqa: E402
+from playhouse_client import Mode, RequestRefused, connect  # noqa: E402
 from playhouse_client.generated import imu  # noqa: E402
 
 ROOM = """
@@ -93,17 +93,20 @@ class Sensors(HouseTest):
             self.assertIn(wanted, done.stdout + done.stderr, words)
 
     def test_the_world_that_comes_with_it_shows_what_it_says(self) -> None:
-        with self.run_house("--speed", 2, "--engine", "arena", world=ROOT / "worlds" / "outdoor.world") as house, \
-                connect(f":{house.port()}") as client:
-            robot = client.robot("r0")
-            points = next(robot.pointcloud3d.updates(20))
+        with self.run_house("--lock-step", "reader", "--engine", "arena",
+                            world=ROOT / "worlds" / "outdoor.world") as house, \
+                connect(f":{house.port()}", mode=Mode.PUSH, timeout=60) as client:
+            world, robot = client.simulation(0), client.robot("r0")
+            cloud, receiver, unit = robot.pointcloud3d, robot.gps, robot.imu
+            world.join("reader")
+            world.step(300)  # 3 s
+            points = cloud.points
             self.assertGreater(len(points), 2000)
             self.assertGreater(max(math.dist(point[:3], (0, 0, 0)) for point in points), 6)
-            robot.gps.next_data(20)
-            self.assertAlmostEqual(robot.gps.fix.latitude, 50.7747, delta=1e-3)
-            next_pose = robot.imu
-            next_pose.next_data(20)
-            self.assertLess(abs(next_pose.pose.x + 2), 2)
+            self.assertAlmostEqual(receiver.fix.latitude, 50.7747, delta=1e-3)
+            believed, true = unit.pose, world.pose("r0")
+            self.assertGreater(math.dist((true.x, true.y), (-2, 0)), 0.3)
+            self.assertLess(math.dist((believed.x, believed.y), (true.x, true.y)), 0.4)
 
 
 if __name__ == "__main__":

@@ -39,6 +39,7 @@ test('the own body moves in the picture before the program has even heard of it'
   await page.keyboard.press('Enter');
   await page.waitForFunction(() => window.playhouse.eye !== null);
   proxy.delay(kDelayMs);
+  proxy.hold();
   await page.evaluate(() => {
     const [from, shown] = [window.playhouse.drawn('Ada'), window.playhouse.pose('Ada')];
     window.moved = new Promise((done) => {
@@ -53,6 +54,7 @@ test('the own body moves in the picture before the program has even heard of it'
   await page.keyboard.down('s');
   const { told } = await page.evaluate(() => window.moved);
   assert.ok(told < 0.001, `the program had moved it by ${told} m already`);
+  proxy.release();
   const from = await pose(page);
   await page.waitForFunction(({ x, y }) => Math.hypot(window.playhouse.pose('Ada').x - x, window.playhouse.pose('Ada').y - y) > 0.5, from);
   await page.keyboard.up('s');
