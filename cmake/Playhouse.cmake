@@ -8,6 +8,13 @@ if(CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE})
 endif()
 
+if(CMAKE_CXX_COMPILER_ID STREQUAL Clang)  # a program of tests with the sanitizers: 0.5 s, 2 s with binutils' linker
+  find_program(LLD ld.lld)
+  if(LLD)
+    add_link_options(-fuse-ld=lld)
+  endif()
+endif()
+
 # Warnings are for this folder and those below it: a project that takes this one in as a part chooses its own.
 add_compile_options(-Wall -Wextra -Wconversion -Wno-sign-conversion)
 if(PLAYHOUSE_WERROR)
@@ -38,8 +45,7 @@ endif()
 
 # How files of tests are compiled, beside the options of all.
 function(playhouse_test_options TARGET)
-  cmake_parse_arguments(ARG "OPTIMISED" "" "" ${ARGN})
-  if(PLAYHOUSE_SANITIZE AND NOT ARG_OPTIMISED)  # which takes the compiler twice as long
+  if(PLAYHOUSE_SANITIZE)  # optimised they take the compiler twice as long
     target_compile_options(${TARGET} PRIVATE -O0)
   endif()
   if(PLAYHOUSE_FUZZ)  # what fuzzers cover is the libraries
@@ -48,14 +54,15 @@ function(playhouse_test_options TARGET)
 endfunction()
 
 include(${CMAKE_CURRENT_LIST_DIR}/Precompiled.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/Unity.cmake)
 
-# playhouse_module(NAME DEPS a b c EXCEPT x.cc OPTIMISED_TESTS)
+# playhouse_module(NAME DEPS a b c EXCEPT x.cc ALONE y.cc)
 # Declares the library playhouse_NAME from the folder's *.cc (and generated/*.cc, and one level of folders below it).
 # Beside a foo.cc: foo_test.cc goes into the test program, foo_bench.cc into the bench program and
 # each foo_fuzz.cc becomes a libFuzzer program of its own. main.cc and what EXCEPT names are left to the caller.
-# OPTIMISED_TESTS: its tests compute a lot, and are optimised under sanitizers too.
+# ALONE: see Unity.cmake.
 function(playhouse_module NAME)
-  cmake_parse_arguments(ARG "OPTIMISED_TESTS" "" "DEPS;EXCEPT" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "DEPS;EXCEPT;ALONE" ${ARGN})
   file(GLOB SOURCES CONFIGURE_DEPENDS *.cc */*.cc)
   set(TESTS ${SOURCES})
   set(BENCHES ${SOURCES})
@@ -72,6 +79,7 @@ function(playhouse_module NAME)
   if(SOURCES)
     add_library(${TARGET} STATIC ${SOURCES})
     playhouse_precompile(${TARGET} library)
+    playhouse_unity(${TARGET} ${ARG_ALONE})
     set(SCOPE PUBLIC)
   else()
     add_library(${TARGET} INTERFACE)
@@ -83,12 +91,8 @@ function(playhouse_module NAME)
     add_executable(${TARGET}_test ${TESTS})
     target_link_libraries(${TARGET}_test PRIVATE ${TARGET} rapidcheck rapidcheck_gtest GTest::gtest GTest::gmock GTest::gtest_main)
     target_compile_definitions(${TARGET}_test PRIVATE PLAYHOUSE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-    if(ARG_OPTIMISED_TESTS)
-      playhouse_test_options(${TARGET}_test OPTIMISED)
-    else()
-      playhouse_test_options(${TARGET}_test)
-      playhouse_precompile(${TARGET}_test test)
-    endif()
+    playhouse_test_options(${TARGET}_test)
+    playhouse_precompile(${TARGET}_test test)
     gtest_discover_tests(${TARGET}_test TEST_PREFIX "${NAME}." DISCOVERY_TIMEOUT 120
       PROPERTIES TIMEOUT 300 ENVIRONMENT RC_PARAMS=seed=1)  # laws draw the same cases in every run: a red one can be repeated
   endif()

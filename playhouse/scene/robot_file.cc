@@ -1,8 +1,8 @@
 #include "playhouse/scene/robot_file.h"
 
-// toml++ 3.3 takes two things for impossible that bytes of a file can be, and a release may assume that they are not. Both
-// have a right way on: "[," begins with no key, which is found and told next; a character that is in none of the ranges
-// of blanks (U+02DB) is none.
+// toml++ 3.3 takes two things for impossible that bytes of a file can be, and a release may assume that they
+// are not. Both have a right way on: "[," begins with no key, which is found and told next; a character that
+// is in none of the ranges of blanks (U+02DB) is none.
 #undef NDEBUG
 #define TOML_ASSERT(expr) static_cast<void>(0)
 #define TOML_EXCEPTIONS 0
