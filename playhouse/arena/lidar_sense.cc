@@ -248,6 +248,10 @@ void LidarSense::store(world::World& world, const LidarBeams& beams, std::uint32
     scratch.range[k] = std::min(range, beams.range_max[k]);
   }
   world::Sensors& sensors = world.sensors;
+  std::vector<float>& ring_ranges = world.rangers.ring_ranges[ranger];
+  std::vector<float>& ring_intensities = world.rangers.ring_intensities[ranger];
+  ring_ranges.clear();
+  ring_intensities.clear();
   for (std::uint32_t i = 0; i < beams.sensors.size(); ++i) {
     const LidarBeams::Sensor& sensor = beams.sensors[i];
     const std::uint32_t row = world.rangers.first_sensor[ranger] + i, to = sensors.first_beam[row];
@@ -259,8 +263,9 @@ void LidarSense::store(world::World& world, const LidarBeams& beams, std::uint32
     if (sensor.rings == 1) continue;
     const auto begin = static_cast<std::ptrdiff_t>(sensor.first);
     const auto end = begin + static_cast<std::ptrdiff_t>(std::size_t{sensor.samples} * sensor.rings);
-    sensors.ring_ranges[row].assign(scratch.range.begin() + begin, scratch.range.begin() + end);
-    sensors.ring_intensities[row].assign(scratch.intensity.begin() + begin, scratch.intensity.begin() + end);
+    ring_ranges.insert(ring_ranges.end(), scratch.range.begin() + begin, scratch.range.begin() + end);
+    ring_intensities.insert(ring_intensities.end(), scratch.intensity.begin() + begin,
+                            scratch.intensity.begin() + end);
   }
 }
 

@@ -161,7 +161,7 @@ position( name "r" pose [0.3 -0.2 0 33] size [0.4 0.4 0.4] obstacle_return 0
   const world::ModelRow ranger = world.rangers.model[0];
   const scene::RangerSensorDesc& sensor = world.desc(ranger).sensors[0];
   const geom::Pose& X = world.models.X_WM[ranger.index];
-  ASSERT_EQ(world.sensors.ring_ranges[0].size(), 16 * 61u);
+  ASSERT_EQ(world.rangers.ring_ranges[0].size(), 16 * 61u);
   const geom::Vec3 p{X.x, X.y, X.z + 0.5 * sensor.size.z};
   int met = 0, on_ground = 0;
   for (std::uint32_t ring = 0; ring < 16; ++ring)
@@ -176,7 +176,7 @@ position( name "r" pose [0.3 -0.2 0 33] size [0.4 0.4 0.4] obstacle_return 0
         if (model.kind == scene::ModelKind::kPlain) wanted = std::min(wanted, oracle(p, d, model));
       on_ground += ground < wanted;
       wanted = std::min(wanted, ground);
-      EXPECT_NEAR(world.sensors.ring_ranges[0][ring * 61 + sample], wanted, 2e-4) << ring << " " << sample;
+      EXPECT_NEAR(world.rangers.ring_ranges[0][ring * 61 + sample], wanted, 2e-4) << ring << " " << sample;
       met += wanted < 12;
     }
   EXPECT_GT(met, 300);
@@ -198,13 +198,32 @@ model( name "post" pose [0 0 0 0] size [0.2 0.2 0.5]
   Session rings(with("rings 4 ring_fov [-30 30]").c_str(), true);  // at -30, -10, 10 and 30 degrees
   rings.step();
   EXPECT_NEAR(rings.range(2), 2.9 / std::cos(geom::radians(10)), 1e-4) << "of two the upper one";
-  EXPECT_EQ(rings.world().sensors.ring_ranges[0][2 * 5 + 2], rings.range(2));
-  EXPECT_EQ(rings.world().sensors.ring_ranges[0][3 * 5 + 2], 8) << "over the wall";
-  EXPECT_LT(rings.world().sensors.ring_ranges[0][2], 1.1) << "the ground";
+  EXPECT_EQ(rings.world().rangers.ring_ranges[0][2 * 5 + 2], rings.range(2));
+  EXPECT_EQ(rings.world().rangers.ring_ranges[0][3 * 5 + 2], 8) << "over the wall";
+  EXPECT_LT(rings.world().rangers.ring_ranges[0][2], 1.1) << "the ground";
   Session stage(with("rings 4 ring_fov [-30 30]").c_str(), false);
   stage.step();
   EXPECT_NEAR(stage.range(2), 2.9, 1e-6) << "level";
-  EXPECT_TRUE(stage.world().sensors.ring_ranges[0].empty());
+  EXPECT_TRUE(stage.world().rangers.ring_ranges[0].empty());
+}
+
+TEST(LidarSense, rings_of_several_sensors_follow_one_another) {
+  constexpr const char* kThree = R"(
+interval_sim 100
+model( name "wall" pose [3 0 0 0] size [0.2 8 1.5] )
+model( name "post" pose [0 0 0 0] size [0.2 0.2 0.5]
+  ranger( size [0.02 0.02 0.02]
+    sensor( samples 5 fov 40 range [0 8] rings 4 ring_fov [-30 30] )
+    sensor( samples 9 fov 40 range [0 8] )
+    sensor( samples 1 fov 0 range [0 2] rings 3 ring_fov [-5 5] ) ) )
+)";
+  Session three(kThree, true);
+  three.step(3);
+  const std::vector<float>& ranges = three.world().rangers.ring_ranges[0];
+  ASSERT_EQ(ranges.size(), 4 * 5 + 3u) << "of the newest scan alone";
+  EXPECT_EQ(three.world().rangers.ring_intensities[0].size(), ranges.size());
+  EXPECT_EQ(ranges[2 * 5 + 2], three.range(2));
+  for (std::size_t ring = 0; ring < 3; ++ring) EXPECT_EQ(ranges[4 * 5 + ring], 2) << "nothing so near";
 }
 
 TEST(LidarSense, rings_have_noise_of_their_own_and_are_the_same_for_any_number_of_workers) {
@@ -220,7 +239,7 @@ position( name "s" pose [0 2 0 0] size [0.4 0.4 0.4] lidar() )
   one.step(3);
   three.step(3);
   EXPECT_EQ(one.world().sensed_hash(), three.world().sensed_hash());
-  const std::vector<float>& ranges = one.world().sensors.ring_ranges[0];
+  const std::vector<float>& ranges = one.world().rangers.ring_ranges[0];
   EXPECT_NE(ranges[15], ranges[3 * 31 + 15]) << "symmetric but for their noise";
 }
 

@@ -49,8 +49,6 @@ void fill_row(World& world, Rangers& rangers, const scene::ModelDesc& model, Mod
     sensors.ranger.push_back(ranger);
     sensors.first_beam.push_back(count32(sensors.ranges));
     sensors.beam_count.push_back(sensor.samples);
-    sensors.ring_ranges.emplace_back();
-    sensors.ring_intensities.emplace_back();
     sensors.ranges.insert(sensors.ranges.end(), sensor.samples, static_cast<float>(sensor.range_max));
     sensors.intensities.insert(sensors.intensities.end(), sensor.samples, 0.0f);
   }

@@ -216,10 +216,10 @@ TEST_F(SpatialDevice, position3d_tells_heights_and_tilts_and_drives) {
 
 TEST_F(SpatialDevice, a_cloud_has_the_points_of_all_rings_that_met_something) {
   open(cloud::kCode, "r.lidar");
-  world::Sensors& sensors = world().sensors;
+  world::Rangers& rangers = world().rangers;
   // The sensor looks along y of the ranger; its beams begin 0.1 m above its foot.
-  sensors.ring_ranges[0] = {1, 2, 10, 10, 4, 10};
-  sensors.ring_intensities[0] = {10, 20, 0, 0, 300, 0};
+  rangers.ring_ranges[0] = {1, 2, 10, 10, 4, 10};
+  rangers.ring_intensities[0] = {10, 20, 0, 0, 300, 0};
   const auto all = next<cloud::Data>(cloud::kDataState);
   ASSERT_EQ(all.points.size(), 3u);
   EXPECT_NEAR(all.points[0].point.px, 0.1 + std::sqrt(0.5), 1e-9) << "45 degrees to the right of y";

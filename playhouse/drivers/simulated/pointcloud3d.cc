@@ -63,17 +63,22 @@ class PointCloud final : public SimulatedDevice {
     const std::optional<RangerRows> rows = fresh_rows(world, model());
     if (!rows) return;
     cloud::Data data;
+    std::span<const float> ring_ranges(world.rangers.ring_ranges[rows->ranger.index]);
+    std::span<const float> ring_intensities(world.rangers.ring_intensities[rows->ranger.index]);
     for (std::uint32_t i = 0; i < sensors_.size(); ++i) {
       const Sensor& sensor = sensors_[i];
       const std::uint32_t row = rows->first_sensor + i;
-      const Beams all{world.sensors.ring_ranges[row], world.sensors.ring_intensities[row]};
+      const std::size_t count = std::size_t{sensor.samples} * sensor.rings;
       const std::span<const Line> lines(sensor.lines);
-      const bool has_rings = all.ranges.size() == std::size_t{sensor.samples} * sensor.rings &&
-                             all.intensities.size() == all.ranges.size();
+      const bool has_rings =
+          sensor.rings > 1 && ring_ranges.size() >= count && ring_intensities.size() >= count;
       if (has_rings) {
+        const Beams all{ring_ranges.first(count), ring_intensities.first(count)};
+        ring_ranges = ring_ranges.subspan(count);
+        ring_intensities = ring_intensities.subspan(count);
         add_points(lines, all, static_cast<double>(static_cast<float>(sensor.range_max)), data);
       } else {  // an engine, or a sensor, of level beams alone
-        add_points(lines.subspan(std::size_t{sensor.samples} * sensor.rings), beams(world, {row}),
+        add_points(lines.subspan(count), beams(world, {row}),
                    static_cast<double>(static_cast<float>(sensor.range_max)), data);
       }
     }

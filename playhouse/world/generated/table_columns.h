@@ -25,6 +25,8 @@ inline constexpr auto kColumns<Rangers> = std::tuple{
     Column{"rangers.first_sensor", Role::kDerived, "", "", "", &Rangers::first_sensor},
     Column{"rangers.sensor_count", Role::kDerived, "", "", "", &Rangers::sensor_count},
     Column{"rangers.measured_tick", Role::kSensed, "", "", "sense", &Rangers::measured_tick},
+    Column{"rangers.ring_ranges", Role::kSensed, "m", "", "sense", &Rangers::ring_ranges},
+    Column{"rangers.ring_intensities", Role::kSensed, "1", "", "sense", &Rangers::ring_intensities},
 };
 
 template <>
@@ -34,8 +36,6 @@ inline constexpr auto kColumns<Sensors> = std::tuple{
     Column{"sensors.beam_count", Role::kDerived, "", "", "", &Sensors::beam_count},
     Column{"sensors.ranges", Role::kSensed, "m", "", "sense", &Sensors::ranges, Per::kBeam},
     Column{"sensors.intensities", Role::kSensed, "1", "", "sense", &Sensors::intensities, Per::kBeam},
-    Column{"sensors.ring_ranges", Role::kSensed, "m", "", "sense", &Sensors::ring_ranges},
-    Column{"sensors.ring_intensities", Role::kSensed, "1", "", "sense", &Sensors::ring_intensities},
 };
 
 template <>

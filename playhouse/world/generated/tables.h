@@ -51,6 +51,8 @@ struct Rangers {
   std::vector<std::uint32_t> first_sensor;  // The first of its sensors.
   std::vector<std::uint32_t> sensor_count;  // How many sensors it has.
   std::vector<std::uint64_t> measured_tick;  // Tick of the newest scan; 0: none yet.
+  std::vector<std::vector<float>> ring_ranges;  // Along the beams of all rings of those of its sensors that have several, sensor by sensor: from the lowest ring to the highest, each from the right to the left; empty with the stage engine. [m]
+  std::vector<std::vector<float>> ring_intensities;  // What came back along those beams.
   std::size_t size() const { return model.size(); }
 };
 
@@ -61,8 +63,6 @@ struct Sensors {
   std::vector<std::uint32_t> beam_count;  // How many beams it has.
   std::vector<float> ranges;  // Along the beam; the largest range where nothing is hit. Of several rings the one that is nearest to level. [m] (beams)
   std::vector<float> intensities;  // The ranger_return of what was hit, else 0. (beams)
-  std::vector<std::vector<float>> ring_ranges;  // Along the beams of all its rings, from the lowest to the highest, each from the right to the left; empty with one ring, and with the stage engine. [m]
-  std::vector<std::vector<float>> ring_intensities;  // What came back along those beams.
   std::size_t size() const { return ranger.size(); }
 };
 
