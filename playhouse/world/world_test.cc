@@ -281,6 +281,7 @@ class EveryColumn : public ::testing::Test {
     world.wifis.incoming[0][0].size = world.wifis.outgoing[0][0].size = 1;  // as the lists of bytes have it
   }
 
+  /// The values of a column of any table.
   template <typename Table, typename Values>
   static const Values& column_of(const World& world, const Column<Table, Values>& column) {
     return world.*std::get<Table Tables::*>(kTables).*column.values;
