@@ -118,16 +118,32 @@ void add_model_solids(Solids& solids, const world::World& world, Shapes& shapes,
     add_solid(solids, shape, desc, model, world.models.root[model], tree, first);
 }
 
-/// Those of p again, as columns.
+/// Those of p again, from the centre, as columns.
 void put_corners(Solids& solids, std::size_t row) {
-  const std::span<const Vec2> polygon = solids.polygon(row);
-  if (polygon.size() > EightCorners::kCorners) return;
-  EightCorners& corners = solids.corners[row - solids.fixed];
-  for (std::size_t i = 0; i < EightCorners::kCorners; ++i) {
-    const Vec2 p = polygon[i < polygon.size() ? i : 0];
-    corners.x[i] = p.x;
-    corners.y[i] = p.y;
+  constexpr std::size_t kEight = EightCorners::kCorners;
+  const std::size_t count = solids.convex_corners(row);
+  const Vec2* const p = solids.p.data() + solids.first_vertex[row];
+  const Vec2 center = solids.center[row];
+  EightCorners* eight = solids.corners.data() + solids.first_corners[row - solids.fixed];
+  for (std::size_t first = 0; first < count; first += kEight, ++eight) {
+    for (std::size_t i = 0; i < kEight; ++i) {
+      const Vec2 corner = p[first + i < count ? first + i : 0];
+      eight->x[i] = static_cast<float>(corner.x - center.x);
+      eight->y[i] = static_cast<float>(corner.y - center.y);
+    }
   }
+}
+
+/// Room for the corners of what moves.
+void make_room_for_corners(Solids& solids) {
+  std::uint32_t count = 0;
+  solids.first_corners.clear();
+  for (std::size_t row = solids.fixed; row < solids.size(); ++row) {
+    solids.first_corners.push_back(count);
+    count += static_cast<std::uint32_t>((solids.convex_corners(row) + EightCorners::kCorners - 1) /
+                                        EightCorners::kCorners);
+  }
+  solids.corners.resize(count);
 }
 
 /// Room for where solids are, and where they are from row `first` on.
@@ -136,7 +152,7 @@ void put_in_place(Solids& solids, const world::Models& models, std::size_t first
   solids.z_min.resize(solids.size());
   solids.z_max.resize(solids.size());
   solids.p.resize(solids.p_M.size() + Solids::kSpare);
-  solids.corners.resize(solids.moving());
+  make_room_for_corners(solids);
   solids.rotation.resize(models.size());
   for (std::uint32_t model = 0; model < models.size(); ++model) turn(solids, models, {&model, 1});
   place(solids, models, first, solids.size());

@@ -68,10 +68,18 @@ class Shapes {
   std::map<std::uint32_t, std::vector<Shape>> made_;
 };
 
-/// The corners of a convex polygon of up to eight, the first again in place of those that it lacks.
+/// A convex body of more corners is looked at like one that is not convex.
+inline constexpr std::size_t kConvexCorners = 32;
+
+/// Eight corners of a convex polygon, the first one again in place of those that the last eight lack.
 struct alignas(64) EightCorners {
   static constexpr std::size_t kCorners = 8;
-  double x[kCorners], y[kCorners];  // m
+  float x[kCorners], y[kCorners];  // m from the centre of the solid, along W's axes
+
+  /// More than how far, in single precision, the distance of a corner from the line of a ray is wrong, if
+  /// that is near a solid of this radius: seven roundings of numbers up to the radius, 2^-24 of it each, and
+  /// what the corner lost in W.  [m]
+  static float error(double radius) { return static_cast<float>(0x1p-20 * radius + 1e-8); }
 };
 
 struct Solids {
@@ -103,13 +111,19 @@ struct Solids {
   std::vector<double> z_min, z_max;  // in W                                                    [m]
   std::vector<Vec2> p;  // vertices in W, and kSpare more to read past the end           [m] (vertices)
   static constexpr std::size_t kSpare = 32;
-  // In W, of a polygon that is convex and has up to eight corners.                  (solids that move)
+  // Of polygons with convex_corners(), one after the other.
   std::vector<EightCorners> corners;
+  std::vector<std::uint32_t> first_corners;  // rows of corners                            (solids that move)
 
   std::size_t size() const { return model.size(); }
   std::size_t moving() const { return size() - fixed; }
   /// The height from which on rays from outside of its tree meet it.  [m, in W]
   double z_free(std::size_t row) const { return z_min[row] + enclosed[row]; }
+  /// How many corners a convex polygon has, 0 if it is not convex or has more than kConvexCorners.
+  std::size_t convex_corners(std::size_t row) const {
+    const std::size_t count = first_vertex[row + 1] - first_vertex[row] - 1;
+    return convex[row] != 0 && count <= kConvexCorners ? count : 0;
+  }
   bool is_obstacle(std::size_t row) const { return (seen_by[row] & bit(Observer::kMotion)) != 0; }
   std::span<const Vec2> polygon(std::size_t row) const {
     return {p.data() + first_vertex[row], first_vertex[row + 1] - first_vertex[row] - 1};

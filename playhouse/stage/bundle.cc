@@ -10,14 +10,13 @@
 #include "playhouse/stage/polygon_hit.h"
 #include "playhouse/stage/sense_ranger.h"
 #include "playhouse/stage/vectors.h"
-#include "playhouse/stage/wide.h"
 
 namespace playhouse::stage {
 namespace {
 
 /// Adds the rays of a bundle.
-PLAYHOUSE_INLINE void put_rays(const Bundle& bundle, const Pose& X_WM, Rotation r, std::size_t first_beam,
-                               Rays& rays) {
+PLAYHOUSE_INLINE Rays::Part put_rays(const Bundle& bundle, const Pose& X_WM, Rotation r,
+                                     std::size_t first_beam, Rays& rays) {
   const std::size_t count = bundle.rays(), first = rays.count;
   const double *px = bundle.p.x.data(), *py = bundle.p.y.data(), *dx = bundle.d.x.data(),
                *dy = bundle.d.y.data();
@@ -26,13 +25,29 @@ PLAYHOUSE_INLINE void put_rays(const Bundle& bundle, const Pose& X_WM, Rotation 
     rays.py[first + k] = X_WM.y + (r.s * px[k] + r.c * py[k]);
     rays.dx[first + k] = r.c * dx[k] - r.s * dy[k];
     rays.dy[first + k] = r.s * dx[k] + r.c * dy[k];
+    rays.ahead_x[first + k] = static_cast<float>(rays.dx[first + k]);
+    rays.ahead_y[first + k] = static_cast<float>(rays.dy[first + k]);
     rays.z[first + k] = X_WM.z + bundle.z[k];
     rays.range[first + k] = bundle.range_max[k];
     rays.solid[first + k] = kNoSolid;
     rays.beam[first + k] = first_beam + bundle.beam[k];
   }
   rays.count += count;
-  rays.parts[rays.part_count++] = {X_WM.xy(), first, rays.count};
+  return rays.parts[rays.part_count++] = {X_WM.xy(), first, rays.count};
+}
+
+/// find_bodies() where rays reach further than units of DiscIndex do.
+std::size_t take_all(const Bundle& bundle, const DiscIndex& index, std::span<const DiscIndex::Run> runs,
+                     const NearBodies& out) {
+  std::size_t count = 0;
+  for (const DiscIndex::Run& run : runs) {
+    for (std::uint32_t place = run.begin; place < run.end; ++place) {
+      if ((index.discs()[place].seen_by & bit(Observer::kRanger)) == 0) continue;
+      out.place[count] = place;
+      out.rays[count++] = static_cast<std::uint16_t>((1u << bundle.rays()) - 1);
+    }
+  }
+  return count;
 }
 
 /// Keeps the first of what is known and the edge, for the rays of a part, behind which there are none.
@@ -82,15 +97,17 @@ void RangerSense::meet_few_walls(const Space& space, const View& view, const Ray
 void RangerSense::run_bundle(const Space& space, const View& view, const Bundle& bundle, Scratch& scratch) {
   if (scratch.rays.count + bundle.rays() > Rays::kMost) finish_rays(space, scratch);
   Rays& rays = scratch.rays;
-  in_vectors<put_rays>(bundle, view.X_WM, view.rotation, scratch.first_beam, rays);
-  const Rays::Part part = rays.parts[rays.part_count - 1];
+  const Rays::Part part = in_vectors<put_rays>(bundle, view.X_WM, view.rotation, scratch.first_beam, rays);
   const double z_low = view.X_WM.z + bundle.z_min, z_high = view.X_WM.z + bundle.z_max;
-  space.index.find_runs(view.X_WM.xy(), bundle.reach, z_low, z_high, scratch.runs);
+  const Heights heights{z_low, z_high, space.index.is_all_seen(z_low, z_high)};
+  const std::span<const DiscIndex::Run> runs =
+      space.index.find_runs(view.X_WM.xy(), bundle.reach, z_low, z_high, scratch.runs);
+  const NearBodies near{scratch.place.data(), scratch.cell.data(), scratch.met_by.data()};
   const std::size_t count =
-      in_vectors<find_bodies>(bundle, space.index.places(), scratch.runs, view.X_WM.xy(), view.rotation,
-                              z_low, z_high, scratch.place.data(), scratch.met_by.data());
-  in_vectors<meet_bodies>(space, view.root, scratch.place.data(), scratch.met_by.data(), count, part.begin,
-                          z_low != z_high, rays);
+      bundle.half < DiscIndex::kFarthest
+          ? find_bodies(bundle, space.index.places(), runs, view.X_WM.xy(), view.rotation, heights, near)
+          : take_all(bundle, space.index, runs, near);
+  meet_bodies(space, view.root, near, count, part.begin, heights, rays);
 
   const Walls& walls = space.walls;
   if (walls.clear_about(part.about) <= bundle.reach) {

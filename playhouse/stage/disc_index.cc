@@ -1,6 +1,7 @@
 #include "playhouse/stage/disc_index.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace playhouse::stage {
@@ -9,6 +10,22 @@ void DiscIndex::Extent::add(const Extent& other) {
   z_min = std::min(z_min, other.z_min);
   z_max = std::max(z_max, other.z_max);
   radius_max = std::max(radius_max, other.radius_max);
+  z_min_last = std::max(z_min_last, other.z_min_last);
+  z_max_first = std::min(z_max_first, other.z_max_first);
+  is_convex &= other.is_convex;
+  is_seen &= other.is_seen;
+}
+
+bool DiscIndex::is_all_seen(double z_low, double z_high) const {
+  return std::all_of(layers_.begin(), layers_.end(), [&](const Layer& layer) {
+    return !layer.reaches(z_low, z_high) ||
+           (layer.is_seen && layer.z_min_last <= z_low && z_high <= layer.z_max_first);
+  });
+}
+
+bool DiscIndex::is_all_convex(double z_low, double z_high) const {
+  return std::all_of(layers_.begin(), layers_.end(),
+                     [&](const Layer& layer) { return !layer.reaches(z_low, z_high) || layer.is_convex; });
 }
 
 void DiscIndex::populate(std::size_t count, double mean_radius, std::vector<std::uint8_t> layer) {
@@ -29,6 +46,9 @@ void DiscIndex::begin(std::size_t count, const world::Workers& workers) {
   cell_.resize(count);
   for (std::vector<double>* column : {&places_.x, &places_.y, &places_.z_min, &places_.z_max})
     column->resize(count + kSpare);
+  for (std::vector<std::int32_t>* column :
+       {&places_.units_x, &places_.units_y, &places_.units_low, &places_.units_high})
+    column->resize(count + kSpare);
   next_.resize(blocks_ * cells());
   sums_.resize(blocks_);
   extents_.resize(blocks_ * layers_.size());
@@ -44,7 +64,8 @@ void DiscIndex::count_up(std::size_t block) {
   for (std::size_t i = begin_of(block); i < end; ++i) {
     const Disc& disc = unsorted_[i];
     const std::size_t layer = layer_of(i);
-    extents[layer].add({disc.z_min, disc.z_max, disc.radius});
+    extents[layer].add({disc.z_min, disc.z_max, disc.radius, disc.z_min, disc.z_max, disc.convex != 0,
+                        (disc.seen_by & bit(Observer::kRanger)) != 0});
     cell_[i] = static_cast<std::uint32_t>(layers_[layer].first_cell + torus_.index(disc.center));
     ++counts[cell_[i]];
   }
@@ -92,6 +113,11 @@ void DiscIndex::put_places(std::size_t block) {
     const Disc& disc = discs_[place] = unsorted_[i];
     places_.x[place] = disc.center.x;
     places_.y[place] = disc.center.y;
+    places_.units_x[place] = units(disc.center.x);
+    places_.units_y[place] = units(disc.center.y);
+    const bool is_seen = (disc.seen_by & bit(Observer::kRanger)) != 0;
+    places_.units_low[place] = is_seen ? height_units(disc.z_min) : std::numeric_limits<std::int32_t>::max();
+    places_.units_high[place] = height_units(disc.z_max);
     places_.z_min[place] = disc.z_min;
     places_.z_max[place] = disc.z_max;
   }

@@ -6,6 +6,7 @@
 /// above or below.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "playhouse/stage/observer.h"
@@ -24,7 +25,8 @@ class DiscIndex {
     std::uint32_t root;   // model row of the top of its tree
     // Of a solid, so that who looks at it need not look it up.
     std::uint32_t first_vertex = 0, vertices = 0;
-    std::uint32_t convex = 0;  // corners of a convex polygon that has few (polygon_hit.h), else 0
+    std::uint32_t first_corners = 0;  // row of Solids::corners
+    std::uint8_t convex = 0;          // corners of a convex polygon that has few (kConvexCorners), else 0
     Observers seen_by = 0;
   };
 
@@ -52,22 +54,47 @@ class DiscIndex {
   struct Run {
     std::uint32_t begin, end;
   };
-  /// Replaces `out` by the runs of all in layers that reach those heights and in cells that meet the box
+  /// The runs, put into `room`, of all in layers that reach those heights and in cells that meet the box
   /// about p, widened by the largest radius. A list, not a visitor: a loop over what is in the runs has to be
   /// a part of a vector function itself, or it is compiled for any processor (vectors.h).
-  void find_runs(geom::Vec2 p, double reach, double z_low, double z_high, std::vector<Run>& out) const {
-    out.clear();
+  std::span<const Run> find_runs(geom::Vec2 p, double reach, double z_low, double z_high,
+                                 std::vector<Run>& room) const {
+    Run* const runs = room.data();
+    std::size_t count = 0;
     each_run(p, reach, z_low, z_high, [&](std::uint32_t begin, std::uint32_t end) {
-      out.push_back({begin, end});
+      runs[count] = {begin, end};
+      count += begin != end;
     });
+    return {runs, count};
   }
-  /// How many runs find_runs() finds at most.
-  std::size_t most_runs() const { return 2 * layers_.size() * torus_.side(); }
+  /// For how many runs there has to be room.
+  std::size_t most_runs() const { return 2 * layers_.size() * torus_.side() + 1; }
+  /// True if all in layers that reach those heights is at each of them, and seen by rangers.
+  bool is_all_seen(double z_low, double z_high) const;
+  /// True if all in layers that reach those heights is a convex polygon of few corners.
+  bool is_all_convex(double z_low, double z_high) const;
   /// What is looked at for every disc near a place, as columns in the order of discs(); kSpare more rows may
   /// be read.
   struct Places {
-    std::vector<double> x, y, z_min, z_max;  // m, in W
+    std::vector<double> x, y, z_min, z_max;      // m, in W
+    std::vector<std::int32_t> units_x, units_y;  // units() of x and y
+    // Whole units of height that rangers see it within; none where they do not.
+    std::vector<std::int32_t> units_low, units_high;
   };
+  /// Whole numbers that say exactly how far things are from each other, wherever in the world, up to
+  /// kFarthest: they wrap round, so only differences count.
+  static constexpr double kPerMetre = 4096, kFarthest = 5e5;
+  static std::int32_t units(double x) {
+    constexpr double kFar = 1e15;
+    const double scaled = kPerMetre * (x > kFar ? kFar : x < -kFar ? -kFar : x);
+    return static_cast<std::int32_t>(static_cast<std::int64_t>(scaled));
+  }
+  /// Of heights, which do not wrap round: what is higher is never less.
+  static std::int32_t height_units(double z) {
+    constexpr double kFar = 1 << 30;
+    const double scaled = kPerMetre * z;
+    return static_cast<std::int32_t>(scaled > kFar ? kFar : scaled < -kFar ? -kFar : scaled);
+  }
   static constexpr std::size_t kSpare = 8;
   const Places& places() const { return places_; }
   const Disc* discs() const { return discs_.data(); }
@@ -85,17 +112,21 @@ class DiscIndex {
   template <typename Visit>
   void each_run(geom::Vec2 p, double reach, double z_low, double z_high, const Visit& visit) const {
     for (const Layer& layer : layers_) {
-      if (layer.z_min > z_high || layer.z_max < z_low) continue;
+      if (!layer.reaches(z_low, z_high)) continue;
       const std::uint32_t* const first_of = first_.data() + layer.first_cell;
-      torus_.runs(box_about(p, reach + layer.radius_max), [&](std::size_t first, std::size_t last) {
-        if (first_of[first] != first_of[last + 1]) visit(first_of[first], first_of[last + 1]);
-      });
+      torus_.runs(box_about(p, reach + layer.radius_max),
+                  [&](std::size_t first, std::size_t last) { visit(first_of[first], first_of[last + 1]); });
     }
   }
 
   /// What is in a layer.
   struct Extent {
     double z_min = 1e300, z_max = -1e300, radius_max = 0;  // m
+    double z_min_last = -1e300, z_max_first = 1e300;       // m: the highest z_min, the lowest z_max
+    bool is_convex = true;                                 // all of it, and of few corners
+    bool is_seen = true;                                   // all of it, by rangers
+
+    bool reaches(double z_low, double z_high) const { return z_min <= z_high && z_low <= z_max; }
 
     void add(const Extent& other);
   };

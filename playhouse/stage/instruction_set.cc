@@ -16,11 +16,11 @@ WideKernels wide_kernels = is_available(InstructionSet::kAvx512) ? WideKernels::
 bool is_available(InstructionSet set) {
   if (set == InstructionSet::kPlain || set == InstructionSet::kAvx512Emulated) return true;
 #ifdef __x86_64__
-  const bool avx2 = __builtin_cpu_supports("avx2");
+  const bool avx2 =
+      __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") && __builtin_cpu_supports("popcnt");
   if (set == InstructionSet::kAvx2) return avx2;
   return avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-         __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("bmi") &&
-         __builtin_cpu_supports("popcnt");
+         __builtin_cpu_supports("avx512vl");
 #else
   return false;
 #endif

@@ -75,41 +75,11 @@ PLAYHOUSE_INLINE double entry(const Vec2* polygon, std::size_t corners, Vec2 p, 
   return (((only < 0) & (only > -kEdgeOn)) ? -1 : t)[0];
 }
 
-/// Corner i of four polygons, each relative to its p.
-PLAYHOUSE_INLINE void corners_at(const Vec2* const* polygon, std::size_t i, const Four& px, const Four& py,
-                                 Four& u, Four& v) {
-  Two a, b, c, d;
-  std::memcpy(&a, polygon[0] + i, sizeof a);
-  std::memcpy(&b, polygon[1] + i, sizeof b);
-  std::memcpy(&c, polygon[2] + i, sizeof c);
-  std::memcpy(&d, polygon[3] + i, sizeof d);
-  const Four ac = __builtin_shufflevector(a, c, 0, 1, 2, 3), bd = __builtin_shufflevector(b, d, 0, 1, 2, 3);
-  u = __builtin_shufflevector(ac, bd, 0, 4, 2, 6) - px;
-  v = __builtin_shufflevector(ac, bd, 1, 5, 3, 7) - py;
-}
-
-/// entry() for four rays, each with a polygon of its own of up to `most` corners.
-PLAYHOUSE_INLINE void entries(const Vec2* const* polygon, const Four& corners, std::size_t most,
-                              const Four& px, const Four& py, const Four& dx, const Four& dy, Four& t) {
-  const Four none = {0, 0, 0, 0};
-  Four areas = none, slopes = none, number = none, u0, v0;
-  corners_at(polygon, 0, px, py, u0, v0);
-  Side<Four> w0(dx, dy, u0, v0);
-  for (std::size_t i = 1; i <= most; ++i) {
-    Four u1, v1, area;
-    corners_at(polygon, i, px, py, u1, v1);
-    const Side<Four> w1(dx, dy, u1, v1);
-    const Crossing<Four> ends(w0, w1);
-    cross(u0, v0, u1, v1, area);
-    const auto enters = ends.enters & (number < corners);
-    areas += enters ? area : none;
-    slopes += enters ? ends.slope : none;
-    number += 1;
-    u0 = u1;
-    v0 = v1;
-    w0 = w1;
-  }
-  t = ((slopes < 0) & (slopes > -kEdgeOn)) ? -1 : areas / slopes;
+/// entry() where it is known that the ray enters by the edge from w0 to w1.
+PLAYHOUSE_INLINE double enter(Vec2 w0, Vec2 w1, Vec2 d) {
+  const Crossing<double> ends({d.x, d.y, w0.x, w0.y}, {d.x, d.y, w1.x, w1.y});
+  const double area = 0.0 + geom::cross(w0, w1);  // +0 of -0, as a sum gives
+  return ends.slope > -kEdgeOn ? -1 : area / ends.slope;
 }
 
 /// Where the ray from p along d meets a body of a tree that moves; kMiss or not a number if it does not.

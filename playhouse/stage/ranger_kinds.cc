@@ -53,6 +53,10 @@ double distance_to_ray(Vec2 center, Vec2 p, Vec2 d, double range) {
   return std::sqrt(geom::dot(off, off));
 }
 
+/// find_bodies() works in single precision, from whole units of DiscIndex.
+constexpr double kSinglePrecision = 1e-3;  // of the width of a cell; less of that of the square
+constexpr double kWholeUnits = 4 / DiscIndex::kPerMetre;  // m
+
 void finish_bundle(Bundle& bundle, double body_radius) {
   bundle.z_min = *std::min_element(bundle.z.begin(), bundle.z.end());
   bundle.z_max = *std::max_element(bundle.z.begin(), bundle.z.end());
@@ -61,15 +65,15 @@ void finish_bundle(Bundle& bundle, double body_radius) {
     bundle.reach =
         std::max(bundle.reach, std::sqrt(geom::dot(bundle.p[k], bundle.p[k])) + bundle.range_max[k]);
   bundle.reach += kMargin;
-  bundle.half = bundle.reach + body_radius + kMargin;
+  bundle.half = (1 + kSinglePrecision) * (bundle.reach + body_radius + kMargin) + kWholeUnits;
   bundle.cell = 2 * bundle.half / Bundle::kCells;
-  bundle.meets.assign(Bundle::kSide * Bundle::kSide + 1, 0);
-  const double near = body_radius + 0.7072 * bundle.cell + kMargin;
+  bundle.meets.assign(Bundle::kSide * Bundle::kRow + 1, 0);
+  const double near = body_radius + (0.7072 + kSinglePrecision) * bundle.cell + kWholeUnits;
   for (std::size_t row = 0; row < Bundle::kCells; ++row) {
     for (std::size_t column = 0; column < Bundle::kCells; ++column) {
       const Vec2 middle{(static_cast<double>(column) + 0.5) * bundle.cell - bundle.half,
                         (static_cast<double>(row) + 0.5) * bundle.cell - bundle.half};
-      std::uint16_t& rays = bundle.meets[(row + 1) * Bundle::kSide + column + 1];
+      std::uint16_t& rays = bundle.meets[(row + 1) * Bundle::kRow + column + 1];
       for (std::size_t k = 0; k < bundle.rays(); ++k)
         if (distance_to_ray(middle, bundle.p[k], bundle.d[k], bundle.range_max[k]) <= near)
           rays = static_cast<std::uint16_t>(rays | 1u << k);

@@ -39,6 +39,7 @@ struct Bundle {
   static constexpr std::size_t kRays = 16;
   static constexpr std::size_t kCells = 96;         // each way, of the square that matters
   static constexpr std::size_t kSide = kCells + 2;  // with a rim of empty cells about it
+  static constexpr std::uint32_t kRow = 128;        // cells from one row to the next
 
   Points p, d;                      // origins [m] and unit vectors in M
   std::vector<double> z;            // m above M
@@ -48,7 +49,7 @@ struct Bundle {
   double reach = 0;                 // m from M that any ray gets, and kMargin
   double cell = 0, half = 0;        // m: the square is +-half about M
   std::vector<std::uint16_t>
-      meets;  // bit k of a cell: ray k may meet a body whose centre is there (kSide^2 and one to read)
+      meets;  // bit k of a cell: ray k may meet a body whose centre is there (kSide * kRow and one to read)
   std::size_t rays() const { return d.size(); }
 };
 

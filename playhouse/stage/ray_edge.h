@@ -115,8 +115,8 @@ PLAYHOUSE_INLINE void keep_first(const Number& t, const Number& row, Number& ran
 
 /// The same for one ray, without branches: hits are unpredictable.
 PLAYHOUSE_INLINE void keep_first_alone(double t, double row, double& range, double& solid) {
-  Four ranges = {range}, solids = {solid};
-  keep_first(Four{t}, Four{row}, ranges, solids);
+  Two ranges = {range}, solids = {solid};
+  keep_first(Two{t}, Two{row}, ranges, solids);
   range = ranges[0];
   solid = solids[0];
 }

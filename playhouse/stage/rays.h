@@ -13,6 +13,7 @@ struct Rays {
   static constexpr std::size_t kRoom = kMost + kSpare;
 
   double px[kRoom], py[kRoom], dx[kRoom], dy[kRoom];  // m, unit vectors
+  float ahead_x[kRoom], ahead_y[kRoom];               // dx, dy
   double z[kRoom], range[kRoom];                      // m
   double solid[kRoom];                                // what they meet there: number_of() a row of Solids
   std::size_t beam[kMost];                            // of Scratch, where they come from

@@ -184,9 +184,10 @@ void RangerSense::scan_bodies(const Space& space, const Pose& X_WS, Rotation rot
     sector.ahead = {rotation.c, rotation.s};
     sector.behind = -radius_max;
   }
-  space.index.find_runs(sector.p, sector.reach, z, z, scratch.runs);
+  const std::span<const DiscIndex::Run> runs =
+      space.index.find_runs(sector.p, sector.reach, z, z, scratch.runs);
   const std::size_t near =
-      in_vectors<gather>(sector, space.index.radius_max(), space.index.places(), scratch.runs,
+      in_vectors<gather>(sector, space.index.radius_max(), space.index.places(), runs,
                          Gathered{scratch.x.data(), scratch.y.data(), scratch.place.data()});
   const DiscIndex::Disc* const discs = space.index.discs();
   for (std::size_t i = 0; i < near; ++i) scratch.radius[i] = discs[scratch.place[i]].radius + kMargin;

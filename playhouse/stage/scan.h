@@ -141,7 +141,7 @@ struct Gathered {
 /// Finds what is in a sector, among what is in the runs; returns how many. Behind the last there is room for
 /// eight more.
 PLAYHOUSE_INLINE std::size_t gather(const Sector& sector, double radius_max, const DiscIndex::Places& places,
-                                    const std::vector<DiscIndex::Run>& runs, const Gathered& out) {
+                                    std::span<const DiscIndex::Run> runs, const Gathered& out) {
   const double *const from_x = places.x.data(), *const from_y = places.y.data();
   const double *const z_min = places.z_min.data(), *const z_max = places.z_max.data();
   const Sector s = sector;

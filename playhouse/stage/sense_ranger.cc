@@ -57,7 +57,8 @@ void RangerSense::Scratch::make_room(std::size_t beams, const Space& space) {
   order.resize(bodies);
   for (std::vector<std::int32_t>* column : {&ring, &first, &last}) column->resize(bodies);
   met_by.resize(bodies);
-  runs.reserve(space.index.most_runs());
+  cell.resize(bodies);
+  runs.resize(space.index.most_runs());
   stamp.assign(solids.first_vertex[solids.fixed], 0);
   scans = 0;
 }

@@ -31,7 +31,7 @@ class RangerSense final : public SensePhase {
     // Moving solids near the ranger: centres from it along W's axes, then along its own; places in the index.
     std::vector<double> x, y, distance, bearing, radius;  // m, m, m, rad, m
     std::vector<DiscIndex::Run> runs;                     // of the index, near the ranger
-    std::vector<std::uint32_t> place, order;
+    std::vector<std::uint32_t> place, order, cell;
     std::vector<std::int32_t> ring, first, last;  // the last two: beams
     std::vector<std::uint16_t> met_by;            // bit k: ray k of a bundle may meet it
     std::vector<std::uint64_t> stamp;             // last scan that saw a wall edge (edges)

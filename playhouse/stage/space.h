@@ -18,10 +18,7 @@ struct Space {
 /// none.  [m]
 inline constexpr double kMargin = 1e-6;
 
-/// A convex body of more corners is looked at like one that is not convex.
-inline constexpr std::size_t kConvexCorners = 32;
-
-/// A solid as the index has it.
+/// A solid that moves as the index has it.
 inline DiscIndex::Disc disc_of(const Solids& solids, std::size_t row) {
   const std::uint32_t vertex = solids.first_vertex[row];
   const std::uint32_t vertices = solids.first_vertex[row + 1] - vertex - 1;
@@ -33,7 +30,8 @@ inline DiscIndex::Disc disc_of(const Solids& solids, std::size_t row) {
           solids.root[row],
           vertex,
           vertices,
-          solids.convex[row] != 0 && vertices <= kConvexCorners ? vertices : 0,
+          solids.first_corners[row - solids.fixed],
+          static_cast<std::uint8_t>(solids.convex_corners(row)),
           solids.seen_by[row]};
 }
 

@@ -43,12 +43,11 @@ class Torus {
     const std::int64_t y0 = along(box.y_min), y1 = along(box.y_max);
     const auto limit = static_cast<std::int64_t>(side());
     const std::int64_t rows = y1 - y0 + 1 < limit ? y1 - y0 + 1 : limit;
-    const std::size_t left = wrap(x0), right = wrap(x1);
+    const bool whole = x1 - x0 + 1 >= limit;
+    const std::size_t left = whole ? 0 : wrap(x0), right = whole ? side() - 1 : wrap(x1);
     for (std::int64_t row = 0; row < rows; ++row) {
       const std::size_t base = wrap(y0 + row) << bits_;
-      if (x1 - x0 + 1 >= limit) {
-        visit(base, base + side() - 1);
-      } else if (left <= right) {
+      if (left <= right) {
         visit(base + left, base + right);
       } else {
         visit(base + left, base + side() - 1);

@@ -1,14 +1,13 @@
 #pragma once
 
-/// Kernels of rays that work on eight numbers at a time, for processors with AVX-512: those of scan.h and
-/// bundle.h that take most of the time there, to the same bits. Compilers do not make use of its masks and
+/// Kernels of rays that work on eight numbers at a time, for processors with AVX-512: those of scan.h
+/// that take most of the time there, to the same bits. Compilers do not make use of its masks and
 /// packed stores, so these are written with intrinsics. Emulated, the same kernels run on any processor, so
 /// that they are tested on all.
 ///
-/// In, Out: as of the functions of the same names in scan.h and bundle.h.
-/// Cost: bench laser takes 0.83 of the time that it takes with AVX2, bench sonar 0.78 (docs/benchmarks.md).
+/// In, Out: as of the functions of the same names in scan.h.
+/// Cost: bench laser takes 0.83 of the time that it takes with AVX2 (docs/benchmarks.md).
 
-#include "playhouse/stage/bundle.h"
 #include "playhouse/stage/scan.h"
 
 namespace playhouse::stage {
@@ -17,16 +16,12 @@ namespace playhouse::stage {
 namespace avx512 {
 decltype(stage::project_facing) project_facing;
 decltype(stage::gather) gather;
-decltype(stage::find_bodies) find_bodies;
-decltype(stage::meet_bodies) meet_bodies;
 }  // namespace avx512
 #endif
 
 namespace emulated {
 decltype(stage::project_facing) project_facing;
 decltype(stage::gather) gather;
-decltype(stage::find_bodies) find_bodies;
-decltype(stage::meet_bodies) meet_bodies;
 }  // namespace emulated
 
 #ifndef __x86_64__
@@ -42,9 +37,5 @@ template <>
 struct Wide<project_facing> : WideVersions<avx512::project_facing, emulated::project_facing> {};
 template <>
 struct Wide<gather> : WideVersions<avx512::gather, emulated::gather> {};
-template <>
-struct Wide<find_bodies> : WideVersions<avx512::find_bodies, emulated::find_bodies> {};
-template <>
-struct Wide<meet_bodies> : WideVersions<avx512::meet_bodies, emulated::meet_bodies> {};
 
 }  // namespace playhouse::stage

@@ -88,18 +88,11 @@ struct Somewhere {
   }
 };
 
-TEST(Wide, scans_and_bundles_find_the_same_bodies_in_the_same_order) {
-  Bundle bundle;
-  bundle.half = 3;
-  bundle.cell = 6.0 / Bundle::kCells;
+TEST(Wide, scans_find_the_same_bodies_in_the_same_order) {
   std::size_t found = 0;
   for (std::uint64_t i = 0; i < 500; ++i) {
     Rng rng(i);
     const Somewhere in(rng);
-    bundle.meets.assign(Bundle::kSide * Bundle::kSide + 1, 0);
-    for (std::uint16_t& rays : bundle.meets)
-      rays = static_cast<std::uint16_t>(rng.uniform() < 0.5 ? 0 : rng.bits());
-    bundle.meets.front() = 0;  // its rim
     const geom::SinCos heading = geom::sincos(rng.uniform(-3, 3));
     const Sector sector{{rng.uniform(-1, 1), rng.uniform(-1, 1)}, 2.5, 0.5, {heading.cos, heading.sin}, -0.3};
     std::vector<std::vector<double>> outcomes;
@@ -107,18 +100,12 @@ TEST(Wide, scans_and_bundles_find_the_same_bodies_in_the_same_order) {
       const std::size_t room = in.places.x.size() + kEight;
       std::vector<double> x(room), y(room);
       std::vector<std::uint32_t> place(room);
-      std::vector<std::uint16_t> rays(room);
       std::vector<double> all;
       const std::size_t near =
           in_vectors<gather>(sector, 0.2, in.places, in.runs, Gathered{x.data(), y.data(), place.data()});
       for (std::size_t k = 0; k < near; ++k)
         all.insert(all.end(), {x[k], y[k], static_cast<double>(place[k])});
-      const std::size_t met =
-          in_vectors<find_bodies>(bundle, in.places, in.runs, sector.p, Rotation{heading.cos, heading.sin},
-                                  0.4, 0.6, place.data(), rays.data());
-      for (std::size_t k = 0; k < met; ++k)
-        all.insert(all.end(), {static_cast<double>(place[k]), static_cast<double>(rays[k])});
-      found += near + met;
+      found += near;
       outcomes.push_back(all);
     });
     for (const std::vector<double>& other : outcomes) EXPECT_EQ(other, outcomes.front());
