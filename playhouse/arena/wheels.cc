@@ -4,8 +4,15 @@
 #include <array>
 #include <cmath>
 
+#include "playhouse/stage/vectors.h"
+
 namespace playhouse::arena {
 namespace {
+
+using stage::Four;
+using stage::kFour;
+using stage::load;
+using stage::store;
 
 constexpr int kIterations = 20;           // at most,
 constexpr double kConverged = 1e-7;       // m/s by which an iteration still changes the motion
@@ -15,57 +22,155 @@ constexpr double kSlop = 1e-4;            // m that it may be
 constexpr double kEven = 1e-3;            // m between the ground and a wheel on even ground
 constexpr double kSameNormal = 1 - 1e-8;  // cosine of the angle between normals of even ground
 
-/// One direction in which an impulse at a wheel acts.
-struct Row {
-  Vec3 direction, arm;   // the arm is that of the direction about the centre of mass
-  Vec3 turned;           // per unit of impulse  [rad/s]
-  double target = 0;     // m/s
-  double effective = 0;  // kg
-};
-
-/// A wheel that touches the ground.
+/// A wheel that touches the ground. Its rows are numbers of Rows.
 struct Contact {
-  Row normal, along, across;
+  std::size_t normal = 0, along = 0, across = 0;  // the last two: not of casters
   double grip_along = 0, grip_across = 0;
+  Vec3 up;               // of the ground
   double x = 0;          // m ahead, in B
   bool is_even = false;  // the ground is as high as the wheel
   WheelImpulse* impulse = nullptr;
   bool is_caster() const { return grip_along <= 0 && grip_across <= 0; }
 };
 
-class Vehicle {
+/// Rows of one vehicle, each a direction in which an impulse at a wheel acts, and how far each is from its
+/// target while impulses change: what a unit of impulse in one row does to all others is worked out once, so
+/// that an iteration does not go by way of the motion.
+class Rows {
  public:
-  Vehicle(const Inertia& inertia, Motion& motion)
-      : inertia_(inertia), motion_(motion), to_body_{motion.q.w, -motion.q.x, -motion.q.y, -motion.q.z} {}
+  PLAYHOUSE_INLINE Rows(const Inertia& inertia, Motion& motion)
+      : per_mass_(inertia.per_mass), motion_(motion) {
+    const Vec3 x = motion.q * Vec3{1, 0, 0}, y = motion.q * Vec3{0, 1, 0}, z = motion.q * Vec3{0, 0, 1};
+    const auto column = [&](double of_x, double of_y, double of_z) {
+      return inertia.per_moment.x * of_x * x + inertia.per_moment.y * of_y * y +
+             inertia.per_moment.z * of_z * z;
+    };
+    turn_x_ = column(x.x, y.x, z.x);
+    turn_y_ = column(x.y, y.y, z.y);
+    turn_z_ = column(x.z, y.z, z.z);
+  }
 
-  Row row(const Vec3& direction, const Vec3& from_center, double target) const {
-    Row row;
-    row.direction = direction;
-    row.arm = cross(from_center, direction);
-    const Vec3 arm_B = to_body_ * row.arm;
-    row.turned = motion_.q * Vec3{arm_B.x * inertia_.per_moment.x, arm_B.y * inertia_.per_moment.y,
-                                  arm_B.z * inertia_.per_moment.z};
-    row.effective = 1 / (inertia_.per_mass + dot(row.arm, row.turned));
-    row.target = target;
-    return row;
+  /// Adds one that has had an impulse; returns its number.
+  PLAYHOUSE_INLINE std::size_t add(const Vec3& direction, const Vec3& from_center, double target,
+                                   double impulse) {
+    const Vec3 arm = cross(from_center, direction);
+    const Vec3 turned = arm.x * turn_x_ + arm.y * turn_y_ + arm.z * turn_z_;
+    const std::size_t i = count_++;
+    direction_.put(i, direction);
+    arm_.put(i, arm);
+    turned_.put(i, turned);
+    missing_[i] = target - dot(direction, motion_.v) - dot(arm, motion_.w);
+    impulse_[i] = impulse;
+    return i;
   }
-  void push(const Row& row, double impulse) {
-    motion_.v = motion_.v + (impulse * inertia_.per_mass) * row.direction;
-    motion_.w = motion_.w + impulse * row.turned;
+  /// To be called once, when all are there.
+  PLAYHOUSE_INLINE void couple() {
+    end_ = (count_ + kFour - 1) / kFour * kFour;
+    for (std::size_t i = count_; i < end_; ++i) put_none(i);
+    for (std::size_t j = 0; j < count_; ++j) {
+      const Vec3 pushed = per_mass_ * direction_.at(j), turned = turned_.at(j);
+      double* const change = change_[j];
+      for (std::size_t i = 0; i < end_; i += kFour) {
+        Four dx, dy, dz, ax, ay, az;
+        load(dx, direction_.x + i);
+        load(dy, direction_.y + i);
+        load(dz, direction_.z + i);
+        load(ax, arm_.x + i);
+        load(ay, arm_.y + i);
+        load(az, arm_.z + i);
+        store<Four>(change + i, dx * pushed.x + dy * pushed.y + dz * pushed.z + ax * turned.x +
+                                    ay * turned.y + az * turned.z);
+      }
+      effective_[j] = 1 / change[j];
+      add_change(change, impulse_[j]);
+    }
   }
-  /// The impulse that brings the row to its target.
-  double lack(const Row& row) const {
-    return (row.target - dot(row.direction, motion_.v) - dot(row.arm, motion_.w)) * row.effective;
+
+  PLAYHOUSE_INLINE double impulse(std::size_t row) const { return impulse_[row]; }
+  /// The impulse that brings the row to its target, with what it has.
+  PLAYHOUSE_INLINE double wanted(std::size_t row) const {
+    return impulse_[row] + missing_[row] * effective_[row];
+  }
+  /// Returns the change of the impulse.
+  PLAYHOUSE_INLINE double set(std::size_t row, double impulse) {
+    const double change = impulse - impulse_[row];
+    impulse_[row] = impulse;
+    add_change(change_[row], change);
+    return std::fabs(change);
+  }
+
+  /// Several impulses that change together: shares[k] of them in row rows[k].
+  struct Together {
+    std::array<std::size_t, 4> rows;
+    std::array<double, 4> shares;
+    double change[3 * kMostWheels];
+  };
+  PLAYHOUSE_INLINE void couple(Together& together) const {
+    for (std::size_t i = 0; i < end_; i += kFour) {
+      Four sum = {0, 0, 0, 0}, change;
+      for (std::size_t k = 0; k < together.rows.size(); ++k) {
+        load(change, change_[together.rows[k]] + i);
+        sum += together.shares[k] * change;
+      }
+      store(together.change + i, sum);
+    }
+  }
+  PLAYHOUSE_INLINE void add(const Together& together, double impulse) {
+    for (std::size_t k = 0; k < together.rows.size(); ++k)
+      impulse_[together.rows[k]] += together.shares[k] * impulse;
+    add_change(together.change, impulse);
+  }
+
+  /// What the impulse of a row is, in W.
+  PLAYHOUSE_INLINE Vec3 push_of(std::size_t row) const { return impulse_[row] * direction_.at(row); }
+  /// Gives all impulses to the motion.
+  PLAYHOUSE_INLINE void push() {
+    for (std::size_t i = 0; i < count_; ++i) {
+      motion_.v = motion_.v + per_mass_ * push_of(i);
+      motion_.w = motion_.w + impulse_[i] * turned_.at(i);
+    }
   }
 
  private:
-  const Inertia& inertia_;
+  static constexpr std::size_t kMost = 3 * kMostWheels;
+  struct Vectors {
+    double x[kMost], y[kMost], z[kMost];
+
+    PLAYHOUSE_INLINE Vec3 at(std::size_t i) const { return {x[i], y[i], z[i]}; }
+    PLAYHOUSE_INLINE void put(std::size_t i, const Vec3& v) {
+      x[i] = v.x;
+      y[i] = v.y;
+      z[i] = v.z;
+    }
+  };
+
+  /// Fills the last four rows up.
+  PLAYHOUSE_INLINE void put_none(std::size_t i) {
+    direction_.put(i, {});
+    arm_.put(i, {});
+    turned_.put(i, {});
+    missing_[i] = impulse_[i] = 0;
+  }
+  PLAYHOUSE_INLINE void add_change(const double* per_impulse, double impulse) {
+    for (std::size_t i = 0; i < end_; i += kFour) {
+      Four missing, change;
+      load(missing, missing_ + i);
+      load(change, per_impulse + i);
+      store<Four>(missing_ + i, missing - impulse * change);
+    }
+  }
+
+  double per_mass_;
   Motion& motion_;
-  Quaternion to_body_;
+  Vec3 turn_x_, turn_y_, turn_z_;     // columns of the inverse of the moment of inertia, in W
+  std::size_t count_ = 0, end_ = 0;   // of rows, and of those that are worked on, four at a time
+  Vectors direction_, arm_, turned_;  // arm: of the direction; turned: rad/s per N s
+  double missing_[kMost], impulse_[kMost], effective_[kMost];  // m/s, N s, kg
+  double change_[kMost][kMost];                                // m/s of a row per N s of another
 };
 
 /// The friction of the ground in a direction.
-double friction_along(const Footing& footing, const Vec3& direction) {
+PLAYHOUSE_INLINE double friction_along(const Footing& footing, const Vec3& direction) {
   if (!footing.has_grain) return footing.friction;
   const double x = dot(footing.grain_x, direction), y = dot(footing.grain_y, direction),
                z = dot(footing.grain_z, direction);
@@ -73,58 +178,50 @@ double friction_along(const Footing& footing, const Vec3& direction) {
 }
 
 /// Without an end where the length is 0.
-Vec3 unit(const Vec3& v) {
+PLAYHOUSE_INLINE Vec3 unit(const Vec3& v) {
   const double length = std::sqrt(dot(v, v));
   return length > 0 ? (1 / length) * v : Vec3{1, 0, 0};
 }
 
 /// The ground pushes, and does not pull. Returns the change of the impulse. [N s]
-double press(Contact& contact, Vehicle& vehicle) {
-  const double before = contact.impulse->normal;
-  contact.impulse->normal = std::max(0.0, before + vehicle.lack(contact.normal));
-  const double change = contact.impulse->normal - before;
-  vehicle.push(contact.normal, change);
-  return std::fabs(change);
+PLAYHOUSE_INLINE double press(const Contact& contact, Rows& rows) {
+  return rows.set(contact.normal, std::max(0.0, rows.wanted(contact.normal)));
 }
 
 /// Friction, no more than the load gives. Returns the change of the impulses. [N s]
-double grip(Contact& contact, Vehicle& vehicle) {
-  const double load = contact.impulse->normal, along = contact.impulse->along,
-               across = contact.impulse->across;
-  double next_along = along + vehicle.lack(contact.along),
-         next_across = across + vehicle.lack(contact.across);
+PLAYHOUSE_INLINE double grip(const Contact& contact, Rows& rows) {
+  double along = rows.wanted(contact.along), across = rows.wanted(contact.across);
+  const double load = rows.impulse(contact.normal);
   const double most_along = contact.grip_along * load, most_across = contact.grip_across * load;
   if (most_along <= 0 || most_across <= 0) {
-    next_along = std::clamp(next_along, -most_along, most_along);
-    next_across = std::clamp(next_across, -most_across, most_across);
+    along = std::clamp(along, -most_along, most_along);
+    across = std::clamp(across, -most_across, most_across);
   } else {
-    const double share_along = next_along / most_along, share_across = next_across / most_across;
-    const double used = std::sqrt(share_along * share_along + share_across * share_across);
-    if (used > 1) {
-      next_along /= used;
-      next_across /= used;
+    const double share_along = along * most_across, share_across = across * most_along,
+                 most = most_along * most_across,
+                 used = share_along * share_along + share_across * share_across;
+    if (used > most * most) {
+      const double left = most / std::sqrt(used);
+      along *= left;
+      across *= left;
     }
   }
-  contact.impulse->along = next_along;
-  contact.impulse->across = next_across;
-  vehicle.push(contact.along, next_along - along);
-  vehicle.push(contact.across, next_across - across);
-  return std::fabs(next_along - along) + std::fabs(next_across - across);
+  const double change = rows.set(contact.along, along);
+  return change + rows.set(contact.across, across);
 }
 
 /// Two driven wheels between two casters, on even ground.
 struct Axle {
-  std::array<Contact*, 2> driven{}, casters{};
+  std::array<const Contact*, 2> driven{}, casters{};
   double share = -1;  // of the axle's load, of the second caster; below 0: there is no such axle
 };
 
-Axle axle_of(std::span<Contact> contacts) {
+PLAYHOUSE_INLINE Axle axle_of(std::span<const Contact> contacts) {
   Axle axle;
   if (contacts.size() != 4) return axle;
   std::size_t driven_count = 0, caster_count = 0;
-  for (Contact& contact : contacts) {
-    if (!contact.is_even || dot(contact.normal.direction, contacts[0].normal.direction) < kSameNormal)
-      return axle;
+  for (const Contact& contact : contacts) {
+    if (!contact.is_even || dot(contact.up, contacts[0].up) < kSameNormal) return axle;
     if (contact.is_caster() ? caster_count == 2 : driven_count == 2) return axle;
     (contact.is_caster() ? axle.casters[caster_count++] : axle.driven[driven_count++]) = &contact;
   }
@@ -134,43 +231,48 @@ Axle axle_of(std::span<Contact> contacts) {
   return axle;
 }
 
+/// From the casters of an axle to its wheels.
+PLAYHOUSE_INLINE Rows::Together unloading_of(const Axle& axle, const Rows& rows) {
+  Rows::Together unloading;
+  unloading.rows = {axle.casters[0]->normal, axle.casters[1]->normal, axle.driven[0]->normal,
+                    axle.driven[1]->normal};
+  unloading.shares = {axle.share - 1, -axle.share, 0.5, 0.5};
+  rows.couple(unloading);
+  return unloading;
+}
+
 /// Such wheels bear a vehicle in more than one way: what both casters take off the axle leaves its motion as
 /// it is. Here they take as little as keeps it from tipping, as sprung casters do; a tall vehicle would spin
 /// its wheels else.
-void unload_casters(const Axle& axle, Vehicle& vehicle) {
-  if (axle.share < 0) return;
+PLAYHOUSE_INLINE void unload_casters(const Axle& axle, const Rows::Together& unloading, Rows& rows) {
   const double share = axle.share;
-  const double of_first = axle.casters[0]->impulse->normal, of_second = axle.casters[1]->impulse->normal;
-  const double moved = share == 0   ? of_first
-                       : share == 1 ? of_second
-                                    : std::min(of_first / (1 - share), of_second / share);
-  const auto add = [&](Contact& contact, double impulse) {
-    contact.impulse->normal += impulse;
-    vehicle.push(contact.normal, impulse);
-  };
-  add(*axle.casters[0], -moved * (1 - share));
-  add(*axle.casters[1], -moved * share);
-  for (Contact* const wheel : axle.driven) add(*wheel, 0.5 * moved);
+  const double of_first = rows.impulse(axle.casters[0]->normal),
+               of_second = rows.impulse(axle.casters[1]->normal);
+  rows.add(unloading, share == 0   ? of_first
+                      : share == 1 ? of_second
+                                   : std::min(of_first / (1 - share), of_second / share));
 }
 
 /// Until impulses change by less than `enough`.  [N s]
-void iterate(std::span<Contact> contacts, double enough, Vehicle& vehicle) {
+PLAYHOUSE_INLINE void iterate(std::span<const Contact> contacts, double enough, Rows& rows) {
   const Axle axle = axle_of(contacts);
+  const bool has_axle = axle.share >= 0;
+  Rows::Together unloading;
+  if (has_axle) unloading = unloading_of(axle, rows);
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     double change = 0;
-    unload_casters(axle, vehicle);  // before press(), which mends what it changes
-    for (Contact& contact : contacts) change += press(contact, vehicle);
-    for (Contact& contact : contacts)
-      if (!contact.is_caster()) change += grip(contact, vehicle);
+    if (has_axle) unload_casters(axle, unloading, rows);  // before press(), which mends what it changes
+    for (const Contact& contact : contacts) change += press(contact, rows);
+    for (const Contact& contact : contacts)
+      if (!contact.is_caster()) change += grip(contact, rows);
     if (change < enough) return;
   }
 }
 
-}  // namespace
-
-void solve_wheels(const BodyDesc& desc, const Inertia& inertia, const geom::Twist& velocity, double dt,
-                  std::span<const Footing> footings, std::span<WheelImpulse> impulses, Motion& motion) {
-  Vehicle vehicle(inertia, motion);
+PLAYHOUSE_INLINE void solve(const BodyDesc& desc, const Inertia& inertia, const geom::Twist& velocity,
+                            double dt, std::span<const Footing> footings, std::span<WheelImpulse> impulses,
+                            Motion& motion) {
+  Rows rows(inertia, motion);
   std::array<Contact, kMostWheels> contacts;
   std::size_t count = 0;
   const Vec3 ahead = motion.q * Vec3{1, 0, 0};
@@ -187,27 +289,39 @@ void solve_wheels(const BodyDesc& desc, const Inertia& inertia, const geom::Twis
                                  ? -footing.gap / dt
                                  : std::min(kPushOut * std::max(0.0, -footing.gap - kSlop) / dt, kClimb);
     Contact& contact = contacts[count++];
-    contact.normal = vehicle.row(footing.normal, from_center, in_or_out + dot(footing.normal, footing.v));
-    contact.along =
-        vehicle.row(along, from_center, velocity.x - velocity.a * wheel.p_B.y + dot(along, footing.v));
-    contact.across =
-        vehicle.row(left, from_center, velocity.y + velocity.a * wheel.p_B.x + dot(left, footing.v));
     contact.grip_along = wheel.along * friction_along(footing, along);
     contact.grip_across = wheel.across * friction_along(footing, left);
+    contact.up = footing.normal;
     contact.x = wheel.p_B.x;
     contact.is_even = std::fabs(footing.gap) < kEven;
     contact.impulse = &impulses[i];
-    vehicle.push(contact.normal, contact.impulse->normal);
-    vehicle.push(contact.along, contact.impulse->along);
-    vehicle.push(contact.across, contact.impulse->across);
+    contact.normal =
+        rows.add(footing.normal, from_center, in_or_out + dot(footing.normal, footing.v), impulses[i].normal);
+    if (contact.is_caster()) continue;
+    contact.along = rows.add(
+        along, from_center, velocity.x - velocity.a * wheel.p_B.y + dot(along, footing.v), impulses[i].along);
+    contact.across = rows.add(left, from_center, velocity.y + velocity.a * wheel.p_B.x + dot(left, footing.v),
+                              impulses[i].across);
   }
-  iterate({contacts.data(), count}, kConverged / inertia.per_mass, vehicle);
+  rows.couple();
+  iterate({contacts.data(), count}, kConverged / inertia.per_mass, rows);
+  rows.push();
   for (std::size_t i = 0; i < count; ++i) {
     const Contact& contact = contacts[i];
     WheelImpulse& impulse = *contact.impulse;
-    impulse.total = impulse.normal * contact.normal.direction + impulse.along * contact.along.direction +
-                    impulse.across * contact.across.direction;
+    impulse = {rows.impulse(contact.normal), 0, 0, rows.push_of(contact.normal)};
+    if (contact.is_caster()) continue;
+    impulse.along = rows.impulse(contact.along);
+    impulse.across = rows.impulse(contact.across);
+    impulse.total = impulse.total + rows.push_of(contact.along) + rows.push_of(contact.across);
   }
+}
+
+}  // namespace
+
+void solve_wheels(const BodyDesc& desc, const Inertia& inertia, const geom::Twist& velocity, double dt,
+                  std::span<const Footing> footings, std::span<WheelImpulse> impulses, Motion& motion) {
+  stage::in_vectors<solve>(desc, inertia, velocity, dt, footings, impulses, motion);
 }
 
 }  // namespace playhouse::arena

@@ -5,13 +5,13 @@
 /// they lose a tenth of a turn in place.
 ///
 /// In: how the vehicle moves, gravity included; where each wheel is above the ground; the impulses of the
-/// last
-///   step, from which it starts.
+///   step before, from which it starts.
 /// Out: how the vehicle moves then; the impulses.
-/// Cost: kIterations times the wheels times three rows of 12 multiplications.
+/// Cost: with n rows, three of a wheel and one of a caster, 6 n² multiplications, and in each of up to
+///   kIterations (7 on average in a crowd) n² more; 1.4 us for two wheels and two casters.
 /// Source: sequential impulses with warm start (Catto, "Iterative dynamics with temporal coherence", GDC
-/// 2005),
-///   the cone of friction as an ellipse about the load of the wheel.
+///   2005), on the matrix that couples the rows (Delassus); the cone of friction as an ellipse about the load
+///   of the wheel.
 
 #include <span>
 
