@@ -38,6 +38,8 @@ namespace {
 #define PLAYHOUSE_EIGHT __attribute__((target("avx2,bmi,popcnt"))) inline
 namespace playhouse::stage::avx2 {
 namespace {
+#include "playhouse/stage/eight_avx.inc"
+
 #include "playhouse/stage/eight_avx2.inc"
 
 #include "playhouse/stage/bundle_kernels.inc"
@@ -48,6 +50,8 @@ namespace {
 #define PLAYHOUSE_EIGHT __attribute__((target("avx512f,avx512dq,avx512vl,bmi,popcnt"))) inline
 namespace playhouse::stage::avx512 {
 namespace {
+#include "playhouse/stage/eight_avx.inc"
+
 #include "playhouse/stage/eight_avx512.inc"
 
 #include "playhouse/stage/bundle_kernels.inc"
