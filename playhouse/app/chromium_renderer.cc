@@ -96,7 +96,7 @@ ChromiumRenderer::ChromiumRenderer(std::string program, const world::World& worl
       prototypes_(world.scene()),
       mesh_files_(prototypes_.meshes()),
       layout_(layout_of(world, prototypes_)),
-      scene_(replicate::scene_text(world.scene(), prototypes_, *layout_)),
+      scene_(replicate::scene_text(world.scene(), replicate::light_text(world), prototypes_, *layout_)),
       viewer_(layout_) {}
 
 Result<void> ChromiumRenderer::start() {

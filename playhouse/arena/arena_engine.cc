@@ -50,6 +50,7 @@ ArenaEngine::ArenaEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsi
       physics_(ground, scene.gravity) {
   world_.engine = "arena";
   world_.upright = false;
+  world_.has_light = true;
   populate(true);
 }
 

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
 #include "playhouse/arena/solid_bodies.h"
 #include "playhouse/arena/triangles.h"
-#include "playhouse/stage/camera_image.h"
+#include "playhouse/scene/daylight.h"
+#include "playhouse/scene/materials.h"
 
 namespace playhouse::arena {
 namespace {
@@ -17,28 +17,13 @@ constexpr double kStridesPerSecond = 0.95;  // of who walks; Whittle, "Gait Anal
 constexpr double kRunsPerSecond = 1.4;      // of who runs
 constexpr double kRunning = 2.2;            // m/s
 constexpr double kStanding = 0.02;          // m/s
-constexpr float kSunlight = 0.72f, kDaylight = 0.42f, kNight = 0.05f;  // see render::Surroundings
-constexpr double kMostCandela = 1e9;  // beyond any lighthouse; more would be no float
-constexpr double kTwilight = 0.35;    // sine of the elevation of a sun that is up altogether
-
-struct Shine {
-  std::string_view material;
-  float metallic, roughness;
-};
-constexpr std::array kShines = {
-    Shine{"steel", 0.85f, 0.35f}, Shine{"glass", 0, 0.05f},   Shine{"ice", 0, 0.12f},
-    Shine{"plastic", 0, 0.4f},    Shine{"wood", 0, 0.7f},     Shine{"rubber", 0, 0.85f},
-    Shine{"concrete", 0, 0.95f},  Shine{"asphalt", 0, 0.95f}, Shine{"carpet", 0, 1},
-};
-constexpr Shine kUnknown{"", 0, 0.6f};
+constexpr double kMostCandela = 1e9;        // beyond any lighthouse; more would be no float
 
 mesh::Material material_of(const scene::ModelDesc& desc) {
-  Shine shine = kUnknown;
-  for (const Shine& known : kShines)
-    if (known.material == desc.material) shine = known;
+  const scene::Material& known = scene::material_named(desc.material);
   mesh::Material material;
-  material.metallic = shine.metallic;
-  material.roughness = shine.roughness;
+  material.metallic = known.metallic;
+  material.roughness = known.roughness;
   return material;
 }
 
@@ -65,7 +50,7 @@ mesh::Surface surface_of(const Triangles& triangles) {
 }  // namespace
 
 Look look_of(const scene::ModelDesc& desc) {
-  if (desc.material == "smoke") return Look::kSmoke;
+  if (scene::is_smoke(desc)) return Look::kSmoke;
   const bool walks = desc.kind == scene::ModelKind::kPosition && desc.position &&
                      desc.position->drive == scene::Drive::kWalk;
   return walks && desc.size.z > 0 ? Look::kPerson : Look::kSolid;
@@ -155,21 +140,19 @@ render::Gait gait_of(const Vec3& v, double heading, double height, double time, 
 }
 
 render::Surroundings surroundings_of(const scene::WorldDesc& world, double time) {
+  const scene::Daylight daylight = scene::daylight_of(world);
   render::Surroundings around;
-  const geom::SinCos heading = geom::sincos(world.sun_heading), up = geom::sincos(world.sun_elevation);
-  around.to_sun = {up.cos * heading.cos, up.cos * heading.sin, up.sin};
-  around.sun = kSunlight * static_cast<float>(std::clamp(world.sun_brightness, 0.0, 100.0));
-  const auto day = static_cast<float>(std::clamp(up.sin / kTwilight, 0.0, 1.0));
-  around.ambient = kNight + (kDaylight - kNight) * day;
+  around.to_sun = daylight.to_sun;
+  around.sun = daylight.sun;
+  around.ambient = daylight.ambient;
   const auto rgb = [&](double r, double g, double b, float share) {
     const std::array<float, 4> light =
         light_of({static_cast<float>(r), static_cast<float>(g), static_cast<float>(b), 1});
     return render::Rgb{share * light[0], share * light[1], share * light[2]};
   };
-  const float of_day = around.ambient / kDaylight;
-  around.sky = rgb(world.sky_red, world.sky_green, world.sky_blue, of_day);
-  around.fog = rgb(world.fog_red, world.fog_green, world.fog_blue, of_day);
-  const auto channel = [](int shift) { return (stage::kFloorColor >> shift & 0xff) / 255.0; };
+  around.sky = rgb(world.sky_red, world.sky_green, world.sky_blue, daylight.day);
+  around.fog = rgb(world.fog_red, world.fog_green, world.fog_blue, daylight.day);
+  const auto channel = [](int shift) { return (scene::kFloorColor >> shift & 0xff) / 255.0; };
   around.floor = rgb(channel(16), channel(8), channel(0), 1);
   around.visibility = world.fog;
   around.seconds = time;

@@ -8,7 +8,7 @@
 ///
 /// Source: Lambert's law and the lidar equation for surfaces larger than the beam, P ~ rho cos(theta) / r^2
 /// (Kashani et al., "A review of LiDAR radiometric processing", Sensors 2015); glass by Schlick, "An
-/// inexpensive BRDF model for physically-based rendering", 1994; reflectances at 0.9 um: optics.cc.
+/// inexpensive BRDF model for physically-based rendering", 1994; reflectances at 0.9 um: scene/materials.cc.
 
 #include <string_view>
 

@@ -27,6 +27,7 @@ class ObserverServer::Impl final : public std::enable_shared_from_this<ObserverS
       : network_(network),
         options_(std::move(options)),
         scene_(world.scene()),
+        light_(replicate::light_text(world)),
         prototypes_(scene_),
         feed_(world, prototypes_, std::move(devices)) {
     replicate::capture(world, {}, feed_.first_layout(), {}, front_);
@@ -210,7 +211,7 @@ class ObserverServer::Impl final : public std::enable_shared_from_this<ObserverS
   std::shared_ptr<const replicate::PackedText> scene_text() {
     if (scene_layout_ != front_.layout) {
       scene_layout_ = front_.layout;
-      scene_text_ = replicate::pack_text(replicate::scene_text(scene_, prototypes_, *front_.layout));
+      scene_text_ = replicate::pack_text(replicate::scene_text(scene_, light_, prototypes_, *front_.layout));
     }
     return scene_text_;
   }
@@ -218,6 +219,7 @@ class ObserverServer::Impl final : public std::enable_shared_from_this<ObserverS
   net::Network& network_;
   ObserverOptions options_;
   const scene::SceneDesc& scene_;
+  const std::string light_;  // see replicate::light_text()
   const replicate::Prototypes prototypes_;
   replicate::SnapshotFeed feed_;
   const Cookies cookies_;

@@ -34,7 +34,7 @@ class DatagramLink {
         layout_(small.layout()),
         observer(kNonce, terms, "", 0),
         viewer(kSession, terms, layout_,
-               pack_text(scene_text(small.world.scene(), small.prototypes, *layout_)), 0) {
+               pack_text(scene_text(small.world.scene(), "null", small.prototypes, *layout_)), 0) {
     observer.receive(encode(Welcome{kNonce, kSession, terms}), 0);
     capture_now();
   }

@@ -71,7 +71,8 @@ std::string make_golden() {
   SmallWorld small(3);
   small.world.upright = false;
   auto layout = small.layout(small_devices);
-  const std::string scene = scene_text(small.world.scene(), small.prototypes, *layout);
+  const std::string scene =
+      scene_text(small.world.scene(), light_text(small.world), small.prototypes, *layout);
   for (std::uint32_t row = 0; row < small.world.models.size(); ++row) world::subscribe(small.world, {row});
   DeltaWriter writer;
   Replica replica(layout);
@@ -128,7 +129,8 @@ TEST(Golden, the_packets_that_the_page_is_tested_with_are_current) {
 }
 
 boost::json::value parsed_scene(const SmallWorld& small, const DeviceNames& devices = {}) {
-  return boost::json::parse(scene_text(small.world.scene(), small.prototypes, *small.layout(devices)));
+  return boost::json::parse(
+      scene_text(small.world.scene(), light_text(small.world), small.prototypes, *small.layout(devices)));
 }
 
 TEST(SceneText, is_json_with_equal_shapes_and_prototypes_written_once) {
@@ -188,7 +190,7 @@ TEST(SceneText, names_from_files_cannot_break_it) {
   const world::World world(desc, 1);
   const Prototypes prototypes(desc);
   const boost::json::value scene =
-      boost::json::parse(scene_text(desc, prototypes, Layout(world, prototypes, {})));
+      boost::json::parse(scene_text(desc, light_text(world), prototypes, Layout(world, prototypes, {})));
   EXPECT_EQ(scene.at("name").as_string(), desc.name);
   EXPECT_EQ(scene.at("models").at(0).at("name").as_string(), desc.models[0].name);
 }

@@ -8,6 +8,7 @@
 
 #include "playhouse/replicate/json_text.h"
 #include "playhouse/replicate/views.h"
+#include "playhouse/scene/materials.h"
 
 namespace playhouse::replicate {
 namespace {
@@ -77,6 +78,10 @@ std::string prototype(const scene::ModelDesc& model, Texts& shapes, Meshes& mesh
   if (!model.blocks.empty() || !model.bitmaps.empty())
     fmt::format_to(out, R"(,"shape":{})", shapes.row(shape(model)));
   if (model.mesh) fmt::format_to(out, R"(,"mesh":"{}")", mesh_address(row_of(model.mesh, meshes)));
+  if (model.lamp > 0) fmt::format_to(out, R"(,"lamp":{})", number(model.lamp));
+  if (const scene::Material& material = scene::material_named(model.material); !material.name.empty())
+    fmt::format_to(out, R"(,"shine":[{},{}])", number(material.metallic), number(material.roughness));
+  if (scene::is_smoke(model)) text += R"(,"smoke":true)";
   if (model.moving_blocks > 0) fmt::format_to(out, R"(,"moving":{})", model.moving_blocks);
   if (model.gui_move) text += R"(,"movable":true)";
   if (model.gui_nose) text += R"(,"nose":true)";

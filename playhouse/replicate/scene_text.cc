@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "playhouse/replicate/json_text.h"
+#include "playhouse/scene/daylight.h"
 
 namespace playhouse::replicate {
 namespace {
@@ -30,14 +31,30 @@ void add_model(const Layout& layout, std::uint32_t row, std::string& text) {
 
 }  // namespace
 
-std::string scene_text(const scene::SceneDesc& scene, const Prototypes& prototypes, const Layout& layout) {
+std::string light_text(const world::World& world) {
+  if (!world.has_light) return "null";
+  const scene::SceneDesc& scene = world.scene();
+  const scene::Daylight light = scene::daylight_of(scene);
+  const auto triple = [](double a, double b, double c) {
+    return fmt::format("[{},{},{}]", number(a), number(b), number(c));
+  };
+  return fmt::format(
+      R"({{"to_sun":{},"sun":{},"ambient":{},"day":{},"sky":{},"fog":{},"visibility":{},"floor":{}}})",
+      triple(light.to_sun.x, light.to_sun.y, light.to_sun.z), number(light.sun), number(light.ambient),
+      number(light.day), triple(scene.sky_red, scene.sky_green, scene.sky_blue),
+      triple(scene.fog_red, scene.fog_green, scene.fog_blue), number(scene.fog), scene::kFloorColor);
+}
+
+std::string scene_text(const scene::SceneDesc& scene, std::string_view light, const Prototypes& prototypes,
+                       const Layout& layout) {
   std::string models;
   for (std::uint32_t row = 0; row < layout.id.size(); ++row) add_model(layout, row, models);
   return fmt::format(
-      "{{\"protocol\":3,\"name\":{},\"interval\":{:.9g},\"window\":{},\n\"shapes\":[{}],\n"
+      "{{\"protocol\":3,\"name\":{},\"interval\":{:.9g},\"window\":{},\"light\":{},\n\"shapes\":[{}],\n"
       "\"prototypes\":[\n{}],\n\"addable\":{},\n\"models\":[\n{}]}}\n",
-      quoted(scene.name), scene.interval, window(scene.window), prototypes.shapes(), prototypes.texts(),
-      list(prototypes.addable(), [](const Addable& robot) { return quoted(robot.name); }), models);
+      quoted(scene.name), scene.interval, window(scene.window), light, prototypes.shapes(),
+      prototypes.texts(), list(prototypes.addable(), [](const Addable& robot) { return quoted(robot.name); }),
+      models);
 }
 
 std::string history_text(const world::Past& past) {

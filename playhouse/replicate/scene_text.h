@@ -8,10 +8,14 @@
 
 namespace playhouse::replicate {
 
-/// The scene as the JSON text that every viewer gets first: shapes, prototypes, and the models of a layout
-/// with their start state (the very numbers of `layout.start`, the first baseline). docs/viewer-protocol.md
-/// shows the fields.
-std::string scene_text(const scene::SceneDesc& scene, const Prototypes& prototypes, const Layout& layout);
+/// The sun, sky and fog that the cameras of a world show, as JSON; "null" where they show none.
+std::string light_text(const world::World& world);
+
+/// The scene as the JSON text that every viewer gets first: its light, shapes, prototypes, and the models of
+/// a layout with their start state (the very numbers of `layout.start`, the first baseline).
+/// docs/viewer-protocol.md shows the fields.
+std::string scene_text(const scene::SceneDesc& scene, std::string_view light, const Prototypes& prototypes,
+                       const Layout& layout);
 
 /// What a viewer that holds one population must be told to hold another one: who has gone, and models that
 /// came or have another parent, with their start state. Both layouts are of one run. Empty: nothing.

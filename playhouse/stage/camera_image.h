@@ -13,8 +13,6 @@
 
 namespace playhouse::stage {
 
-inline constexpr std::uint32_t kFloorColor = 0xd9d9d2;  // 0xRRGGBB
-
 /// 0xRRGGBB, of a world file's `sky`.
 std::uint32_t sky_color(const scene::WorldDesc& world);
 

@@ -15,6 +15,7 @@
 #include <map>
 
 #include "playhouse/scene/colors.h"
+#include "playhouse/scene/daylight.h"
 #include "playhouse/stage/camera_image.h"
 #include "playhouse/stage/generated/senses.h"
 #include "playhouse/stage/lens.h"
@@ -149,7 +150,8 @@ class CameraSense final : public SensePhase {
         meet({stretch.from, stretch.to, stretch.low, stretch.high, static_cast<double>(k + 1)});
     }
     const bool of_models = camera.image == ImageKind::kSegmentation;
-    const std::uint32_t sky = of_models ? 0 : sky_color(world.scene()), floor = of_models ? 0 : kFloorColor;
+    const std::uint32_t sky = of_models ? 0 : sky_color(world.scene()),
+                        floor = of_models ? 0 : scene::kFloorColor;
     const auto sample_of = [&](std::uint32_t model) {
       return of_models ? segment_of(world.models.id[model]) : rgb(world.models.color[model]);
     };

@@ -109,6 +109,7 @@ class WebServer::Impl final : public net::HttpService,
         control_(control),
         scene_(world.scene()),
         engine_(world.engine),
+        light_(replicate::light_text(world)),
         prototypes_(scene_),
         mesh_files_(prototypes_.meshes()),
         feed_(world, prototypes_, std::move(devices)),
@@ -688,7 +689,8 @@ class WebServer::Impl final : public net::HttpService,
   std::shared_ptr<const std::string> scene_text() {
     if (newest_ != scene_layout_) {
       scene_layout_ = newest_;
-      scene_text_ = std::make_shared<const std::string>(replicate::scene_text(scene_, prototypes_, *newest_));
+      scene_text_ =
+          std::make_shared<const std::string>(replicate::scene_text(scene_, light_, prototypes_, *newest_));
     }
     return scene_text_;
   }
@@ -748,6 +750,7 @@ class WebServer::Impl final : public net::HttpService,
   world::Control& control_;
   const scene::SceneDesc& scene_;
   const std::string engine_;  // its name
+  const std::string light_;   // see replicate::light_text()
   const replicate::Prototypes prototypes_;
   MeshFiles mesh_files_;
   replicate::SnapshotFeed feed_;
@@ -772,7 +775,7 @@ class WebServer::Impl final : public net::HttpService,
   WebStatus status_;
   std::uint64_t hosts_refused_ = 0, origins_refused_ = 0, turned_away_ = 0;
   std::uint32_t viewers_ever_ = 0;
-  std::set<std::uint32_t> muted_;                // numbers of viewers
+  std::set<std::uint32_t> muted_;  // numbers of viewers
 };
 
 WebServer::WebServer(net::IoLoop& loop, WebOptions options, world::Control& control,

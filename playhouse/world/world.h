@@ -89,10 +89,12 @@ class World : public Tables {
   std::vector<std::shared_ptr<const CustomCode>> custom_codes;
 
   ChangeList changes;
-  /// The name of the engine, as of --engine, and whether it keeps every model upright: there are no tilts
-  /// then. Written by the engine, as it is made.
+  /// The name of the engine, as of --engine; whether it keeps every model upright: there are no tilts then;
+  /// and whether its cameras see by the light of the scene: sun, lamps, fog. Written by the engine, as it is
+  /// made.
   std::string engine = "stage";
   bool upright = true;
+  bool has_light = false;
   std::uint64_t tick_ = 0;  // written by: freeze (the engine) alone
   std::uint64_t said_ = 0;  // written by: set_say, load_state
   Utterances utterances;    // written by: set_say, and who listens

@@ -22,6 +22,9 @@ export interface Prototype extends KindStart {
   size: [number, number, number];
   shape?: number; // row of shapes
   mesh?: string; // address of a binary glTF of the body, from that of the page
+  lamp?: number; // cd, in its color, every way alike
+  shine?: [metallic: number, roughness: number]; // of what it is made of
+  smoke?: boolean; // a cloud in place of a body
   moving?: number; // how many of its solids, the last, its kind draws
   movable?: boolean;
   nose?: boolean; // what it wants drawn beside its body
@@ -50,6 +53,18 @@ export interface Model extends Prototype, Words {
   parent: number; // row, or -1; what is carried may come before who carries it
 }
 
+/** What shines on a scene. Colors are shares of what a screen shows, from 0 to 1. */
+export interface Light {
+  to_sun: [x: number, y: number, z: number]; // unit
+  sun: number; // how bright it makes a white face that is square to it
+  ambient: number; // and the light from everywhere
+  day: number; // share of the colors of sky and fog
+  sky: [r: number, g: number, b: number];
+  fog: [r: number, g: number, b: number];
+  visibility: number; // m, at which fog leaves 5 % of a contrast; 0: there is no fog
+  floor: number; // 0xRRGGBB
+}
+
 export interface Scene {
   protocol: 3;
   name: string;
@@ -62,6 +77,7 @@ export interface Scene {
     sensors: boolean;
     follow: string;
   };
+  light: Light | null; // null: the engine has none
   shapes: Solid[][];
   prototypes: Prototype[];
   addable: string[]; // names of what a person may add

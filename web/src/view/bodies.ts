@@ -1,15 +1,16 @@
 import {
   BufferAttribute, BufferGeometry, Color, DoubleSide, DynamicDrawUsage, Group, InstancedMesh, LineBasicMaterial,
-  LineSegments, Matrix4, MeshLambertMaterial, Vector3, type Quaternion,
+  LineSegments, Matrix4, MeshLambertMaterial, type Material,
 } from 'three';
 import { kKindPages, type KindPage } from '../kinds/kind_page';
 import type { Motion } from '../motion';
-import { orientationOf } from '../orientation';
 import type { Replica } from '../protocol/replica';
 import type { Model, Pose, Scene, Solid } from '../protocol/scene';
+import { bodyMatrix } from './frames';
 import { MeshBatch } from './meshes';
 import { isPerson } from './people';
 import { edgesOf, geometryOf, heightOf } from './shapes';
+import { darkOf, disposeAll, isLamp, isLit, surfaceOf, type Shine } from './surfaces';
 import type { Theme } from './theme';
 
 /** Models that look alike, drawn in one call. */
@@ -25,7 +26,7 @@ interface Batch {
 
 const kOutlineScale = 10; // pixels per metre
 
-/** The bodies of all models but people, without what their kinds draw, extruded, in their colours; and a point ahead of each that drives or wants one. */
+/** The bodies of all models but people and smoke, without what their kinds draw, extruded, in their colours; and a point ahead of each that drives or wants one. */
 export class Bodies {
   readonly group = new Group();
   private readonly batches: Batch[] = [];
@@ -33,6 +34,7 @@ export class Bodies {
   private readonly shown: Uint32Array; // colours on the screen
   private readonly matrix = new Matrix4();
   private readonly color = new Color();
+  private shine: Shine | null = null;
 
   constructor(
     private readonly scene: Scene,
@@ -45,9 +47,10 @@ export class Bodies {
     this.shown = new Uint32Array(scene.models.length);
     const alike = new Map<string, number[]>();
     scene.models.forEach((model, row) => {
-      if (model.shape === undefined || isPerson(scene, row)) return;
+      if (model.shape === undefined || model.smoke || isPerson(scene, row)) return;
       const shaded = shadeOf(model) ? model.kind : '';
-      const key = `${model.mesh ?? ''}/${model.shape}/${model.moving ?? 0}/${replica.color[row] & 0xff}/${shaded}`;
+      const look = `${model.shine ?? ''}/${isLamp(model)}/${shaded}`;
+      const key = `${model.mesh ?? ''}/${model.shape}/${model.moving ?? 0}/${replica.color[row] & 0xff}/${look}`;
       const rows = alike.get(key);
       if (rows) rows.push(row);
       else alike.set(key, [row]);
@@ -72,7 +75,7 @@ export class Bodies {
   move(): void {
     for (const batch of this.batches) {
       batch.rows.forEach((row, k) => {
-        const matrix = this.bodyMatrix(row, batch.origins[k]);
+        const matrix = bodyMatrix(this.motion, row, batch.origins[k], this.matrix);
         batch.mesh.setMatrixAt(k, matrix);
         batch.file?.place(k, matrix);
       });
@@ -87,7 +90,25 @@ export class Bodies {
 
   /** Leaves out outlines where they would be most of what is seen. */
   adapt(pixelsPerMetre: number): void {
-    for (const { edges, hidden } of this.batches) if (edges) edges.visible = !hidden && pixelsPerMetre >= kOutlineScale;
+    const outlined = !this.shine && pixelsPerMetre >= kOutlineScale;
+    for (const { edges, hidden } of this.batches) if (edges) edges.visible = !hidden && outlined;
+  }
+
+  /** Shows bodies in this light; null: plainly, with outlines, as on a map. */
+  shineBy(shine: Shine | null): void {
+    if (shine === this.shine) return;
+    this.shine = shine;
+    for (const { mesh, rows } of this.batches) {
+      disposeAll(mesh.material);
+      mesh.material = this.surfaceFor(rows[0]);
+    }
+    if (this.noses) this.noses.mesh.visible = !shine; // no part of the body
+    this.shown.fill(0);
+    this.paint();
+  }
+
+  private surfaceFor(row: number): Material {
+    return surfaceOf(this.scene.models[row], (this.replica.color[row] & 0xff) / 255, this.shine);
   }
 
   /** Takes over the colours that changed. */
@@ -107,12 +128,15 @@ export class Bodies {
       this.noses!.mesh.instanceColor!.needsUpdate = true;
     });
     this.shown.set(color);
-    for (const batch of this.batches) if (batch.shade) for (const row of batch.rows) this.shown[row] = this.colorOf(row, batch);
+    for (const batch of this.batches) if (batch.shade || this.shine) for (const row of batch.rows) this.shown[row] = this.colorOf(row, batch);
   }
 
   private colorOf(row: number, { shade }: Batch): number {
     const { color, state } = this.replica;
-    return shade ? darkened(color[row], shade(state[row])) : color[row];
+    const model = this.scene.models[row];
+    const dark = this.shine && isLamp(model) && !isLit(model, state[row]) ? darkOf(this.shine.light) : 1;
+    const brightness = dark * (shade?.(state[row]) ?? 1);
+    return brightness < 1 ? darkened(color[row], brightness) : color[row];
   }
 
   dispose(): void {
@@ -120,7 +144,7 @@ export class Bodies {
       file?.dispose();
       mesh.geometry.dispose(); // of the graphics card's memory; a cached one is sent there again
       mesh.dispose();
-      (mesh.material as MeshLambertMaterial).dispose();
+      disposeAll(mesh.material);
       edges?.geometry.dispose();
       (edges?.material as LineBasicMaterial | undefined)?.dispose();
     }
@@ -131,8 +155,8 @@ export class Bodies {
     const { geometry, edges: outline } = drawnOf(this.scene.shapes[shape!], moving ?? 0);
     if (!geometry) return;
     const alpha = (this.replica.color[rows[0]] & 0xff) / 255;
-    const material = new MeshLambertMaterial({ transparent: alpha < 1, opacity: alpha, depthWrite: alpha >= 1 });
-    const mesh = new InstancedMesh(geometry, material, rows.length);
+    const mesh = new InstancedMesh(geometry, this.surfaceFor(rows[0]), rows.length);
+    mesh.castShadow = mesh.receiveShadow = alpha >= 1;
     mesh.instanceMatrix.setUsage(DynamicDrawUsage);
     mesh.frustumCulled = false;
     const edges = followers(outline, mesh, alpha, theme);
@@ -157,7 +181,7 @@ export class Bodies {
   private makeNoses(): Batch | null {
     const rows: number[] = [];
     this.scene.models.forEach((model, row) => {
-      if ((model.kind === 'position' || model.nose) && model.shape !== undefined && !isPerson(this.scene, row)) rows.push(row);
+      if ((model.kind === 'position' || model.nose) && model.shape !== undefined && !model.smoke && !isPerson(this.scene, row)) rows.push(row);
     });
     if (rows.length === 0) return null;
     const geometry = new BufferGeometry();
@@ -172,32 +196,11 @@ export class Bodies {
     return { mesh, edges: null, rows, origins: [] };
   }
 
-  private bodyMatrix(row: number, origin: Pose): Matrix4 {
-    const { motion } = this;
-    const tilted = motion.tilted.get(row);
-    if (tilted) return this.tiltedMatrix(row, origin, tilted);
-    const c = Math.cos(motion.a[row]);
-    const s = Math.sin(motion.a[row]);
-    const x = motion.x[row] + c * origin[0] - s * origin[1];
-    const y = motion.y[row] + s * origin[0] + c * origin[1];
-    const cb = Math.cos(motion.a[row] + origin[3]);
-    const sb = Math.sin(motion.a[row] + origin[3]);
-    return this.matrix.set(cb, -sb, 0, x, sb, cb, 0, y, 0, 0, 1, motion.z[row] + origin[2], 0, 0, 0, 1);
-  }
-
-  private tiltedMatrix(row: number, [x, y, z, a]: Pose, tilted: Quaternion): Matrix4 {
-    const { motion } = this;
-    const place = new Vector3(x, y, z).applyQuaternion(tilted);
-    const turned = tilted.clone().multiply(orientationOf({ a, tiltX: 0, tiltY: 0 }));
-    place.add(new Vector3(motion.x[row], motion.y[row], motion.z[row]));
-    return this.matrix.makeRotationFromQuaternion(turned).setPosition(place);
-  }
-
   private noseMatrix(row: number): Matrix4 {
     const model = this.scene.models[row];
     const [length, width] = model.size;
     const middle = heightOf(this.scene.shapes[model.shape!]) / 2;
-    const matrix = this.bodyMatrix(row, model.origin ?? [0, 0, 0, 0]);
+    const matrix = bodyMatrix(this.motion, row, model.origin ?? [0, 0, 0, 0], this.matrix);
     const e = matrix.elements;
     for (let k = 0; k < 3; ++k) {
       e[k] *= length;

@@ -25,6 +25,7 @@ export class Figure {
       const mesh = new SkinnedMesh(geometry, [this.shirt, this.rest]);
       mesh.bind(this.skeleton, this.object.matrixWorld);
       mesh.frustumCulled = false;
+      mesh.castShadow = mesh.receiveShadow = true;
       this.object.add(mesh);
       return mesh;
     });

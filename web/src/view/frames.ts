@@ -1,4 +1,6 @@
+import { Vector3, type Matrix4 } from 'three';
 import type { Motion } from '../motion';
+import { orientationOf } from '../orientation';
 import type { Pose } from '../protocol/scene';
 
 /** A frame in the world: metres and radians. */
@@ -21,4 +23,21 @@ export function frameOf(motion: Motion, row: number, ...inside: (Pose | undefine
     a += pose[3];
   }
   return { x, y, z, a };
+}
+
+/** From the frame of a model's body to the world, as it stands or lies at this moment; written to `to`. */
+export function bodyMatrix(motion: Motion, row: number, [x, y, z, a]: Pose, to: Matrix4): Matrix4 {
+  const tilted = motion.tilted.get(row);
+  if (tilted) {
+    const place = new Vector3(x, y, z).applyQuaternion(tilted).add(new Vector3(motion.x[row], motion.y[row], motion.z[row]));
+    return to.makeRotationFromQuaternion(tilted.clone().multiply(orientationOf({ a, tiltX: 0, tiltY: 0 }))).setPosition(place);
+  }
+  const [c, s] = [Math.cos(motion.a[row]), Math.sin(motion.a[row])];
+  const [cb, sb] = [Math.cos(motion.a[row] + a), Math.sin(motion.a[row] + a)];
+  return to.set(
+    cb, -sb, 0, motion.x[row] + c * x - s * y,
+    sb, cb, 0, motion.y[row] + s * x + c * y,
+    0, 0, 1, motion.z[row] + z,
+    0, 0, 0, 1,
+  );
 }

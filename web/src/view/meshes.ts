@@ -59,6 +59,7 @@ export class MeshBatch {
       const part = new InstancedMesh(geometry, material, this.count);
       part.instanceMatrix.setUsage(DynamicDrawUsage);
       part.frustumCulled = false;
+      part.castShadow = part.receiveShadow = true;
       return part;
     });
     if (this.parts.length > 0) this.group.add(...this.parts);

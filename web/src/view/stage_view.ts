@@ -1,25 +1,28 @@
 import {
   AmbientLight, Color, DirectionalLight, Group, HemisphereLight, LineBasicMaterial, LineLoop, BufferGeometry, Mesh,
-  MeshBasicMaterial, PlaneGeometry, Scene as Picture,
-  Vector3, WebGLRenderer,
+  MeshBasicMaterial, MeshLambertMaterial, PlaneGeometry, Scene as Picture, Vector3, WebGLRenderer, type Texture,
 } from 'three';
 import { Motion } from '../motion';
 import { kKindPages, type Drawing } from '../kinds/kind_page';
 import type { Eyes } from '../drive/eyes';
 import type { Replica } from '../protocol/replica';
-import { rootsOf, type Scene } from '../protocol/scene';
+import { rootsOf, type Light, type Scene } from '../protocol/scene';
 import { Areas, type Area } from './areas';
 import { Bodies } from './bodies';
 import { Bubbles } from './bubbles';
 import { CameraRig, kTilted, type Box, type Margins } from './camera_rig';
+import { Daylight } from './daylight';
 import { Flight } from './flight';
 import { FloorMarks } from './floor_marks';
 import { frameOf } from './frames';
 import { Ground } from './ground';
 import { Labels } from './labels';
+import { Lamps } from './lamps';
 import { isPerson, People } from './people';
 import { PhysicsShapes } from './physics_shapes';
 import { heightOf } from './shapes';
+import { Smoke } from './smoke';
+import { disposeAll, type Shine } from './surfaces';
 import { thingAt } from './things';
 import { themeNow, type Theme } from './theme';
 import { Trails } from './trails';
@@ -49,6 +52,7 @@ class Drawn {
   readonly bubbles: Bubbles;
   readonly ground: Ground;
   readonly people: People;
+  readonly smoke: Smoke;
 
   constructor(
     readonly scene: Scene,
@@ -62,17 +66,24 @@ class Drawn {
   ) {
     this.bodies = new Bodies(scene, replica, motion, theme, changed);
     this.people = new People(scene, replica, motion, before?.people);
+    this.smoke = new Smoke(scene, replica, motion);
     const stage = { scene, replica, motion, theme };
     this.drawings = [new FloorMarks(stage), ...kKindPages.flatMap(({ drawings }) => drawings?.(stage) ?? [])];
     this.trails = new Trails(scene, replica, before?.trails);
     this.labels = new Labels(scene, motion, rig, canvas, theme, before?.labels);
     this.bubbles = new Bubbles(scene, replica, motion, rig, canvas, theme);
     this.ground = new Ground(extentOf(scene, motion), theme);
-    this.group.add(this.ground.group, this.trails.object, this.bodies.group, this.people.group, ...this.drawings.map(({ object }) => object));
+    this.group.add(this.ground.group, this.trails.object, this.bodies.group, this.people.group, this.smoke.group, ...this.drawings.map(({ object }) => object));
+  }
+
+  /** Shows everything in this light; null: plainly, as on a map. */
+  shineBy(shine: Shine | null): void {
+    this.bodies.shineBy(shine);
+    this.smoke.light = shine?.light ?? null;
   }
 
   dispose(): void {
-    for (const part of [this.bodies, this.people, ...this.drawings, this.trails, this.ground]) part.dispose();
+    for (const part of [this.bodies, this.people, this.smoke, ...this.drawings, this.trails, this.ground]) part.dispose();
   }
 }
 
@@ -96,9 +107,11 @@ export class StageView {
   private readonly renderer: WebGLRenderer;
   private readonly picture = new Picture();
   private readonly ring: LineLoop;
-  private readonly sun = new DirectionalLight(0xffffff, 1.6);
+  private readonly plain = new Group(); // light where the scene's does not shine
+  private readonly daylight: Daylight;
+  private readonly lamps = new Lamps();
   private readonly areas = new Areas();
-  private readonly floor = new Mesh(new PlaneGeometry(kFloor, kFloor), new MeshBasicMaterial()); // of who stands on it
+  private readonly floor = new Mesh<PlaneGeometry, MeshBasicMaterial | MeshLambertMaterial>(new PlaneGeometry(kFloor, kFloor)); // of who stands on it
   private drawn: Drawn | null = null;
   private theme: Theme = themeNow();
   private dirty = true;
@@ -111,13 +124,17 @@ export class StageView {
     private readonly margins: () => Margins,
   ) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'low-power' });
-    this.picture.add(new AmbientLight(0xffffff, 0.7), new HemisphereLight(0xffffff, 0xb8bec8, 1.1), this.sun);
-    this.sun.position.set(-4, -7, 12);
+    const side = new DirectionalLight(0xffffff, 1.6);
+    side.position.set(-4, -7, 12);
+    this.plain.add(new AmbientLight(0xffffff, 0.7), new HemisphereLight(0xffffff, 0xb8bec8, 1.1), side);
+    this.daylight = new Daylight(this.renderer, this.picture);
+    this.picture.add(this.plain, this.daylight.group, this.lamps.group);
     const circle = Array.from({ length: 48 }, (_, k) => new Vector3(Math.cos((k / 24) * Math.PI), Math.sin((k / 24) * Math.PI), 0));
     this.ring = new LineLoop(new BufferGeometry().setFromPoints(circle), new LineBasicMaterial({ depthTest: false, transparent: true }));
     this.ring.renderOrder = 10;
     this.ring.visible = false;
     this.floor.position.z = -0.01;
+    this.floor.receiveShadow = true;
     this.picture.add(this.ring, this.areas.object, this.floor, this.physics.group);
     this.floor.visible = false;
     this.applyTheme();
@@ -158,7 +175,7 @@ export class StageView {
     this.roots = rootsOf(scene);
     this.drawn = new Drawn(scene, replica, motion, this.rig, this.overlay, this.theme, () => (this.dirty = true), before);
     this.picture.add(this.drawn.group);
-    this.applyLayers();
+    this.applyTheme();
   }
 
   /** A packet was applied. */
@@ -182,11 +199,12 @@ export class StageView {
     if (drawn) {
       for (const drawing of drawn.drawings) drawing.object.visible = this.shows(drawing);
       drawn.trails.object.visible = layers.trails;
-      drawn.ground.group.visible = layers.grid;
+      drawn.ground.group.visible = layers.grid && !this.light;
       drawn.labels.names = layers.names;
       drawn.bubbles.shown = layers.speech;
       drawn.labels.markers = layers.fiducials;
     }
+    this.paintFloor();
     this.dirty = true;
   }
 
@@ -231,7 +249,6 @@ export class StageView {
     this.rig.eye = null;
     this.floor.visible = seenBy !== null;
     this.applyTheme();
-    this.dirty = true;
   }
 
   /** Flies from where the world is looked at now. */
@@ -375,12 +392,20 @@ export class StageView {
       drawn.ground.adapt(this.rig.scale);
       drawn.bodies.adapt(this.rig.scale);
       drawn.people.adapt(this.rig);
+      drawn.smoke.draw();
+      if (this.light) this.shineOn(drawn);
       if (layers.physics) this.physics.move(drawn.replica, drawn.motion);
       this.placeRing(drawn);
       drawn.labels.draw([this.selected, this.hovered, this.followed]);
       drawn.bubbles.draw([this.selected, this.hovered, this.followed]);
     }
     this.renderer.render(this.picture, this.rig.camera);
+  }
+
+  private shineOn({ scene, replica, motion }: Drawn): void {
+    const { camera } = this.rig;
+    this.daylight.follow(camera);
+    this.lamps.place(scene, replica, motion, camera.position);
   }
 
   private placeRing(drawn: Drawn): void {
@@ -411,11 +436,37 @@ export class StageView {
     this.rig.update(0);
   }
 
+  /** Who stands or flies in the world sees it by its light, if it has any; from above it is a map. */
+  private get light(): Light | null {
+    return this.seenBy || this.flight ? (this.drawn?.scene.light ?? null) : null;
+  }
+
   private applyTheme(): void {
-    this.picture.background = new Color(this.seenBy || this.flight ? this.theme.sky : this.theme.floor);
-    (this.floor.material as MeshBasicMaterial).color.setHex(this.theme.floor);
-    (this.ring.material as LineBasicMaterial).color.setHex(this.theme.select);
-    this.dirty = true;
+    const { light, theme } = this;
+    this.plain.visible = light === null;
+    this.lamps.group.visible = light !== null;
+    const shine = light && this.daylight.show(light);
+    if (!shine) this.daylight.hide();
+    if (shine) this.lamps.prepare(this.drawn!.scene);
+    this.drawn?.shineBy(shine);
+    this.picture.background = light ? null : new Color(this.seenBy || this.flight ? theme.sky : theme.floor);
+    (this.ring.material as LineBasicMaterial).color.setHex(theme.select);
+    this.applyLayers();
+  }
+
+  /** The floor of who stands on it: of slabs in the light of the scene, where the grid is wanted. */
+  private paintFloor(): void {
+    const { light, theme, floor } = this;
+    disposeAll(floor.material);
+    floor.material = light
+      ? new MeshLambertMaterial({ color: light.floor, map: this.layers.grid ? this.slabs() : null })
+      : new MeshBasicMaterial({ color: theme.floor });
+  }
+
+  private slabs(): Texture {
+    const { slabs } = this.daylight;
+    slabs.repeat.set(kFloor, kFloor);
+    return slabs;
   }
 
   private drop(): void {
