@@ -189,6 +189,23 @@ model( name "wall" pose [1 -5 0 0] size [0.2 2 1] )
   for (std::uint32_t row = 0; row < 3; ++row) EXPECT_EQ(world().models.tilt_WM[row], geom::Tilt{});
 }
 
+TEST_F(ArenaTest, there_is_no_height_at_which_who_walks_or_drives_goes_through_a_step) {
+  const auto goes_over = [this](const std::string& mover, const std::string& step, double speed) {
+    start((mover + "model( name \"step\" pose [3 0 0 0] size [4 2 " + step + "] )\n").c_str());
+    drive("p", {speed, 0, 0, 0});
+    run(3 / speed);
+    if (pose("p").x < 1.2) return false;
+    EXPECT_NEAR(pose("p").z, std::stod(step), 0.01) << step;
+    return true;
+  };
+  const char *person = "position( name \"p\" drive \"walk\" size [0.3 0.5 1.75] mass 75 )\n",
+             *robot = "position( name \"p\" drive \"omni\" size [0.5 0.4 0.25] )\n";
+  for (const char* step : {"0.295", "0.3", "0.301", "0.305"}) EXPECT_TRUE(goes_over(person, step, 1));
+  for (const char* step : {"0.31", "0.315", "0.35"}) goes_over(person, step, 1);
+  for (const char* step : {"0.029", "0.03", "0.031"}) EXPECT_TRUE(goes_over(robot, step, 0.5));
+  for (const char* step : {"0.035", "0.04", "0.045", "0.1"}) goes_over(robot, step, 0.5);
+}
+
 TEST_F(ArenaTest, is_the_same_run_for_any_number_of_workers_and_from_any_saved_tick) {
   start(kWorld);
   const auto command = [&](world::World& world, int tick) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "playhouse/arena/supports.h"
 #include "playhouse/arena/wheels.h"
@@ -13,12 +14,17 @@ namespace {
 
 constexpr double kMargin = 1e-3;    // m by which Bullet rounds convex solids
 constexpr double kWheelDrop = 0.1;  // m below a wheel to where the ground is looked for
+constexpr double kOverlap =
+    0.01;  // m by which it climbs more than its body leaves free: no step is in between
 constexpr double kForesight = 0.1;  // s between two calls of forget(), about
 constexpr double kUpright = 0.3;    // cosine of the steepest slope that bears a wheel
 
 // What is forgotten (see forget()) leaves no contacts of earlier steps: each step finds all corners of a
 // face.
 constexpr int kPerturbations = 4;
+
+// Of the solver of contacts; more where vehicles stand on what is lighter than they are.
+constexpr int kIterations = 30, kHeldIterations = 50;
 
 constexpr std::uint32_t kNobody = 0xffffffff;
 
@@ -34,8 +40,16 @@ btQuaternion bullet(const Quaternion& q) {
   return {q.x, q.y, q.z, q.w};
 }
 
-double highest(const Hull& hull) {
-  return std::ranges::max(hull, {}, &Vec3::z).z;
+/// The lowest place of a solid that a wheel may stand on: of an upright prism its top, of a wedge its foot.
+double lowest_top(const Hull& hull) {
+  double lowest = 1e300;
+  for (const Vec3& p : hull) {
+    double top = p.z;
+    for (const Vec3& q : hull)
+      if (q.x == p.x && q.y == p.y) top = std::max(top, q.z);
+    lowest = std::min(lowest, top);
+  }
+  return lowest;
 }
 
 /// About the z axis.
@@ -132,6 +146,56 @@ std::unique_ptr<btRigidBody> make_body(double mass, btCollisionShape& shape, con
   return body;
 }
 
+/// A wheel on what may be pushed away, for Bullet to solve with the contacts of that: solved without them,
+/// the reaction of a heavy vehicle throws a light thing. Rows: normal, along, left, of which friction is
+/// within what the load of solve_wheels() gives. Changes of impulses that solve_wheels() found already.
+class WheelConstraint final : public btTypedConstraint {
+ public:
+  WheelConstraint(btRigidBody& vehicle, btRigidBody& support, const Vec3& p, const WheelTarget& target,
+                  const WheelImpulse& impulse)
+      : btTypedConstraint(MAX_CONSTRAINT_TYPE, vehicle, support), p_(p), target_(target), impulse_(impulse) {}
+
+  void getInfo1(btConstraintInfo1* info) override {
+    info->m_numConstraintRows = target_.grip_along > 0 || target_.grip_left > 0 ? 3 : 1;
+    info->nub = 0;
+  }
+  void getInfo2(btConstraintInfo2* info) override {
+    put(info, 0, target_.normal, target_.v_normal);
+    info->m_lowerLimit[0] = -impulse_.normal;
+    info->m_upperLimit[0] = SIMD_INFINITY;
+    if (target_.grip_along <= 0 && target_.grip_left <= 0) return;
+    put(info, 1, target_.along, target_.v_along);
+    limit(info, 1, target_.grip_along * impulse_.normal, impulse_.along);
+    put(info, 2, target_.left, target_.v_left);
+    limit(info, 2, target_.grip_left * impulse_.normal, impulse_.across);
+  }
+  void setParam(int, btScalar, int) override {}
+  btScalar getParam(int, int) const override { return 0; }
+
+ private:
+  void put(btConstraintInfo2* info, int row, const Vec3& direction, double velocity) const {
+    const int at = row * info->rowskip;
+    const btVector3 n = bullet(direction), p = bullet(p_);
+    const auto write = [at](btScalar* to, const btVector3& v) {
+      for (int k = 0; k < 3; ++k) to[at + k] = v[k];
+    };
+    write(info->m_J1linearAxis, n);
+    write(info->m_J1angularAxis, (p - m_rbA.getWorldTransform().getOrigin()).cross(n));
+    write(info->m_J2linearAxis, -n);
+    write(info->m_J2angularAxis, -(p - m_rbB.getWorldTransform().getOrigin()).cross(n));
+    info->m_constraintError[at] = velocity;
+  }
+  static void limit(btConstraintInfo2* info, int row, double most, double now) {
+    const int at = row * info->rowskip;
+    info->m_lowerLimit[at] = -most - now;
+    info->m_upperLimit[at] = most - now;
+  }
+
+  Vec3 p_;  // m, of the wheel in W
+  WheelTarget target_;
+  WheelImpulse impulse_;
+};
+
 struct Moving {
   BodyDesc desc;
   std::unique_ptr<Solids> solids;
@@ -145,6 +209,7 @@ struct Moving {
   std::vector<WheelImpulse> impulses;
   std::vector<std::uint32_t> below;     // bodies that its wheels may stand on: scratch
   std::vector<std::uint32_t> supports;  // the body that each wheel stands on, or kNobody
+  bool is_held = false;                 // its wheels are for Bullet to solve, too: it pushes one or is pushed
 
   explicit Moving(const BodyDesc& of) : desc(of), solids(std::make_unique<Solids>(of.hulls, of.center)) {
     body = make_body(desc.mass, solids->shape(), desc.surface);
@@ -175,7 +240,7 @@ struct Moving {
     Box box{{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}};
     for (const Wheel& wheel : desc.wheels) {
       const Vec3 p = state.p + state.q * wheel.p_B;
-      const double reach = std::max(wheel.rise, kWheelDrop);
+      const double reach = std::max(wheel.rise + kOverlap, kWheelDrop);
       box.low = {std::min(box.low.x, p.x - reach), std::min(box.low.y, p.y - reach),
                  std::min(box.low.z, p.z - reach)};
       box.high = {std::max(box.high.x, p.x + reach), std::max(box.high.y, p.y + reach),
@@ -259,6 +324,7 @@ struct Physics::Impl {
     world.setGravity({0, 0, -gravity});
     world.getDispatchInfo().m_deterministicOverlappingPairs = true;
     configuration.setPlaneConvexMultipointIterations(kPerturbations, kPerturbations);
+    world.getSolverInfo().m_numIterations = kIterations;
   }
   ~Impl() { take_out(); }
 
@@ -289,8 +355,12 @@ struct Physics::Impl {
   void find_supports();
   void wake();
   void roll(Moving& moving, double dt) const;
-  void push_supports();
+  bool is_pushed(const Moving& vehicle, std::uint32_t support) const;
+  void push_supports(double dt);
+  void hold_wheels(Moving& moving, double dt);
+  void let_wheels_go();
 
+  std::vector<std::unique_ptr<WheelConstraint>> held;  // in a step
   Supports supports;
   std::vector<Box> boxes;  // scratch
 };
@@ -336,7 +406,8 @@ void Physics::Impl::find_footing(Moving& moving, std::size_t i) const {
   footing.is_near = up.z > kUpright && p.z < kWheelDrop;
   footing.gap = p.z;
   footing.friction = ground->getFriction();
-  const Ray ray{bullet(p + wheel.rise * up), bullet(p - kWheelDrop * up), wheel.rise};
+  const double rise = wheel.rise + kOverlap;
+  const Ray ray{bullet(p + rise * up), bullet(p - kWheelDrop * up), rise};
   for (const Fixed& part : fixed)
     if (ray.top.z() >= part.lowest_top && !part.is_beside(p)) ray.meet(*part.body, footing);
   moving.supports[i] = kNobody;
@@ -356,6 +427,9 @@ void Physics::Impl::find_footings(std::uint32_t number) {
   const auto moves = [this](std::uint32_t below) { return !bodies[below]->rests; };
   if (moving.rests && std::ranges::none_of(moving.below, moves)) return moving.below.clear();
   for (std::size_t i = 0; i < moving.footings.size(); ++i) find_footing(moving, i);
+  if (const double travel = caster_travel(moving.desc, moving.footings); travel > 0)
+    for (std::size_t i = 0; i < moving.footings.size(); ++i)
+      if (moving.desc.wheels[i].along <= 0) moving.footings[i].gap += travel;
 }
 
 void Physics::Impl::find_supports() {
@@ -392,21 +466,55 @@ void Physics::Impl::roll(Moving& moving, double dt) const {
   moving.body->setAngularVelocity(bullet(motion.w));
 }
 
+/// Whether the wheels of a vehicle push what they stand on.
+bool Physics::Impl::is_pushed(const Moving& vehicle, std::uint32_t support) const {
+  if (support == kNobody || bodies[support]->is_guided()) return false;
+  // People put their feet beside a robot, whose edge they would weigh down.
+  return !(vehicle.desc.is_upright && bodies[support]->is_vehicle());
+}
+
 /// What wheels stand on is pushed as much as they are, the other way.
-void Physics::Impl::push_supports() {
+void Physics::Impl::push_supports(double dt) {
   for (const auto& moving : bodies) {
     if (moving->below.empty() || moving->rests) continue;
     for (std::size_t i = 0; i < moving->supports.size(); ++i) {
-      if (moving->supports[i] == kNobody) continue;
+      if (!is_pushed(*moving, moving->supports[i])) continue;
+      moving->is_held = bodies[moving->supports[i]]->is_held = true;
       Moving& support = *bodies[moving->supports[i]];
-      if (support.is_guided()) continue;
-      // People put their feet beside a robot, whose edge they would weigh down.
-      if (moving->desc.is_upright && support.is_vehicle()) continue;
       const Vec3 p = moving->state.p + moving->state.q * moving->desc.wheels[i].p_B;
       const Vec3 center = support.state.p + support.state.q * support.desc.center;
       support.body->applyImpulse(bullet(-1 * moving->impulses[i].total), bullet(p - center));
     }
   }
+  for (const auto& moving : bodies)
+    if (std::exchange(moving->is_held, false)) hold_wheels(*moving, dt);
+  world.getSolverInfo().m_numIterations = held.empty() ? kIterations : kHeldIterations;
+}
+
+/// All wheels of a vehicle, for Bullet to solve with the contacts of what they stand on.
+void Physics::Impl::hold_wheels(Moving& moving, double dt) {
+  for (std::size_t i = 0; i < moving.footings.size(); ++i) {
+    const Footing& footing = moving.footings[i];
+    if (!footing.is_near) continue;
+    const Wheel& wheel = moving.desc.wheels[i];
+    const std::uint32_t support = moving.supports[i];
+    btRigidBody& below =
+        is_pushed(moving, support) ? *bodies[support]->body : btTypedConstraint::getFixedBody();
+    WheelTarget target = wheel_target(wheel, footing, moving.state.q, moving.velocity, dt);
+    if (&below == &btTypedConstraint::getFixedBody()) {
+      target.v_normal += dot(target.normal, footing.v);
+      target.v_along += dot(target.along, footing.v);
+      target.v_left += dot(target.left, footing.v);
+    }
+    held.push_back(std::make_unique<WheelConstraint>(
+        *moving.body, below, moving.state.p + moving.state.q * wheel.p_B, target, moving.impulses[i]));
+    world.addConstraint(held.back().get());
+  }
+}
+
+void Physics::Impl::let_wheels_go() {
+  for (const auto& constraint : held) world.removeConstraint(constraint.get());
+  held.clear();
 }
 
 Physics::Physics(const Surface& ground, double gravity) : impl_(std::make_unique<Impl>(ground, gravity)) {}
@@ -433,7 +541,7 @@ void Physics::set_fixed(std::span<const FixedSolid> solids) {
     Impl::Fixed part{std::make_unique<Solids>(alike.hulls, Vec3{}), nullptr, nullptr, 1e300};
     part.body = make_body(0, part.solids->shape(), alike.surface);
     part.body->setWorldTransform(btTransform(bullet(geom::orientation(alike.heading, {}))));
-    for (const Hull& hull : alike.hulls) part.lowest_top = std::min(part.lowest_top, highest(hull));
+    for (const Hull& hull : alike.hulls) part.lowest_top = std::min(part.lowest_top, lowest_top(hull));
     impl_->fixed.push_back(std::move(part));
   }
   for (const FixedSolid& solid : solids) {
@@ -517,9 +625,10 @@ void Physics::step(double dt, world::Workers& workers) {
       for (std::size_t i = begin; i < end; ++i)
         if (bodies[i]->is_vehicle() && !bodies[i]->rests) impl_->roll(*bodies[i], dt);
     });
-    impl_->push_supports();
+    impl_->push_supports(dt);
   }
   impl_->world.stepSimulation(dt, 0);
+  impl_->let_wheels_go();
   for (const auto& moving : bodies) moving->read();
 }
 

@@ -262,6 +262,61 @@ TEST_F(PhysicsTest, who_walks_steps_onto_what_is_loose_and_low) {
   EXPECT_NEAR(physics_.state(body).p.z, 0, 0.01) << "and down again";
 }
 
+TEST_F(PhysicsTest, what_is_light_bears_who_stands_on_it) {
+  for (const double mass : {2.0, 5.0, 20.0}) {
+    const std::uint32_t person = physics_.add(walker()), crate = physics_.add(slab(mass, 0.6, 0.25, 1));
+    physics_.put(person, {.p = {0, 0, 0.25}}, false);
+    run(3);
+    EXPECT_NEAR(physics_.state(person).p.z, 0.25, 0.01) << mass;
+    EXPECT_NEAR(physics_.state(person).p.x, 0, 0.1) << mass;
+    EXPECT_NEAR(physics_.state(crate).p.x, 0, 0.1) << mass;
+    EXPECT_NEAR(physics_.state(crate).p.z, 0, 0.01) << mass;
+    physics_.clear();
+  }
+}
+
+TEST_F(PhysicsTest, a_light_vehicle_bears_a_heavy_one) {
+  BodyDesc heavy = rover();
+  heavy.mass = 50;
+  const std::uint32_t below = physics_.add(rover()), above = physics_.add(heavy);
+  physics_.put(above, {.p = {0, 0, 0.22}}, false);
+  run(3);
+  EXPECT_NEAR(physics_.state(below).p.z, 0, 2e-3);
+  EXPECT_NEAR(physics_.state(above).p.z, 0.22, 2e-3);
+}
+
+TEST_F(PhysicsTest, casters_give_way_at_the_foot_of_a_ramp) {
+  const double slope = 10 * std::numbers::pi / 180, length = 4, rise = length * std::tan(slope);
+  Hull ramp;
+  for (const double y : {-1.0, 1.0})
+    for (const Vec3& p : {Vec3{1, y, 0}, Vec3{1 + length, y, 0}, Vec3{1 + length, y, rise}})
+      ramp.push_back(p);
+  physics_.set_fixed(std::vector<FixedSolid>{{ramp, {1, 0}}});
+  const std::uint32_t body = physics_.add(rover());
+  physics_.drive(body, {0.4, 0, 0, 0});
+  run(6);
+  const BodyState end = physics_.state(body);
+  EXPECT_NEAR(end.p.x, 1 + (6 * 0.4 - 1) * std::cos(slope), 0.05);
+  EXPECT_NEAR(end.p.z, (end.p.x - 1) * std::tan(slope), 0.01);
+  EXPECT_NEAR(end.p.y, 0, 0.01);
+}
+
+TEST_F(PhysicsTest, seven_boxes_stand_on_each_other) {
+  std::vector<std::uint32_t> boxes;
+  for (int i = 0; i < 7; ++i) {
+    BodyDesc box_desc;
+    box_desc.hulls = {box(0.4, 0.4, 0, 0.4)};
+    box_desc.mass = 10;
+    box_desc.center = {0, 0, 0.2};
+    box_desc.surface = {0.6, 0};
+    boxes.push_back(physics_.add(box_desc));
+    physics_.put(boxes.back(), {.p = {0, 0, 0.4 * i}}, false);
+  }
+  run(15);
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    EXPECT_NEAR(physics_.state(boxes[i]).p.z, 0.4 * i, 0.02) << i;
+}
+
 TEST_F(PhysicsTest, a_vehicle_that_is_woken_from_above_goes_on_whatever_was_before) {
   BodyDesc small = rover();
   small.hulls = {box(0.2, 0.2, 0.05, 0.2)};

@@ -14,13 +14,14 @@ using stage::kFour;
 using stage::load;
 using stage::store;
 
-constexpr int kIterations = 20;           // at most,
-constexpr double kConverged = 1e-7;       // m/s by which an iteration still changes the motion
-constexpr double kPushOut = 0.2;          // of a wheel that is pressed in, a step
-constexpr double kClimb = 1;              // m/s at most
-constexpr double kSlop = 1e-4;            // m that it may be
-constexpr double kEven = 1e-3;            // m between the ground and a wheel on even ground
-constexpr double kSameNormal = 1 - 1e-8;  // cosine of the angle between normals of even ground
+constexpr int kIterations = 20;         // at most,
+constexpr double kConverged = 1e-7;     // m/s by which an iteration still changes the motion
+constexpr double kPushOut = 0.2;        // of a wheel that is pressed in, a step
+constexpr double kClimb = 1;            // m/s at most
+constexpr double kSlop = 1e-4;          // m that it may be
+constexpr double kEven = 1e-3;          // m between the ground and a wheel on even ground
+constexpr double kSimilarNormal = 0.8;  // cosine of the angle between normals of ground that is shared
+constexpr double kTravel = 0.06;        // m that casters give way at most
 
 /// A wheel that touches the ground. Its rows are numbers of Rows.
 struct Contact {
@@ -177,10 +178,25 @@ PLAYHOUSE_INLINE double friction_along(const Footing& footing, const Vec3& direc
   return footing.friction * std::sqrt(x * x + y * y + z * z);
 }
 
-/// Without an end where the length is 0.
+/// Unit vector; the x axis for the zero vector.
 PLAYHOUSE_INLINE Vec3 unit(const Vec3& v) {
   const double length = std::sqrt(dot(v, v));
   return length > 0 ? (1 / length) * v : Vec3{1, 0, 0};
+}
+
+PLAYHOUSE_INLINE WheelTarget target_of(const Wheel& wheel, const Footing& footing, const Vec3& ahead,
+                                       const geom::Twist& velocity, double dt) {
+  WheelTarget target;
+  target.normal = footing.normal;
+  target.left = unit(cross(footing.normal, ahead));
+  target.along = cross(target.left, footing.normal);
+  target.v_normal = footing.gap > 0 ? -footing.gap / dt
+                                    : std::min(kPushOut * std::max(0.0, -footing.gap - kSlop) / dt, kClimb);
+  target.v_along = velocity.x - velocity.a * wheel.p_B.y;
+  target.v_left = velocity.y + velocity.a * wheel.p_B.x;
+  target.grip_along = wheel.along * friction_along(footing, target.along);
+  target.grip_left = wheel.across * friction_along(footing, target.left);
+  return target;
 }
 
 /// The ground pushes, and does not pull. Returns the change of the impulse. [N s]
@@ -210,7 +226,7 @@ PLAYHOUSE_INLINE double grip(const Contact& contact, Rows& rows) {
   return change + rows.set(contact.across, across);
 }
 
-/// Two driven wheels between two casters, on even ground.
+/// Two driven wheels between two casters, all of which touch the ground.
 struct Axle {
   std::array<const Contact*, 2> driven{}, casters{};
   double share = -1;  // of the axle's load, of the second caster; below 0: there is no such axle
@@ -221,7 +237,7 @@ PLAYHOUSE_INLINE Axle axle_of(std::span<const Contact> contacts) {
   if (contacts.size() != 4) return axle;
   std::size_t driven_count = 0, caster_count = 0;
   for (const Contact& contact : contacts) {
-    if (!contact.is_even || dot(contact.up, contacts[0].up) < kSameNormal) return axle;
+    if (!contact.is_even || dot(contact.up, contacts[0].up) < kSimilarNormal) return axle;
     if (contact.is_caster() ? caster_count == 2 : driven_count == 2) return axle;
     (contact.is_caster() ? axle.casters[caster_count++] : axle.driven[driven_count++]) = &contact;
   }
@@ -283,25 +299,22 @@ PLAYHOUSE_INLINE void solve(const BodyDesc& desc, const Inertia& inertia, const 
       continue;
     }
     const Wheel& wheel = desc.wheels[i];
+    const WheelTarget target = target_of(wheel, footing, ahead, velocity, dt);
     const Vec3 from_center = motion.q * (wheel.p_B - desc.center);
-    const Vec3 left = unit(cross(footing.normal, ahead)), along = cross(left, footing.normal);
-    const double in_or_out = footing.gap > 0
-                                 ? -footing.gap / dt
-                                 : std::min(kPushOut * std::max(0.0, -footing.gap - kSlop) / dt, kClimb);
     Contact& contact = contacts[count++];
-    contact.grip_along = wheel.along * friction_along(footing, along);
-    contact.grip_across = wheel.across * friction_along(footing, left);
+    contact.grip_along = target.grip_along;
+    contact.grip_across = target.grip_left;
     contact.up = footing.normal;
     contact.x = wheel.p_B.x;
     contact.is_even = std::fabs(footing.gap) < kEven;
     contact.impulse = &impulses[i];
-    contact.normal =
-        rows.add(footing.normal, from_center, in_or_out + dot(footing.normal, footing.v), impulses[i].normal);
+    contact.normal = rows.add(target.normal, from_center, target.v_normal + dot(target.normal, footing.v),
+                              impulses[i].normal);
     if (contact.is_caster()) continue;
-    contact.along = rows.add(
-        along, from_center, velocity.x - velocity.a * wheel.p_B.y + dot(along, footing.v), impulses[i].along);
-    contact.across = rows.add(left, from_center, velocity.y + velocity.a * wheel.p_B.x + dot(left, footing.v),
-                              impulses[i].across);
+    contact.along =
+        rows.add(target.along, from_center, target.v_along + dot(target.along, footing.v), impulses[i].along);
+    contact.across =
+        rows.add(target.left, from_center, target.v_left + dot(target.left, footing.v), impulses[i].across);
   }
   rows.couple();
   iterate({contacts.data(), count}, kConverged / inertia.per_mass, rows);
@@ -318,6 +331,26 @@ PLAYHOUSE_INLINE void solve(const BodyDesc& desc, const Inertia& inertia, const 
 }
 
 }  // namespace
+
+WheelTarget wheel_target(const Wheel& wheel, const Footing& footing, const Quaternion& q,
+                         const geom::Twist& velocity, double dt) {
+  return target_of(wheel, footing, q * Vec3{1, 0, 0}, velocity, dt);
+}
+
+double caster_travel(const BodyDesc& desc, std::span<const Footing> footings) {
+  // wheels_of() has the driven wheels of an axle first, then its casters.
+  if (desc.wheels.size() != 4) return 0;
+  const auto is_caster = [&](std::size_t i) { return desc.wheels[i].along <= 0; };
+  if (is_caster(0) || is_caster(1) || !is_caster(2) || !is_caster(3)) return 0;
+  for (const Footing& footing : footings)
+    if (!footing.is_near) return 0;
+  const double first = desc.wheels[2].p_B.x, apart = desc.wheels[3].p_B.x - first;
+  if (apart == 0) return 0;
+  const double share = (desc.wheels[0].p_B.x - first) / apart;
+  const double casters = (1 - share) * footings[2].gap + share * footings[3].gap;
+  const double hollow = 0.5 * (footings[0].gap + footings[1].gap) - casters;
+  return hollow < kEven ? 0 : std::min(hollow, kTravel);
+}
 
 void solve_wheels(const BodyDesc& desc, const Inertia& inertia, const geom::Twist& velocity, double dt,
                   std::span<const Footing> footings, std::span<WheelImpulse> impulses, Motion& motion) {

@@ -41,6 +41,21 @@ struct WheelImpulse {
   Vec3 total;  // all of them, in W
 };
 
+/// What the ground is to do to a wheel: velocities of the wheel from the ground, and how much of the load the
+/// friction is.
+struct WheelTarget {
+  Vec3 normal, along, left;                      // unit vectors, in W
+  double v_normal = 0, v_along = 0, v_left = 0;  // m/s: what the load is for; what friction is for
+  double grip_along = 0, grip_left = 0;          // times the load; 0: a caster
+};
+WheelTarget wheel_target(const Wheel& wheel, const Footing& footing, const Quaternion& q,
+                         const geom::Twist& velocity, double dt);
+
+/// How far the casters of a vehicle with two driven wheels give way, as sprung ones do: as much as keeps its
+/// wheels on the ground in a hollow, such as the foot of a ramp; 0 on even ground and on a crest. To be added
+/// to their gaps.  [m]
+double caster_travel(const BodyDesc& desc, std::span<const Footing> footings);
+
 /// How heavy a vehicle is, and how its centre of mass moves. Frame: W, but for the moments.
 struct Inertia {
   double per_mass = 0;  // 1/kg
