@@ -21,6 +21,7 @@
 #include "playhouse/mesh/beside.h"
 #include "playhouse/mesh/import_look.h"
 #include "playhouse/mesh/import_surfaces.h"
+#include "playhouse/mesh/obj_text.h"
 
 namespace playhouse::mesh {
 namespace {
@@ -34,12 +35,21 @@ std::string lower(std::string_view text) {
   return small;
 }
 
+/// Without the mark by which some editors say that a text is UTF-8: Assimp takes it for a part of the first
+/// word.
+std::string without_mark(std::string bytes, std::string_view name) {
+  const std::string small = lower(name);
+  if ((small.ends_with(".obj") || small.ends_with(".mtl")) && bytes.starts_with("\xEF\xBB\xBF"))
+    bytes.erase(0, 3);
+  return bytes;
+}
+
 /// The files that Assimp may open: the mesh and those beside it.
 class Files final : public Assimp::IOSystem {
  public:
   Files(std::string path, std::string_view bytes, const ReadFile& read)
       : folder_(path.substr(0, path.rfind('/') + 1)), read_(read) {
-    known_[path.substr(folder_.size())] = std::string(bytes);
+    known_[path.substr(folder_.size())] = without_mark(std::string(bytes), path);
   }
 
   bool Exists(const char* name) const override { return find(name) != nullptr; }
@@ -51,18 +61,19 @@ class Files final : public Assimp::IOSystem {
   }
   void Close(Assimp::IOStream* stream) override { delete stream; }
 
- private:
   const std::string* find(std::string_view name) const {
     if (name.starts_with(kFolder)) name.remove_prefix(kFolder.size());
     for (const std::string& place : places_beside(name)) {
       const auto [entry, is_new] = known_.try_emplace(place);
       if (is_new)
-        if (Result<std::string> bytes = read_(folder_ + place)) entry->second = std::move(*bytes);
+        if (Result<std::string> bytes = read_(folder_ + place))
+          entry->second = without_mark(std::move(*bytes), place);
       if (entry->second) return &*entry->second;
     }
     return nullptr;
   }
 
+ private:
   std::string folder_;
   const ReadFile& read_;
   mutable std::map<std::string, std::optional<std::string>> known_;
@@ -88,6 +99,24 @@ std::string reason(std::string text) {
   return escaped(text.empty() ? "it is of no kind that is known" : text);
 }
 
+Colors colors_of(std::string_view path) {
+  if (is_collada(path)) return Colors::kCollada;
+  return lower(path).ends_with(".obj") ? Colors::kObj : Colors::kGltf;
+}
+
+/// The scene of a file, which the importer owns: of triangles alone, with normals.
+Result<const aiScene*> scene_of(Assimp::Importer& importer, const std::string& name) {
+  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+  importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, 40);  // degrees
+  const aiScene* scene =
+      importer.ReadFile(std::string(kFolder) + name, aiProcess_ValidateDataStructure | aiProcess_Triangulate |
+                                                         aiProcess_SortByPType | aiProcess_GenSmoothNormals |
+                                                         aiProcess_JoinIdenticalVertices);
+  if (scene == nullptr) return Error{{}, "cannot be read: " + reason(importer.GetErrorString())};
+  if (scene->mRootNode == nullptr || scene->mNumMeshes == 0) return Error{{}, "has no triangles"};
+  return scene;
+}
+
 }  // namespace
 
 bool is_collada(std::string_view path) {
@@ -97,26 +126,26 @@ bool is_collada(std::string_view path) {
 Result<MeshFile> import(const std::string& path, std::string_view bytes, const ReadFile& read) {
   Assimp::Importer importer;
   keep_formats(importer);
-  importer.SetIOHandler(new Files(path, bytes, read));  // which owns it
-  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-  importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, 40);  // degrees
-  const std::string name = std::string(kFolder) + path.substr(path.rfind('/') + 1);
-  // The names of formats are known by their endings in small letters.
-  const aiScene* scene = importer.ReadFile(name, aiProcess_ValidateDataStructure | aiProcess_Triangulate |
-                                                     aiProcess_SortByPType | aiProcess_GenSmoothNormals |
-                                                     aiProcess_JoinIdenticalVertices);
-  if (scene == nullptr) return Error{{}, "cannot be read: " + reason(importer.GetErrorString())};
-  if (scene->mRootNode == nullptr || scene->mNumMeshes == 0) return Error{{}, "has no triangles"};
+  auto* files = new Files(path, bytes, read);
+  importer.SetIOHandler(files);  // which owns it
+  const std::string folder = path.substr(0, path.rfind('/') + 1), name = path.substr(folder.size());
+  const Result<const aiScene*> scene = scene_of(importer, name);
+  if (!scene) return scene.error();
 
   MeshFile file;
-  const Look look(*scene, is_collada(path)                ? Colors::kCollada
-                          : lower(path).ends_with(".obj") ? Colors::kObj
-                                                          : Colors::kGltf);
+  const Colors colors = colors_of(path);
+  ObjText obj;
+  if (colors == Colors::kObj)
+    obj = look_at_obj(name, bytes, [files](std::string_view beside) { return files->find(beside); });
+  for (const std::string& missing : obj.missing)
+    file.warnings.push_back("material file " + in_quotes(missing) +
+                            " is not beside the mesh; its materials are grey");
+  const Look look(**scene, colors, std::move(obj.colored));
   look.add_materials(file.mesh);
-  look.add_textures(file, path.substr(0, path.rfind('/') + 1), read);
-  const Result<Nodes> nodes = nodes_of(*scene);
+  look.add_textures(file, folder, read);
+  const Result<Nodes> nodes = nodes_of(**scene);
   if (!nodes) return nodes.error();
-  if (const Result<void> added = add_surfaces(*scene, *nodes, file.mesh); !added) return added.error();
+  if (const Result<void> added = add_surfaces(**scene, *nodes, file.mesh); !added) return added.error();
   look.add_lights(*nodes, file.mesh);
   return file;
 }

@@ -20,6 +20,7 @@ namespace playhouse::mesh {
 namespace {
 
 constexpr float kRough = 0.8f;  // of what says nothing of its shine
+constexpr float kPlain = 0.6f;  // light that comes back from what says nothing of its color
 
 std::optional<float> number(const aiMaterial& from, const char* key, unsigned type, unsigned index) {
   ai_real value = 0;
@@ -82,15 +83,33 @@ float Look::light(float channel) const {
   return static_cast<float>(linear_of_srgb(channel));
 }
 
+/// Assimp's own color, 0.6 of what a screen shows, stands where a file says none.
+bool Look::has_color(const aiMaterial& from, const std::string& name) const {
+  if (colors_ == Colors::kObj) return colored_.contains(name);
+  return colors_ == Colors::kGltf || name != AI_DEFAULT_MATERIAL_NAME || texture(from);
+}
+
+std::array<float, 4> Look::base_of(const aiMaterial& from, const std::string& name) const {
+  int shading = 0;
+  from.Get(AI_MATKEY_SHADING_MODEL, shading);
+  // COLLADA's <constant> is emission alone, and a <diffuse> has a color or a texture.
+  if (colors_ == Colors::kCollada && shading == aiShadingMode_NoShading) return {0, 0, 0, 1};
+  if (colors_ == Colors::kCollada && texture(from)) return {1, 1, 1, 1};
+  if (!has_color(from, name)) {
+    const float plain = texture(from) ? 1 : kPlain;
+    return {plain, plain, plain, 1};
+  }
+  std::optional<aiColor4D> base = color(from, AI_MATKEY_BASE_COLOR);
+  if (!base || colors_ != Colors::kGltf) base = color(from, AI_MATKEY_COLOR_DIFFUSE);
+  if (!base) return {1, 1, 1, 1};
+  return {light(base->r), light(base->g), light(base->b), base->a};
+}
+
 Material Look::material(const aiMaterial& from) const {
   Material to;
   aiString name;
   if (from.Get(AI_MATKEY_NAME, name) == aiReturn_SUCCESS) to.name = name.C_Str();
-  std::optional<aiColor4D> base = color(from, AI_MATKEY_BASE_COLOR);
-  if (!base || colors_ != Colors::kGltf) base = color(from, AI_MATKEY_COLOR_DIFFUSE);
-  // COLLADA has a color or a texture.
-  if (base && !(colors_ == Colors::kCollada && texture(from)))
-    to.base = {light(base->r), light(base->g), light(base->b), base->a};
+  to.base = base_of(from, to.name);
   if (colors_ != Colors::kGltf) to.base[3] = number(from, AI_MATKEY_OPACITY).value_or(1);
   to.base[3] = std::clamp(to.base[3], 0.0f, 1.0f);
   if (const auto glow = color(from, AI_MATKEY_COLOR_EMISSIVE))

@@ -4,8 +4,11 @@
 
 #include <assimp/scene.h>
 
+#include <array>
 #include <cstdint>
+#include <set>
 #include <string>
+#include <utility>
 
 #include "playhouse/mesh/import_surfaces.h"
 #include "playhouse/mesh/read_mesh.h"
@@ -18,7 +21,9 @@ enum class Colors : std::uint8_t { kGltf, kCollada, kObj };
 
 class Look {
  public:
-  Look(const aiScene& scene, Colors colors) : scene_(scene), colors_(colors) {}
+  /// `colored`: of OBJ, the materials that have a color.
+  Look(const aiScene& scene, Colors colors, std::set<std::string> colored)
+      : scene_(scene), colors_(colors), colored_(std::move(colored)) {}
 
   /// In the order of the scene, without textures.
   void add_materials(Mesh& mesh) const;
@@ -28,10 +33,14 @@ class Look {
 
  private:
   Material material(const aiMaterial& from) const;
+  std::array<float, 4> base_of(const aiMaterial& from, const std::string& name) const;
+  /// Whether the file says the color that Assimp tells.
+  bool has_color(const aiMaterial& from, const std::string& name) const;
   float light(float channel) const;
 
   const aiScene& scene_;
   Colors colors_;
+  std::set<std::string> colored_;
 };
 
 }  // namespace playhouse::mesh

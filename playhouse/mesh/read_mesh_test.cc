@@ -99,6 +99,66 @@ TEST(ReadMesh, has_colors_as_light) {
   EXPECT_TRUE(of_gltf.is_two_sided);
 }
 
+/// The material of the only surface.
+Material material_of(const MeshFile& file) {
+  if (file.mesh.surfaces.size() != 1) ADD_FAILURE() << file.mesh.surfaces.size() << " surfaces";
+  return file.mesh.surfaces.empty() ? Material() : file.mesh.materials.at(file.mesh.surfaces[0].material);
+}
+
+/// Of an OBJ file whose faces have material "a" of this MTL file.
+MeshFile read_obj(const std::string& mtl) {
+  return read("box.obj",
+              {{"box.obj", test_obj("mtllib box.mtl\nusemtl a\n")}, {"box.mtl", mtl}, {"t.png", test_png()}});
+}
+
+void expect_base(const Material& material, double red, double green, double blue) {
+  EXPECT_NEAR(material.base[0], red, 1e-4);
+  EXPECT_NEAR(material.base[1], green, 1e-4);
+  EXPECT_NEAR(material.base[2], blue, 1e-4);
+}
+
+TEST(ReadMesh, shows_the_texture_of_an_obj_without_a_color_as_it_is) {
+  const Material blender = material_of(read_obj("newmtl a\nmap_Kd t.png\n"));
+  EXPECT_EQ(blender.texture, 0u);
+  expect_base(blender, 1, 1, 1);
+  expect_base(material_of(read_obj("newmtl a\nKd 0.6 0.6 0.6\nmap_Kd t.png\n")), 0.31855, 0.31855, 0.31855);
+  expect_base(material_of(read_obj("\xEF\xBB\xBFnewmtl a\r\nKd 1 0 0 \r\nmap_Kd t.png\r\n")), 1, 0, 0);
+  expect_base(material_of(read_obj("newmtl b\nKd 1 0 0\nnewmtl a\nmap_Kd t.png\n")), 1, 1, 1);
+}
+
+TEST(ReadMesh, reads_obj_files_that_begin_with_a_mark_of_their_encoding) {
+  const std::string mark = "\xEF\xBB\xBF";
+  const MeshFile file = read("box.obj", {{"box.obj", mark + test_obj("mtllib box.mtl\nusemtl a\n")},
+                                         {"box.mtl", mark + "newmtl a\nKd 1 0 0\n"}});
+  expect_base(material_of(file), 1, 0, 0);
+}
+
+TEST(ReadMesh, shows_what_has_no_material_in_light_grey) {
+  expect_base(material_of(read("box.obj", {{"box.obj", test_obj()}})), 0.6, 0.6, 0.6);
+  expect_base(material_of(read_obj("newmtl a\nNs 10\n")), 0.6, 0.6, 0.6);
+  expect_base(material_of(read_obj("newmtl a\nKd 0.6 0.6 0.6\n")), 0.31855, 0.31855, 0.31855);
+  std::string plain = test_collada();
+  const std::size_t first = plain.find("<library_effects>"), last = plain.find("<library_geometries>");
+  plain.erase(first, last - first);
+  expect_base(material_of(read("box.dae", {{"box.dae", plain}})), 0.6, 0.6, 0.6);
+}
+
+TEST(ReadMesh, warns_of_a_file_of_materials_that_is_missing) {
+  const MeshFile file = read("box.obj", {{"box.obj", test_obj("mtllib none.mtl\nusemtl a\n")}});
+  ASSERT_EQ(file.warnings.size(), 1u);
+  EXPECT_THAT(file.warnings[0], HasSubstr(R"(material file "none.mtl" is not beside the mesh)"));
+  EXPECT_THAT(read_obj("newmtl a\nKd 1 0 0\n").warnings, testing::IsEmpty());
+}
+
+TEST(ReadMesh, shows_a_constant_effect_by_its_emission_alone) {
+  TestCollada constant;
+  constant.shading = "constant";
+  constant.effect = "<emission><color>0 1 0 1</color></emission>";
+  const Material material = material_of(read_collada(constant));
+  expect_base(material, 0, 0, 0);
+  EXPECT_NEAR(material.emission[1], 1, 1e-5);
+}
+
 const std::string kTexture = R"(,"images":[{"uri":"sub/t.png"}],"textures":[{"source":0}])";
 const std::string kTextured = R"(,"baseColorTexture":{"index":0})";
 

@@ -45,6 +45,7 @@ struct TestCollada {
   double meter = 1;       // the box keeps its size in metres
   std::string transform;  // of the node
   std::string node;       // inside the node, beside the geometry
+  std::string shading = "lambert";
   std::string effect = "<diffuse><color>0.5 0 1 1</color></diffuse>";
   std::string libraries;  // more of them
   std::string scene;      // more of the scene
@@ -55,7 +56,7 @@ inline std::string test_collada(const TestCollada& of = {}) {
   return fmt::format(R"(<?xml version="1.0" encoding="utf-8"?>
 <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
 <asset><created>2026-01-01T00:00:00</created><modified>2026-01-01T00:00:00</modified><unit name="u" meter="{}"/><up_axis>{}</up_axis></asset>
-<library_effects><effect id="fx"><profile_COMMON><technique sid="t"><lambert>{}</lambert></technique></profile_COMMON></effect></library_effects>
+<library_effects><effect id="fx"><profile_COMMON><technique sid="t"><{}>{}</{}></technique></profile_COMMON></effect></library_effects>
 <library_materials><material id="mat" name="mat"><instance_effect url="#fx"/></material></library_materials>
 <library_geometries><geometry id="box"><mesh>
 <source id="pos"><float_array id="pos-a" count="24">{}</float_array><technique_common><accessor source="#pos-a" count="8" stride="3"><param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common></source>
@@ -67,8 +68,9 @@ inline std::string test_collada(const TestCollada& of = {}) {
 <scene><instance_visual_scene url="#vs"/>{}</scene>
 </COLLADA>
 )",
-                     of.meter, of.up, of.effect, test_corners(1 / of.meter, of.up == "Y_UP"), of.triangles,
-                     of.libraries, of.transform, of.node, of.scene);
+                     of.meter, of.up, of.shading, of.effect, of.shading,
+                     test_corners(1 / of.meter, of.up == "Y_UP"), of.triangles, of.libraries, of.transform,
+                     of.node, of.scene);
 }
 
 inline std::string test_obj(const std::string& more = {}) {
