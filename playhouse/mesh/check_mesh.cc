@@ -65,7 +65,8 @@ Result<void> check_look(const Mesh& mesh) {
     if (has_texture && material.texture >= mesh.images.size())
       return Error{{}, "is broken: a material has a texture that is not there"};
     if (!all_finite(std::span(&material.base, 1)) || !all_finite(std::span(&material.emission, 1)) ||
-        !std::isfinite(material.metallic) || !std::isfinite(material.roughness))
+        !std::isfinite(material.metallic) || !std::isfinite(material.roughness) ||
+        !std::isfinite(material.least_opacity))
       return Error{{}, "is broken: a color is no number"};
   }
   for (const Light& light : mesh.lights)

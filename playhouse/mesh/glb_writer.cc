@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "playhouse/mesh/image_file.h"
+#include "playhouse/mesh/opacity.h"
 
 namespace playhouse::mesh {
 namespace {
@@ -43,6 +44,14 @@ Points turned(std::span<const std::array<float, 3>> from, const geom::Pose& X, b
                   static_cast<float>(p[2] + share * X.z)});
   }
   return to;
+}
+
+/// Only what makes a difference, which costs a viewer more.
+std::string alpha_mode(const Mesh& mesh, const Material& material) {
+  if (is_see_through(mesh, material)) return R"(,"alphaMode":"BLEND")";
+  if (is_all_hole(material) || (material.opacity == Opacity::kHoles && has_clear_texture(mesh, material)))
+    return fmt::format(R"(,"alphaMode":"MASK","alphaCutoff":{})", material.least_opacity);
+  return {};
 }
 
 }  // namespace
@@ -90,7 +99,7 @@ std::size_t GlbWriter::add_image(const Image& image) {
   return textures_.add(R"({{"source":{}}})", row);
 }
 
-std::size_t GlbWriter::add_material(const Material& material, std::size_t first_texture) {
+std::size_t GlbWriter::add_material(const Mesh& mesh, const Material& material, std::size_t first_texture) {
   const auto& base = material.base;
   const std::string texture =
       material.texture == Material::kNone
@@ -102,7 +111,7 @@ std::size_t GlbWriter::add_material(const Material& material, std::size_t first_
   std::string rest;
   if (glow != Light3{0, 0, 0})
     rest += fmt::format(R"(,"emissiveFactor":[{},{},{}])", glow[0] / most, glow[1] / most, glow[2] / most);
-  if (base[3] < 1) rest += R"(,"alphaMode":"BLEND")";
+  rest += alpha_mode(mesh, material);
   if (material.is_two_sided) rest += R"(,"doubleSided":true)";
   return materials.add(
       R"({{"pbrMetallicRoughness":{{"baseColorFactor":[{},{},{},{}],"metallicFactor":{},"roughnessFactor":{}{}}}{}}})",
@@ -113,7 +122,7 @@ std::size_t GlbWriter::add_material(const Material& material, std::size_t first_
 std::size_t GlbWriter::add_mesh(const Mesh& mesh, const geom::Pose& X_FB) {
   const std::size_t first_texture = textures_.size(), first_material = materials.size();
   for (const Image& image : mesh.images) add_image(image);
-  for (const Material& material : mesh.materials) add_material(material, first_texture);
+  for (const Material& material : mesh.materials) add_material(mesh, material, first_texture);
   JsonList primitives;
   for (const Surface& surface : mesh.surfaces) {
     const std::span corners(surface.corners.front().data(), 3 * surface.corners.size());

@@ -56,7 +56,7 @@ class GlbWriter {
   std::size_t add_view(std::span<const std::byte> bytes, int target);
   std::size_t add_uv(std::span<const std::array<float, 2>> uv);
   std::size_t add_image(const Image& image);
-  std::size_t add_material(const Material& material, std::size_t first_texture);
+  std::size_t add_material(const Mesh& mesh, const Material& material, std::size_t first_texture);
 
   std::string binary_;
   JsonList accessors_, views_, images_, textures_;

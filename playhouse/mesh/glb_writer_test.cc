@@ -31,7 +31,26 @@ TEST(GlbWriter, makes_a_file_that_is_read_as_the_same_mesh) {
   EXPECT_EQ(is.base, was.base);
   EXPECT_EQ(is.metallic, was.metallic);
   EXPECT_EQ(is.is_two_sided, was.is_two_sided);
+  EXPECT_EQ(is.opacity, was.opacity);
   EXPECT_EQ(is.texture, 0u);
+}
+
+TEST(GlbWriter, says_of_opacity_what_makes_a_difference) {
+  const Result<MeshFile> file = read_mesh("box.obj", test_files({{"box.obj", test_obj()}}));
+  ASSERT_TRUE(file) << file.error().line();
+  const auto written = [&](Opacity opacity, float alpha) {
+    Mesh mesh = file->mesh;
+    for (Material& material : mesh.materials) {
+      material.opacity = opacity;
+      material.base[3] = alpha;
+    }
+    return write_glb(mesh);
+  };
+  EXPECT_EQ(written(Opacity::kHoles, 1).find("alphaMode"), std::string::npos);
+  EXPECT_NE(written(Opacity::kHoles, 0.4f).find(R"("alphaMode":"MASK","alphaCutoff":0.5)"),
+            std::string::npos);
+  EXPECT_EQ(written(Opacity::kClear, 1).find("alphaMode"), std::string::npos);
+  EXPECT_NE(written(Opacity::kClear, 0.4f).find(R"("alphaMode":"BLEND")"), std::string::npos);
 }
 
 }  // namespace

@@ -83,6 +83,23 @@ float Look::light(float channel) const {
   return static_cast<float>(linear_of_srgb(channel));
 }
 
+/// What glTF's alphaMode says; of the others, what is not opaque as a whole is clear, and a texture may have
+/// holes.
+void Look::set_opacity(const aiMaterial& from, Material& to) const {
+  if (colors_ != Colors::kGltf) to.base[3] = number(from, AI_MATKEY_OPACITY).value_or(1);
+  to.base[3] = std::clamp(to.base[3], 0.0f, 1.0f);
+  if (colors_ != Colors::kGltf) {
+    to.opacity = to.base[3] < 1 ? Opacity::kClear : Opacity::kHoles;
+    return;
+  }
+  aiString mode;
+  from.Get(AI_MATKEY_GLTF_ALPHAMODE, mode);
+  const std::string_view says(mode.C_Str());
+  to.opacity = says == "BLEND" ? Opacity::kClear : says == "MASK" ? Opacity::kHoles : Opacity::kSolid;
+  if (to.opacity == Opacity::kSolid) to.base[3] = 1;
+  to.least_opacity = number(from, AI_MATKEY_GLTF_ALPHACUTOFF).value_or(to.least_opacity);
+}
+
 /// Assimp's own color, 0.6 of what a screen shows, stands where a file says none.
 bool Look::has_color(const aiMaterial& from, const std::string& name) const {
   if (colors_ == Colors::kObj) return colored_.contains(name);
@@ -110,8 +127,7 @@ Material Look::material(const aiMaterial& from) const {
   aiString name;
   if (from.Get(AI_MATKEY_NAME, name) == aiReturn_SUCCESS) to.name = name.C_Str();
   to.base = base_of(from, to.name);
-  if (colors_ != Colors::kGltf) to.base[3] = number(from, AI_MATKEY_OPACITY).value_or(1);
-  to.base[3] = std::clamp(to.base[3], 0.0f, 1.0f);
+  set_opacity(from, to);
   if (const auto glow = color(from, AI_MATKEY_COLOR_EMISSIVE))
     to.emission = {light(glow->r), light(glow->g), light(glow->b)};
   if (colors_ == Colors::kGltf) {

@@ -33,6 +33,7 @@ class Look {
 
  private:
   Material material(const aiMaterial& from) const;
+  void set_opacity(const aiMaterial& from, Material& to) const;
   std::array<float, 4> base_of(const aiMaterial& from, const std::string& name) const;
   /// Whether the file says the color that Assimp tells.
   bool has_color(const aiMaterial& from, const std::string& name) const;

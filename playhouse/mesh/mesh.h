@@ -23,6 +23,13 @@ struct Image {
   std::vector<std::uint8_t> rgba;  // height x width x 4
 };
 
+/// What the opacity of a surface means, as glTF's alphaMode has it.
+enum class Opacity : std::uint8_t {
+  kSolid,  // nothing
+  kHoles,  // what is below Material::least_opacity is not there, the rest is solid
+  kClear,  // one sees through it
+};
+
 /// How a surface looks: metallic-roughness, as glTF 2.0 defines it.
 struct Material {
   static constexpr std::uint32_t kNone = 0xffffffff;
@@ -32,6 +39,8 @@ struct Material {
   float roughness = 1;                       // 0 to 1
   Light3 emission = {0, 0, 0};
   std::uint32_t texture = kNone;  // row of Mesh::images
+  Opacity opacity = Opacity::kHoles;
+  float least_opacity = 0.5f;  // of kHoles
   bool is_two_sided = false;
 };
 

@@ -106,7 +106,8 @@ template <typename Visit, typename T>
 requires std::is_same_v<std::remove_const_t<T>, Material>
 void each(Visit& visit, T& material) {
   visit(material.name), visit(material.base), visit(material.metallic), visit(material.roughness);
-  visit(material.emission), visit(material.texture), visit(material.is_two_sided);
+  visit(material.emission), visit(material.texture), visit(material.opacity);
+  visit(material.least_opacity), visit(material.is_two_sided);
 }
 template <typename Visit, typename T>
 requires std::is_same_v<std::remove_const_t<T>, Surface>

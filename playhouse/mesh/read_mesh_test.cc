@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "playhouse/base/testing_folder.h"
+#include "playhouse/mesh/opacity.h"
 #include "playhouse/mesh/testing_meshes.h"
 
 namespace playhouse::mesh {
@@ -161,6 +162,27 @@ TEST(ReadMesh, shows_a_constant_effect_by_its_emission_alone) {
 
 const std::string kTexture = R"(,"images":[{"uri":"sub/t.png"}],"textures":[{"source":0}])";
 const std::string kTextured = R"(,"baseColorTexture":{"index":0})";
+
+/// Of a glTF file whose material is 30 % opaque and says this.
+Material with_alpha(const std::string& says) {
+  std::string gltf = test_gltf();
+  gltf.replace(gltf.find("[0.5,0,0,1]"), 11, "[0.5,0,0,0.3]");
+  gltf.insert(gltf.find(R"("doubleSided")"), says);
+  return material_of(read("box.gltf", {{"box.gltf", gltf}, {"box.bin", test_gltf_buffer()}}));
+}
+
+TEST(ReadMesh, takes_the_opacity_of_gltf_as_its_mode_says) {
+  const Material solid = with_alpha(""), mask = with_alpha(R"("alphaMode":"MASK",)"),
+                 thin = with_alpha(R"("alphaMode":"MASK","alphaCutoff":0.2,)"),
+                 clear = with_alpha(R"("alphaMode":"BLEND",)");
+  EXPECT_EQ(solid.opacity, Opacity::kSolid);
+  EXPECT_EQ(solid.base[3], 1);
+  EXPECT_TRUE(is_all_hole(mask));
+  EXPECT_NEAR(thin.least_opacity, 0.2, 1e-6);
+  EXPECT_FALSE(is_all_hole(thin));
+  EXPECT_TRUE(is_see_through({}, clear));
+  EXPECT_NEAR(clear.base[3], 0.3, 1e-6);
+}
 
 TEST(ReadMesh, reads_textures_of_the_folder) {
   const MeshFile file = read("d/box.gltf", {{"d/box.gltf", test_gltf("box.bin", "", kTexture, kTextured)},

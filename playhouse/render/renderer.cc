@@ -20,7 +20,6 @@ constexpr std::array<GLsizei, 3> kShadowTexels{512, 1024, 2048};  // of a side o
 constexpr GLsizei kTexelsOfPixels = 2;  // of its side for each row of a picture, where that many can be
 constexpr double kShadowReach = 12;     // m along the way a view looks, up to which things throw shadows
 constexpr float kOpaque = 0.999f;       // of a tint
-constexpr float kLeastOpaque = 0.5f;    // where a texture of what is solid has less, there is a hole
 constexpr double kFigureRadius = 0.62;  // of the sphere about its middle, in heights
 // How high a figure is that has the first, the last level.  [px]
 constexpr double kFinePixels = 260, kCoarsePixels = 90;
@@ -139,9 +138,8 @@ class Renderer::Impl {
   void draw_floor(const View& view, Paints paints);
   void draw_sky(const View& view);
   void draw_runs(const InstanceList& list, Bends bends, Paints paints, bool see_through);
-  /// Of colours, what is less opaque than `least` is not drawn.
   void draw_surface(const SurfaceRange& range, const DrawRun& run, const SurfaceProgram& program,
-                    Paints paints, float least);
+                    Paints paints);
   ViewBlock block_of(const Drawn& drawn, const View& view, const Axes& axes, const Place& place) const;
   void send(const ViewBlock& block);
   void send_lamps(std::span<const Lamp> lamps, const Vec3& eye);
@@ -458,7 +456,7 @@ void Renderer::Impl::draw_glass(const Drawn& drawn, const View& view, const Axes
   for (const DrawRun& run : glass_.runs) {
     const bool is_clear = glass_.instances[run.first].tint[3] < kOpaque;
     for (const SurfaceRange& range : card_->shapes[run.what].surfaces)
-      if (is_clear || range.is_see_through) draw_surface(range, run, program, Paints::kColor, 0);
+      if (is_clear || range.is_see_through) draw_surface(range, run, program, Paints::kColor);
   }
 }
 
@@ -585,18 +583,19 @@ void Renderer::Impl::draw_runs(const InstanceList& list, Bends bends, Paints pai
       range.indices = level.indices;
       range.first_corner = level.first_corner;
       range.roughness = 0.8f;
-      draw_surface(range, run, program, paints, 0);
+      draw_surface(range, run, program, paints);
       continue;
     }
     for (const SurfaceRange& range : card_->shapes[run.what].surfaces)
-      if (see_through || !range.is_see_through) draw_surface(range, run, program, paints, kLeastOpaque);
+      if (see_through || !range.is_see_through) draw_surface(range, run, program, paints);
   }
 }
 
 void Renderer::Impl::draw_surface(const SurfaceRange& range, const DrawRun& run,
-                                  const SurfaceProgram& program, Paints paints, float least) {
+                                  const SurfaceProgram& program, Paints paints) {
   if (paints == Paints::kColor) {
-    glUniform4f(program.material, range.metallic, range.roughness, range.texture != 0 ? 1 : 0, least);
+    glUniform4f(program.material, range.metallic, range.roughness, range.texture != 0 ? 1 : 0,
+                range.least_opacity);
     glUniform4fv(program.base, 1, range.base.data());
     glUniform3fv(program.emission, 1, range.emission.data());
     glBindTextureUnit(1, range.texture != 0 ? range.texture : GLuint{card_->white});

@@ -329,6 +329,37 @@ Surroundings dark() {
   return around;
 }
 
+/// How blue a black box of this opacity is before the sky; with a texture of one pixel where that is not
+/// clear.
+int blue_of(mesh::Opacity opacity, float alpha, std::array<std::uint8_t, 4> pixel = {}) {
+  mesh::Mesh box = testing::box({0.5, 0.5, 0.5});
+  box.materials[0].base = {0, 0, 0, alpha};
+  box.materials[0].opacity = opacity;
+  if (pixel[3] != 0) {
+    box.materials[0].texture = 0;
+    box.images.push_back({1, 1, {pixel.begin(), pixel.end()}});
+  }
+  std::vector<Instance> boxes{box_at({3, 0, 5})};
+  boxes[0].shape = renderer().add_shape(box);
+  boxes[0].tint = {1, 1, 1, 1};
+  return shot(lookout(Shows::kColor, 5), {.instances = boxes}).blue(40, 30);
+}
+
+TEST(Renderer, opacity_is_nothing_holes_or_glass_as_a_material_says) {
+  using mesh::Opacity;
+  const std::array<std::uint8_t, 4> faint{255, 255, 255, 100};
+  const int sky = blue_of(Opacity::kHoles, 0.4f), box = blue_of(Opacity::kSolid, 1);
+  EXPECT_GT(sky, 200);
+  EXPECT_LT(box, 100);
+  EXPECT_EQ(blue_of(Opacity::kHoles, 0.6f), box);
+  EXPECT_EQ(blue_of(Opacity::kHoles, 1, faint), sky);
+  EXPECT_EQ(blue_of(Opacity::kSolid, 1, faint), box);
+  for (const int clear : {blue_of(Opacity::kClear, 0.4f), blue_of(Opacity::kClear, 1, faint)}) {
+    EXPECT_GT(clear, box + 30);
+    EXPECT_LT(clear, sky - 10);
+  }
+}
+
 /// The light of a pixel: its red, from 0 to 1.
 double light_at(const Shot& shot, std::uint32_t x, std::uint32_t y) {
   return linear(static_cast<float>(shot.red(x, y)) / 255);

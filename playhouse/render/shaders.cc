@@ -155,15 +155,17 @@ std::string varying(Paints paints, const char* way) {
 
 constexpr const char* kSurface = R"(
 layout(binding = 1) uniform sampler2D surface_texture;
-uniform vec4 material;  // metallic, roughness, 1: has a texture, least opacity that is shown
+uniform vec4 material;  // metallic, roughness, 1: has a texture, SurfaceRange::least_opacity
 uniform vec4 material_base;
 uniform vec3 emission;
 layout(location = 0) out vec4 color;
 
 void main() {
-  vec4 painted = base * material_base;
-  if (material.z > 0) painted *= texture(surface_texture, at);
-  if (painted.a < material.w) discard;
+  vec4 own = material_base;
+  if (material.z > 0) own *= texture(surface_texture, at);
+  if (own.a < material.w) discard;
+  if (material.w >= 0) own.a = 1;
+  vec4 painted = base * own;
   vec3 n = normalize(n_E);
   if (!gl_FrontFacing) n = -n;
   vec3 light = shade(p_E, n, painted.rgb, material.x, material.y) + emission + glows * painted.rgb;

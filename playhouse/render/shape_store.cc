@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "playhouse/mesh/opacity.h"
+
 namespace playhouse::render {
 namespace {
-
-constexpr float kSeeThrough = 0.999f;  // opacity from which on nothing is seen through
 
 /// The sphere about the middle of the box that holds all corners.
 void set_sphere(ShapeOnCard& shape, const mesh::Mesh& mesh) {
@@ -37,10 +37,17 @@ SurfaceRange look_of(const mesh::Mesh& mesh, const mesh::Surface& surface,
   range.metallic = material.metallic;
   range.roughness = material.roughness;
   range.is_two_sided = material.is_two_sided;
-  range.is_see_through = material.base[3] < kSeeThrough;
+  range.is_see_through = mesh::is_see_through(mesh, material);
+  range.least_opacity = material.opacity == mesh::Opacity::kClear   ? -1
+                        : material.opacity == mesh::Opacity::kHoles ? material.least_opacity
+                                                                    : 0;
   if (material.texture < textures.size() && surface.uv.size() == surface.p.size())
     range.texture = textures[material.texture];
   return range;
+}
+
+bool is_invisible(const mesh::Mesh& mesh, const mesh::Surface& surface) {
+  return surface.material < mesh.materials.size() && mesh::is_all_hole(mesh.materials[surface.material]);
 }
 
 }  // namespace
@@ -50,7 +57,7 @@ std::uint32_t ShapeStore::add(const mesh::Mesh& mesh) {
   const std::vector<std::uint32_t> textures = add_images(mesh);
   set_sphere(shape, mesh);
   for (const mesh::Surface& surface : mesh.surfaces) {
-    if (surface.corners.empty()) continue;
+    if (surface.corners.empty() || is_invisible(mesh, surface)) continue;
     SurfaceRange range = look_of(mesh, surface, textures);
     range.first_index = static_cast<std::uint32_t>(indices_.size());
     range.first_corner = static_cast<std::uint32_t>(corners_.size() * sizeof(float) / kCornerBytes);

@@ -18,6 +18,7 @@ struct SurfaceRange {
   std::array<float, 3> emission = {0, 0, 0};
   float metallic = 0, roughness = 1;
   std::uint32_t texture = 0;  // OpenGL's name; 0: none
+  float least_opacity = 0;    // that is there, and then is solid; below 0: as opaque as it is
   bool is_two_sided = false, is_see_through = false;
 };
 
