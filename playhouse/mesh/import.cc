@@ -19,6 +19,7 @@
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/limits.h"
 #include "playhouse/mesh/beside.h"
+#include "playhouse/mesh/gltf_text.h"
 #include "playhouse/mesh/import_look.h"
 #include "playhouse/mesh/import_surfaces.h"
 #include "playhouse/mesh/obj_text.h"
@@ -129,11 +130,13 @@ Result<MeshFile> import(const std::string& path, std::string_view bytes, const R
   auto* files = new Files(path, bytes, read);
   importer.SetIOHandler(files);  // which owns it
   const std::string folder = path.substr(0, path.rfind('/') + 1), name = path.substr(folder.size());
+  const Colors colors = colors_of(path);
+  if (colors == Colors::kGltf)
+    if (const Result<void> checked = check_gltf_extensions(bytes); !checked) return checked.error();
   const Result<const aiScene*> scene = scene_of(importer, name);
   if (!scene) return scene.error();
 
   MeshFile file;
-  const Colors colors = colors_of(path);
   ObjText obj;
   if (colors == Colors::kObj)
     obj = look_at_obj(name, bytes, [files](std::string_view beside) { return files->find(beside); });

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "playhouse/base/testing_folder.h"
+#include "playhouse/mesh/gltf_text.h"
 #include "playhouse/mesh/opacity.h"
 #include "playhouse/mesh/testing_meshes.h"
 
@@ -238,6 +239,24 @@ TEST(ReadMesh, tells_in_one_line_what_is_wrong) {
               HasSubstr("a.obj: is broken: a corner is no number, or farther than 100000 m"));
   for (const char* name : {"a.stl", "a.dae", "a.obj", "a.glb"})
     EXPECT_THAT(error_of(name, "x"), testing::Not(HasSubstr("\n")));
+}
+
+TEST(ReadMesh, reads_no_gltf_that_requires_an_extension_it_does_not_know) {
+  const auto requires_list = [](const std::string& list) {
+    return error_of(
+        "a.gltf",
+        test_gltf("box.bin", "", R"(,"extensionsUsed":["KHR_x","EXT_y"],"extensionsRequired":)" + list));
+  };
+  EXPECT_EQ(requires_list(R"([ "KHR_materials_unlit", "KHR_mesh_quantization" ])"),
+            R"(a.gltf: needs the glTF extension "KHR_mesh_quantization", which is not read)");
+  EXPECT_THAT(requires_list(R"(["EXT_f\noo"])"), HasSubstr(R"(needs the glTF extension "EXT_f)"));
+  EXPECT_THAT(requires_list(R"(["KHR_lights_punctual"])"),
+              HasSubstr("cannot be read"));  // without its buffer
+  EXPECT_THAT(requires_list("[]"), HasSubstr("cannot be read"));
+  const std::string deeper =
+      R"({"extras":{"extensionsRequired":["EXT_a"]},"b":"\"extensionsRequired\":[","c":[1,"d"],)"
+      R"("extensionsRequired":["EXT_e")";
+  EXPECT_THAT(gltf_list(deeper, "extensionsRequired"), testing::ElementsAre("EXT_e"));
 }
 
 TEST(ReadMesh, survives_a_file_that_ends_its_reader) {
