@@ -148,7 +148,9 @@ Result<MeshFile> import(const std::string& path, std::string_view bytes, const R
   look.add_textures(file, folder, read);
   const Result<Nodes> nodes = nodes_of(**scene);
   if (!nodes) return nodes.error();
-  if (const Result<void> added = add_surfaces(**scene, *nodes, file.mesh); !added) return added.error();
+  const Skins skins = colors == Colors::kGltf ? Skins::kJoints : Skins::kNodes;
+  if (const Result<void> added = add_surfaces(**scene, *nodes, skins, file.mesh); !added)
+    return added.error();
   look.add_lights(*nodes, file.mesh);
   return file;
 }

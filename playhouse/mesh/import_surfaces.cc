@@ -4,6 +4,9 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
+#include <string_view>
+#include <vector>
 
 #include "playhouse/base/mesh_limits.h"
 
@@ -49,14 +52,51 @@ void mend_normals(Surface& surface, std::array<std::uint32_t, 3>& corner, const 
   }
 }
 
-/// Appends the triangles of `from` where X has them.
-Result<void> add(const aiMesh& from, const Affine& X, Surface& surface) {
+/// Joints by their names.
+using Joints = std::map<std::string_view, Affine>;
+
+Joints joints_of(const Nodes& nodes) {
+  Joints joints;
+  for (const Node& node : nodes)
+    joints.try_emplace({node.node->mName.data, node.node->mName.length}, node.X_FN);
+  return joints;
+}
+
+/// Where the joints of a skin have each corner; corners without any are where X has them.
+std::vector<Affine> skin_of(const aiMesh& from, const Joints& joints, const Affine& X) {
+  constexpr Affine kNone{{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}}, {}};
+  std::vector<Affine> skin(from.mNumVertices, kNone);
+  std::vector<double> sum(from.mNumVertices, 0);
+  for (unsigned b = 0; b < from.mNumBones; ++b) {
+    const aiBone& bone = *from.mBones[b];
+    const auto joint = joints.find({bone.mName.data, bone.mName.length});
+    if (joint == joints.end()) continue;
+    const Affine X_FV = joint->second * affine_of(bone.mOffsetMatrix);
+    for (unsigned i = 0; i < bone.mNumWeights; ++i) {
+      const auto [corner, share] = bone.mWeights[i];
+      if (corner >= skin.size() || !(share > 0)) continue;
+      for (std::size_t k = 0; k < 3; ++k) skin[corner].axes[k] = skin[corner].axes[k] + share * X_FV.axes[k];
+      skin[corner].p = skin[corner].p + share * X_FV.p;
+      sum[corner] += share;
+    }
+  }
+  for (std::size_t i = 0; i < skin.size(); ++i) {
+    if (!(sum[i] > 0)) skin[i] = X;
+    const double share = sum[i] > 0 ? 1 / sum[i] : 1;
+    for (Vec3& axis : skin[i].axes) axis = share * axis;
+    skin[i].p = share * skin[i].p;
+  }
+  return skin;
+}
+
+/// Appends the triangles of `from` where X has them, or its skin, corner by corner.
+Result<void> add(const aiMesh& from, const Affine& X, const std::vector<Affine>& skin, Surface& surface) {
   const auto first = static_cast<std::uint32_t>(surface.p.size());
-  const Affine X_normal = for_normals(X);
+  const auto X_of = [&](unsigned i) -> const Affine& { return skin.empty() ? X : skin[i]; };
   for (unsigned i = 0; i < from.mNumVertices; ++i) {
-    surface.p.push_back(floats(X * vec(from.mVertices[i])));
+    surface.p.push_back(floats(X_of(i) * vec(from.mVertices[i])));
     const Vec3 normal = from.HasNormals() ? vec(from.mNormals[i]) : Vec3{0, 0, 1};
-    surface.normal.push_back(floats(unit(X_normal.turn(normal), {0, 0, 1})));
+    surface.normal.push_back(floats(unit(for_normals(X_of(i)).turn(normal), {0, 0, 1})));
     // Assimp's v is up.
     if (from.HasTextureCoords(0)) {
       surface.uv.push_back({from.mTextureCoords[0][i].x, 1 - from.mTextureCoords[0][i].y});
@@ -64,7 +104,6 @@ Result<void> add(const aiMesh& from, const Affine& X, Surface& surface) {
       surface.uv.push_back({0, 0});
     }
   }
-  const bool mirrors = X.volume() < 0;
   for (unsigned i = 0; i < from.mNumFaces; ++i) {
     const aiFace& face = from.mFaces[i];
     if (face.mNumIndices != 3) continue;
@@ -73,7 +112,7 @@ Result<void> add(const aiMesh& from, const Affine& X, Surface& surface) {
         return Error{{}, "is broken: a triangle has a corner that is not there"};
     std::array<std::uint32_t, 3> corner{first + face.mIndices[0], first + face.mIndices[1],
                                         first + face.mIndices[2]};
-    if (mirrors) std::swap(corner[1], corner[2]);
+    if (X_of(face.mIndices[0]).volume() < 0) std::swap(corner[1], corner[2]);
     const Vec3 area = area_of(surface, corner);
     if (dot(area, area) == 0) continue;  // what is no number stays, and is told later
     mend_normals(surface, corner, area);
@@ -107,7 +146,8 @@ Result<Nodes> nodes_of(const aiScene& scene) {
   return nodes;
 }
 
-Result<void> add_surfaces(const aiScene& scene, const Nodes& nodes, Mesh& mesh) {
+Result<void> add_surfaces(const aiScene& scene, const Nodes& nodes, Skins skins, Mesh& mesh) {
+  const Joints joints = joints_of(nodes);
   std::map<unsigned, Surface> by_material;
   std::size_t corners = 0, triangles = 0;
   for (const Node& node : nodes)
@@ -123,7 +163,9 @@ Result<void> add_surfaces(const aiScene& scene, const Nodes& nodes, Mesh& mesh) 
                                  limits::kMeshTriangles, limits::kMeshCorners)};
       Surface& surface = by_material[part.mMaterialIndex];
       surface.material = part.mMaterialIndex;
-      if (const Result<void> added = add(part, node.X_FN, surface); !added) return added;
+      const bool has_skin = skins == Skins::kJoints && part.HasBones();
+      const std::vector<Affine> skin = has_skin ? skin_of(part, joints, node.X_FN) : std::vector<Affine>();
+      if (const Result<void> added = add(part, node.X_FN, skin, surface); !added) return added;
     }
   for (auto& [material, surface] : by_material)
     if (!surface.corners.empty()) mesh.surfaces.push_back(std::move(surface));

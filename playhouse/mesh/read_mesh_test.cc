@@ -88,6 +88,20 @@ TEST(ReadMesh, applies_nodes_and_turns_mirrored_triangles) {
   EXPECT_NEAR(volume, 2, 1e-4);
 }
 
+TEST(ReadMesh, has_a_gltf_skin_where_its_joints_are_whatever_its_node) {
+  const auto skinned = [](const std::string& joint, const std::string& node) {
+    return read("a.gltf",
+                {{"a.gltf", test_skinned_gltf(joint, node)}, {"box.bin", test_skinned_gltf_buffer()}})
+        .mesh;
+  };
+  const std::string twice = R"(,"scale":[2,2,2])";
+  expect_box(skinned(twice, ""));
+  expect_box(skinned(twice, R"(,"scale":[0.5,0.5,0.5],"translation":[7,8,9])"));
+  const Mesh moved = skinned(R"(,"scale":[2,2,2],"translation":[3,1,0])", twice);
+  EXPECT_NEAR(moved.low.x, 2, 1e-6);
+  EXPECT_NEAR(moved.high.z, 1.25, 1e-6);
+}
+
 TEST(ReadMesh, has_colors_as_light) {
   const Material of_collada = read_collada().mesh.materials.at(0);
   EXPECT_NEAR(of_collada.base[0], 0.21404, 1e-4);  // 0.5 of what a screen shows

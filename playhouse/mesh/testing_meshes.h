@@ -117,6 +117,35 @@ inline std::string test_gltf(const std::string& buffer = "box.bin", const std::s
       node, base, buffer, look);
 }
 
+/// The bytes of the buffer of test_skinned_gltf().
+inline std::string test_skinned_gltf_buffer() {
+  std::string bytes = test_gltf_buffer();
+  bytes.append(8 * 4, '\0');  // every corner's joints: all of the first
+  for (int k = 0; k < 8; ++k)
+    for (const float share : {1.0f, 0.0f, 0.0f, 0.0f})
+      bytes.append(reinterpret_cast<const char*>(&share), sizeof share);
+  const float bind[16] = {0.5f, 0, 0, 0, 0, 0.5f, 0, 0, 0, 0, 0.5f, 0, 0, 0, 0, 1};
+  bytes.append(reinterpret_cast<const char*>(bind), sizeof bind);
+  return bytes;
+}
+
+/// The box as a skin, twice as large where its joint is bound; this of the joint and of the node of the box.
+inline std::string test_skinned_gltf(const std::string& joint, const std::string& node) {
+  return fmt::format(
+      R"({{"asset":{{"version":"2.0"}},"scene":0,"scenes":[{{"nodes":[0,1]}}],"nodes":[{{"name":"box","mesh":0,"skin":0{}}},{{"name":"joint"{}}}],
+"meshes":[{{"primitives":[{{"attributes":{{"POSITION":0,"JOINTS_0":2,"WEIGHTS_0":3}},"indices":1}}]}}],
+"skins":[{{"joints":[1],"inverseBindMatrices":4}}],
+"accessors":[{{"bufferView":0,"componentType":5126,"count":8,"type":"VEC3","min":[-1,-0.25,-0.5],"max":[1,0.25,0.5]}},
+{{"bufferView":1,"componentType":5123,"count":36,"type":"SCALAR"}},
+{{"bufferView":2,"componentType":5121,"count":8,"type":"VEC4"}},
+{{"bufferView":3,"componentType":5126,"count":8,"type":"VEC4"}},
+{{"bufferView":4,"componentType":5126,"count":1,"type":"MAT4"}}],
+"bufferViews":[{{"buffer":0,"byteOffset":0,"byteLength":96}},{{"buffer":0,"byteOffset":96,"byteLength":72}},
+{{"buffer":0,"byteOffset":168,"byteLength":32}},{{"buffer":0,"byteOffset":200,"byteLength":128}},{{"buffer":0,"byteOffset":328,"byteLength":64}}],
+"buffers":[{{"uri":"box.bin","byteLength":392}}]}})",
+      node, joint);
+}
+
 /// A 2 x 1 PNG: red, and green that is half opaque.
 inline std::string test_png() {
   return *bytes_of_base64(
