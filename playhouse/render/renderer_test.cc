@@ -123,6 +123,36 @@ TEST(Renderer, the_floor_is_as_far_as_it_is) {
   EXPECT_GT(floor, 2000);
 }
 
+TEST(Renderer, a_face_that_lies_on_the_floor_hides_it) {
+  const std::uint32_t slab = renderer().add_shape(testing::box({4, 4, 0.5}));
+  for (const double height : {0.1, 0.7, 2.0, 15.0})
+    for (const double heading : {0.0, 0.3, 1.0}) {
+      View view = lookout(Shows::kSegments, height, 0.2);
+      view.eye = {101.3, -57.1, height};
+      view.q_WC = geom::orientation(heading, {0, std::atan2(height, 5)});  // at what is 5 m away
+      std::vector<Instance> slabs{
+          box_at({101.3 + 5 * std::cos(heading), -57.1 + 5 * std::sin(heading), -0.5})};
+      slabs[0].shape = slab;
+      slabs[0].q = geom::orientation(heading, {});
+      const Shot segments = shot(view, {.instances = slabs});
+      view.shows = Shows::kColor;
+      const Shot color = shot(view, {.instances = slabs});
+      int seen = 0, hidden = 0;
+      for (std::uint32_t y = 0; y < 60; ++y)
+        for (std::uint32_t x = 0; x < 80; ++x) {
+          const Vec3 d = ray(view, x, y);
+          const Vec3 p = height / -d.z * d;
+          const double along = std::cos(heading) * p.x + std::sin(heading) * p.y - 5,
+                       across = std::cos(heading) * p.y - std::sin(heading) * p.x;
+          if (d.z >= 0 || std::fabs(along) > 3.9 || std::fabs(across) > 3.9) continue;
+          ++seen;
+          hidden += segments.sample(x, y) != 7 || color.red(x, y) < 2 * color.green(x, y);
+        }
+      EXPECT_GT(seen, 100);
+      EXPECT_EQ(hidden, 0) << "from " << height << " m, " << heading << " rad";
+    }
+}
+
 /// Along the ray from the origin: how far to the outside of a unit box at p, turned by q; 0: never, or nearer
 /// than `near`.
 double to_box(const Vec3& d, const Vec3& p, const geom::Quaternion& q, double near) {

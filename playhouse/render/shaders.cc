@@ -206,7 +206,7 @@ void main() {
     light += lamp_light[i].rgb * max(lamplit(i, p, up_there, to_lamp), 0);
   }
   color = vec4(through_fog(floor_at(eye.xy + p.xy, wide) * light, p), 1);
-  gl_FragDepth = depth_value(t);
+  gl_FragDepth = depth_behind(t);
 }
 )";
 
@@ -235,6 +235,8 @@ constexpr const char* kFloor = R"(
 /// Along the way the camera looks.
 float depth_of_floor(vec3 d) { return clamp(up.w / max(-d.z, 1e-9), ahead.w, left.w); }
 float depth_value(float t) { return ahead.w * (left.w - t) / (t * (left.w - ahead.w)); }
+/// A little farther, as if the floor were lower by 1/2000 of the height of the eye: what lies on it hides it.
+float depth_behind(float t) { return depth_value(t * 1.0005); }
 )";
 
 constexpr const char* kSmoke = R"(
@@ -340,8 +342,8 @@ std::string floor_fragment_shader(Paints paints) {
   if (paints == Paints::kColor) return begin + kLight + kFloorColor;
   const bool is_depth = paints == Paints::kDepth;
   return begin + (is_depth ? "" : "layout(location = 0) out uint color;\n") +
-         "void main() {\n  gl_FragDepth = depth_value(depth_of_floor(ray()));\n" +
-         (is_depth ? "" : "  color = 0u;\n") + "}\n";
+         "void main() {\n  gl_FragDepth = " + (is_depth ? "depth_value" : "depth_behind") +
+         "(depth_of_floor(ray()));\n" + (is_depth ? "" : "  color = 0u;\n") + "}\n";
 }
 
 std::string smoke_vertex_shader() {
