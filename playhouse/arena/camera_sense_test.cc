@@ -309,5 +309,16 @@ TEST(Looks, days_get_dark_when_the_sun_sets) {
   EXPECT_LT(night.sky[2], 0.2 * day.sky[2]);
 }
 
+TEST(Looks, lamps_fade_as_the_sun_rises) {
+  const auto white_lux = [](double elevation) {
+    scene::WorldDesc world;
+    world.sun_elevation = elevation;
+    return surroundings_of(world, 0).white_lux;
+  };
+  EXPECT_NEAR(white_lux(-0.1), 20, 1e-3);
+  EXPECT_NEAR(white_lux(1), 2000, 0.1);
+  EXPECT_NEAR(white_lux(std::asin(0.175)), 200, 0.1);  // half way through dawn
+}
+
 }  // namespace
 }  // namespace playhouse::arena

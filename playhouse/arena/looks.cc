@@ -145,6 +145,7 @@ render::Surroundings surroundings_of(const scene::WorldDesc& world, double time)
   around.to_sun = daylight.to_sun;
   around.sun = daylight.sun;
   around.ambient = daylight.ambient;
+  around.white_lux = daylight.white_lux;
   const auto rgb = [&](double r, double g, double b, float share) {
     const std::array<float, 4> light =
         light_of({static_cast<float>(r), static_cast<float>(g), static_cast<float>(b), 1});

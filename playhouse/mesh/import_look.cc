@@ -171,6 +171,18 @@ void Look::add_textures(MeshFile& file, const std::string& folder, const ReadFil
   }
 }
 
+/// Candela of a light. glTF says them. A COLLADA light of color 1 is one of 1 W as Blender counts, which
+/// writes its color times its power, and writes the same light into glTF so: 683 lm for a watt, every way
+/// alike. What is not the hue is no color of a screen.
+Light3 Look::candela(const aiColor3D& color) const {
+  constexpr float kCandela = 683 / (4 * static_cast<float>(geom::kPi));
+  if (colors_ == Colors::kGltf) return {color.r, color.g, color.b};
+  const float most = std::max({color.r, color.g, color.b});
+  if (!(most > 0)) return {0, 0, 0};
+  return {kCandela * most * light(color.r / most), kCandela * most * light(color.g / most),
+          kCandela * most * light(color.b / most)};
+}
+
 void Look::add_lights(const Nodes& nodes, Mesh& mesh) const {
   for (unsigned i = 0; i < scene_.mNumLights && i < limits::kMeshLights; ++i) {
     const aiLight& from = *scene_.mLights[i];
@@ -194,7 +206,7 @@ void Look::add_lights(const Nodes& nodes, Mesh& mesh) const {
     const auto vec = [](const aiVector3D& v) { return geom::Vec3{v.x, v.y, v.z}; };
     to.p = node->X_FN * vec(from.mPosition);
     to.d = unit(node->X_FN.turn(vec(from.mDirection)), {0, 0, -1});
-    to.color = {light(from.mColorDiffuse.r), light(from.mColorDiffuse.g), light(from.mColorDiffuse.b)};
+    to.color = candela(from.mColorDiffuse);
     // COLLADA says the whole angle, glTF the half.
     const float share = colors_ == Colors::kGltf ? 1 : 0.5f;
     to.inner = share * from.mAngleInnerCone;

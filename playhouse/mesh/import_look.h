@@ -38,6 +38,7 @@ class Look {
   /// Whether the file says the color that Assimp tells.
   bool has_color(const aiMaterial& from, const std::string& name) const;
   float light(float channel) const;
+  Light3 candela(const aiColor3D& color) const;
 
   const aiScene& scene_;
   Colors colors_;

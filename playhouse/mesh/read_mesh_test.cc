@@ -279,19 +279,29 @@ TEST(ReadMesh, survives_a_file_that_ends_its_reader) {
   EXPECT_THAT(error_of("a.dae", test_collada(endless)), HasSubstr("a.dae: cannot be read: it "));
 }
 
-TEST(ReadMesh, reads_lights) {
+/// With a point light of this color.
+TestCollada lit_by(const std::string& color) {
   TestCollada lit;
-  lit.libraries =
-      "<library_lights><light id=\"lamp\"><technique_common><point><color>1 0.5 0</color></point>"
-      "</technique_common></light></library_lights>";
+  lit.libraries = "<library_lights><light id=\"lamp\"><technique_common><point><color>" + color +
+                  "</color></point></technique_common></light></library_lights>";
   lit.node = "<node id=\"l\" name=\"l\"><translate>1 2 3</translate><instance_light url=\"#lamp\"/></node>";
-  const Mesh mesh = read_collada(lit).mesh;
+  return lit;
+}
+
+TEST(ReadMesh, reads_lights) {
+  const Mesh mesh = read_collada(lit_by("1 0.5 0")).mesh;
   ASSERT_EQ(mesh.lights.size(), 1u);
   EXPECT_EQ(mesh.lights[0].kind, LightKind::kPoint);
   EXPECT_NEAR(mesh.lights[0].p.x, 1, 1e-6);
   EXPECT_NEAR(mesh.lights[0].p.y, 2, 1e-6);
   EXPECT_NEAR(mesh.lights[0].p.z, 3, 1e-6);
-  EXPECT_NEAR(mesh.lights[0].color[1], 0.21404, 1e-4);
+  EXPECT_NEAR(mesh.lights[0].color[0], 683 / (4 * geom::kPi), 1e-3);
+  EXPECT_NEAR(mesh.lights[0].color[1], 0.21404 * 683 / (4 * geom::kPi), 1e-2);
+}
+
+TEST(ReadMesh, gives_a_light_of_blender_the_candela_that_blender_gives_it_in_gltf) {
+  const Mesh mesh = read_collada(lit_by("1000 1000 1000")).mesh;
+  EXPECT_NEAR(mesh.lights.at(0).color[0], 54351.4, 1);  // 1000 W as KHR_lights_punctual has it
 }
 
 /// Physics of one body with these shapes, of the node of the box.

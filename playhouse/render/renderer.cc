@@ -142,7 +142,7 @@ class Renderer::Impl {
                     Paints paints);
   ViewBlock block_of(const Drawn& drawn, const View& view, const Axes& axes, const Place& place) const;
   void send(const ViewBlock& block);
-  void send_lamps(std::span<const Lamp> lamps, const Vec3& eye);
+  void send_lamps(const Drawn& drawn, const Vec3& eye);
   Page& page_of(Shows shows);
 
   std::unique_ptr<GlContext> context_;
@@ -345,7 +345,8 @@ void Renderer::Impl::send(const ViewBlock& block) {
 }
 
 /// Those that are brightest at the eye, the first of equals.
-void Renderer::Impl::send_lamps(std::span<const Lamp> lamps, const Vec3& eye) {
+void Renderer::Impl::send_lamps(const Drawn& drawn, const Vec3& eye) {
+  const std::span<const Lamp> lamps = drawn.scene.lamps;
   lamp_order_.clear();
   for (std::uint32_t row = 0; row < lamps.size(); ++row) {
     const Lamp& lamp = lamps[row];
@@ -361,7 +362,7 @@ void Renderer::Impl::send_lamps(std::span<const Lamp> lamps, const Vec3& eye) {
     const Lamp& lamp = lamps[lamp_order_[i].second];
     block.at[i] = four(lamp.p - eye, lamp.outer);
     block.way[i] = four(lamp.way, lamp.inner);
-    for (std::size_t k = 0; k < 3; ++k) block.light[i][k] = lamp.light[k] / kWhiteLux;
+    for (std::size_t k = 0; k < 3; ++k) block.light[i][k] = lamp.light[k] / drawn.surroundings.white_lux;
   }
   card_->lamps.set(std::span<const LampBlock>(&block, 1), GL_STREAM_DRAW);
   glBindBufferBase(GL_UNIFORM_BUFFER, 2, card_->lamps);
@@ -382,7 +383,7 @@ void Renderer::Impl::draw_view(const Drawn& drawn, const View& view, const Place
     draw_shadows(drawn, view, box, map);
   }
   send(block);
-  if (paints == Paints::kColor) send_lamps(drawn.scene.lamps, view.eye);
+  if (paints == Paints::kColor) send_lamps(drawn, view.eye);
   page_of(view.shows).bind();
   glViewport(static_cast<GLint>(place.x), static_cast<GLint>(place.y), static_cast<GLsizei>(view.width),
              static_cast<GLsizei>(view.height));

@@ -35,6 +35,7 @@ struct Surroundings {
   geom::Vec3 to_sun = {0, 0, 1};  // unit
   float sun = 0.72f;              // light of the sun; a white face towards it is so bright
   float ambient = 0.42f;          // and by the light from everywhere
+  float white_lux = 20;           // of lamps that make a white face as bright as 1
   Rgb sky = {0.35f, 0.55f, 0.81f}, floor = {0.69f, 0.69f, 0.65f};
   Rgb fog = {0.6f, 0.63f, 0.66f};
   double visibility = 0;  // m, at which fog leaves 5 % of a contrast; 0: there is no fog
@@ -61,7 +62,6 @@ struct Lamp {
                                  // all; -1: every way
 };
 inline constexpr std::size_t kMostLamps = 16;
-inline constexpr float kWhiteLux = 20;  // at which a white face is as bright as a picture shows
 
 /// A person.
 struct Figure {

@@ -410,7 +410,7 @@ TEST(Renderer, the_floor_under_a_lamp_is_as_bright_as_the_inverse_square_says) {
       const Vec3 p = 4 * ray(view, x, y);  // across, from the eye
       const double square = p.x * p.x + p.y * p.y + 1.5 * 1.5;
       const double lux = 40 * 1.5 / (square * std::sqrt(square));
-      const double expected = 0.5 * lux / kWhiteLux;
+      const double expected = 0.5 * lux / dark().white_lux;
       if (std::fabs(p.x - std::round(p.x)) < 0.06 || std::fabs(p.y - std::round(p.y)) < 0.06)
         continue;                                                               // a joint
       EXPECT_NEAR(light_at(color, x, y) / expected, 1, 0.08) << x << " " << y;  // slabs differ by 2.5 %

@@ -39,9 +39,9 @@ std::string light_text(const world::World& world) {
     return fmt::format("[{},{},{}]", number(a), number(b), number(c));
   };
   return fmt::format(
-      R"({{"to_sun":{},"sun":{},"ambient":{},"day":{},"sky":{},"fog":{},"visibility":{},"floor":{}}})",
+      R"({{"to_sun":{},"sun":{},"ambient":{},"day":{},"white_lux":{},"sky":{},"fog":{},"visibility":{},"floor":{}}})",
       triple(light.to_sun.x, light.to_sun.y, light.to_sun.z), number(light.sun), number(light.ambient),
-      number(light.day), triple(scene.sky_red, scene.sky_green, scene.sky_blue),
+      number(light.day), number(light.white_lux), triple(scene.sky_red, scene.sky_green, scene.sky_blue),
       triple(scene.fog_red, scene.fog_green, scene.fog_blue), number(scene.fog), scene::kFloorColor);
 }
 

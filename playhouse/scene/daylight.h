@@ -16,6 +16,7 @@ struct Daylight {
   float sun = 0;                  // how bright it makes a white face that is square to it
   float ambient = 0;              // and the light from everywhere
   float day = 1;                  // share of the colors of sky and fog: below 1 from dusk on
+  float white_lux = 2000;  // of lamps that make a white face as bright as 1: the exposure follows the sun
 };
 Daylight daylight_of(const WorldDesc& world);
 

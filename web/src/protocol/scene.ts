@@ -59,6 +59,7 @@ export interface Light {
   sun: number; // how bright it makes a white face that is square to it
   ambient: number; // and the light from everywhere
   day: number; // share of the colors of sky and fog
+  white_lux: number; // of lamps that make a white face as bright as 1
   sky: [r: number, g: number, b: number];
   fog: [r: number, g: number, b: number];
   visibility: number; // m, at which fog leaves 5 % of a contrast; 0: there is no fog

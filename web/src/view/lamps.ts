@@ -6,7 +6,6 @@ import { bodyMatrix } from './frames';
 import { isLit } from './surfaces';
 
 const kMost = 16; // as cameras have them
-const kWhiteLux = 20; // at which a white face is white, as in images of cameras
 const kMid: Pose = [0, 0, 0, 0];
 
 /** A lamp that is lit: where it is, its color times its candela. */
@@ -32,10 +31,12 @@ export class Lamps {
 
   /** Puts the lights where the lamps are that are lit now. */
   place(scene: Scene, replica: Replica, motion: Motion, eye: { x: number; y: number; z: number }): void {
+    if (!scene.light) return;
+    const intensity = Math.PI / scene.light.white_lux; // a white face returns 1 / pi of it
     const shining = brightest(shiningIn(scene, replica, motion), new Vector3(eye.x, eye.y, eye.z), this.lights.length);
     this.lights.forEach((light, k) => {
       const lamp = shining[k];
-      light.intensity = lamp ? Math.PI / kWhiteLux : 0; // a white face returns 1 / pi of it
+      light.intensity = lamp ? intensity : 0;
       if (!lamp) return;
       light.position.copy(lamp.at);
       light.color.copy(lamp.light);
