@@ -138,7 +138,9 @@ Material Look::material(const aiMaterial& from) const {
     to.roughness = exponent && *exponent > 0 ? roughness_of(*exponent) : kRough;
   }
   int is_two_sided = 0;
-  to.is_two_sided = from.Get(AI_MATKEY_TWOSIDED, is_two_sided) == aiReturn_SUCCESS && is_two_sided != 0;
+  from.Get(AI_MATKEY_TWOSIDED, is_two_sided);
+  // Of the others, few programs write it, and walls without thickness are common.
+  to.is_two_sided = colors_ != Colors::kGltf || is_two_sided != 0;
   return to;
 }
 

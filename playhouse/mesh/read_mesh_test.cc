@@ -188,6 +188,15 @@ Material with_alpha(const std::string& says) {
 
 TEST(ReadMesh, takes_the_opacity_of_gltf_as_its_mode_says) {
   const Material solid = with_alpha(""), mask = with_alpha(R"("alphaMode":"MASK",)"),
+TEST(ReadMesh, shows_both_sides_but_where_gltf_says_one) {
+  std::string one_sided = test_gltf();
+  one_sided.replace(one_sided.find(R"("doubleSided":true,)"), 19, "");
+  EXPECT_FALSE(
+      material_of(read("a.gltf", {{"a.gltf", one_sided}, {"box.bin", test_gltf_buffer()}})).is_two_sided);
+  EXPECT_TRUE(material_of(read("box.obj", {{"box.obj", test_obj()}})).is_two_sided);
+  EXPECT_TRUE(material_of(read_collada()).is_two_sided);
+}
+
                  thin = with_alpha(R"("alphaMode":"MASK","alphaCutoff":0.2,)"),
                  clear = with_alpha(R"("alphaMode":"BLEND",)");
   EXPECT_EQ(solid.opacity, Opacity::kSolid);
