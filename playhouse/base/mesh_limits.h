@@ -23,5 +23,7 @@ inline constexpr std::size_t kMeshCopies = 1u << 23;              // corners of 
 inline constexpr unsigned kMeshSeconds = 60;                      // of a processor, to read one
 inline constexpr std::size_t kMeshMemoryBytes = std::size_t{3} << 30;  // to read one
 inline constexpr double kMeshReach = 1e5;                         // m from its origin to any corner
+inline constexpr double kMeshMass = 1e9;                          // kg, as world files allow
+inline constexpr double kMeshCoefficient = 1e9;                   // of friction and restitution
 
 }  // namespace playhouse::limits

@@ -76,14 +76,20 @@ Result<void> check_look(const Mesh& mesh) {
   return {};
 }
 
-bool is_number(const std::optional<double>& x) {
-  return !x || (std::isfinite(*x) && *x >= 0);
+/// Whether it is a number from 0 to `most`, if it is anything.
+bool is_within(const std::optional<double>& x, double most) {
+  return !x || (*x >= 0 && *x <= most);
 }
 
 Result<void> check_physics(const Physics& physics) {
   if (physics.shapes.size() > limits::kMeshShapes) return too_many("shapes for physics", limits::kMeshShapes);
-  if (!is_number(physics.mass) || !is_number(physics.friction) || !is_number(physics.restitution))
-    return Error{{}, "is broken: a mass or a coefficient is no number from 0"};
+  if (!is_within(physics.mass, limits::kMeshMass))
+    return Error{
+        {}, fmt::format("is broken: its mass for physics is no number from 0 to {:g} kg", limits::kMeshMass)};
+  if (!is_within(physics.friction, limits::kMeshCoefficient) ||
+      !is_within(physics.restitution, limits::kMeshCoefficient))
+    return Error{
+        {}, fmt::format("is broken: a coefficient is no number from 0 to {:g}", limits::kMeshCoefficient)};
   std::size_t points = 0, triangles = 0;
   for (const Shape& shape : physics.shapes) {
     points += shape.points.size();
@@ -93,7 +99,10 @@ Result<void> check_physics(const Physics& physics) {
     const Vec3& half = shape.half;
     if (!is_near(shape.p) || !is_near(half) || !std::ranges::all_of(shape.points, is_near) ||
         !(std::fabs(norm - 1) < 1e-6) || half.x < 0 || half.y < 0 || half.z < 0)
-      return Error{{}, "is broken: a shape for physics is no number"};
+      return Error{
+          {},
+          fmt::format("is broken: a shape for physics is no number, or larger or farther than {:g} m",
+                      limits::kMeshReach)};
     if (!are_rows(shape.corners, shape.points.size()))
       return Error{{}, "is broken: a shape for physics has a corner that is not there"};
   }

@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <utility>
 
+#include "playhouse/base/in_quotes.h"
 #include "playhouse/base/mesh_limits.h"
 #include "playhouse/geom/trig.h"
 
@@ -16,11 +19,29 @@ using geom::Vec3;
 
 constexpr double kDegree = geom::kPi / 180;
 
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kBlank = " \t\r\n";
+  text.remove_prefix(std::min(text.find_first_not_of(kBlank), text.size()));
+  return text.substr(0, text.find_last_not_of(kBlank) + 1);
+}
+
 /// How deep elements are inside each other.
 class Depth final : public pugi::xml_tree_walker {
  public:
   bool for_each(pugi::xml_node&) override { return depth() < limits::kMeshDepth; }
 };
+
+/// In metres; 1 where it is not said.
+Result<double> unit_of(const pugi::xml_attribute& meter) {
+  if (!meter) return 1.0;
+  const std::string_view text = trimmed(meter.value());
+  char* end = nullptr;
+  const double unit = std::strtod(text.data(), &end);
+  if (text.empty() || end != text.data() + text.size() || !(unit > 0) || !std::isfinite(unit))
+    return Error{
+        {}, fmt::format("has a unit of {} metres, which is no number above 0", in_quotes(meter.value()))};
+  return unit;
+}
 
 Affine turn(const Vec3& axis, double degrees) {
   const geom::SinCos a = geom::sincos(degrees * kDegree);
@@ -74,7 +95,9 @@ Result<ColladaDocument> ColladaDocument::parse(std::string_view bytes) {
   ColladaDocument made;
   const pugi::xml_parse_result parsed = made.document_->load_buffer(bytes.data(), bytes.size());
   if (!parsed)
-    return Error{{}, fmt::format("is no good XML: {} at byte {}", parsed.description(), parsed.offset)};
+    return Error{
+        {},
+        fmt::format("cannot be read: it is no good XML: {} at byte {}", parsed.description(), parsed.offset)};
   made.root_ = made.document_->child("COLLADA");
   if (!made.root_) return Error{{}, "is no COLLADA file"};
   Depth depth;
@@ -82,7 +105,8 @@ Result<ColladaDocument> ColladaDocument::parse(std::string_view bytes) {
     return Error{{}, fmt::format("has elements more than {} deep", limits::kMeshDepth)};
 
   const pugi::xml_node asset = made.root_.child("asset");
-  const double unit = asset.child("unit").attribute("meter").as_double(1);
+  const Result<double> unit = unit_of(asset.child("unit").attribute("meter"));
+  if (!unit) return unit.error();
   const std::string_view up = asset.child("up_axis").text().get();
   if (up == "Z_UP") {
     made.X_FC_ = {};
@@ -91,16 +115,18 @@ Result<ColladaDocument> ColladaDocument::parse(std::string_view bytes) {
   } else {
     made.X_FC_ = from_y_up();
   }
-  for (Vec3& axis : made.X_FC_.axes) axis = unit * axis;
+  for (Vec3& axis : made.X_FC_.axes) axis = *unit * axis;
   made.look_for_ids();
-  made.place_nodes();
+  if (const Result<void> placed = made.place_nodes(); !placed) return placed.error();
+  if (const Result<void> checked = made.check_corners(); !checked) return checked.error();
   return made;
 }
 
-void ColladaDocument::look_for_ids() {
+template <typename Visit>
+void ColladaDocument::each_element(const Visit& visit) const {
   // In the order of the file, without recursion.
   for (pugi::xml_node at = root_; at;) {
-    if (const pugi::xml_attribute id = at.attribute("id")) by_id_.try_emplace(id.value(), at);
+    visit(at);
     if (at.first_child()) {
       at = at.first_child();
       continue;
@@ -110,7 +136,24 @@ void ColladaDocument::look_for_ids() {
   }
 }
 
-void ColladaDocument::place_nodes() {
+void ColladaDocument::look_for_ids() {
+  each_element([this](const pugi::xml_node& at) {
+    if (const pugi::xml_attribute id = at.attribute("id")) by_id_.try_emplace(id.value(), at);
+  });
+}
+
+/// Corners of triangles and polygons are rows from 0; Assimp takes those below for 0.
+Result<void> ColladaDocument::check_corners() const {
+  bool is_below = false;
+  each_element([&](const pugi::xml_node& at) {
+    is_below =
+        is_below || (std::string_view(at.name()) == "p" && std::strchr(at.text().get(), '-') != nullptr);
+  });
+  if (is_below) return Error{{}, "is broken: a triangle has a corner that is not there"};
+  return {};
+}
+
+Result<void> ColladaDocument::place_nodes() {
   struct Open {
     pugi::xml_node node;
     Affine X_FP;
@@ -119,18 +162,23 @@ void ColladaDocument::place_nodes() {
   std::vector<Open> open;
   for (const pugi::xml_node& scene : root_.child("library_visual_scenes").children("visual_scene"))
     for (const pugi::xml_node& node : scene.children("node")) open.push_back({node, X_FC_, 1});
-  for (std::size_t looked = 0; !open.empty() && looked < limits::kMeshNodes; ++looked) {
+  for (std::size_t looked = 0; !open.empty(); ++looked) {
+    if (looked >= limits::kMeshNodes)
+      return Error{{}, fmt::format("has too many nodes: up to {} are possible", limits::kMeshNodes)};
     const Open next = open.back();
     open.pop_back();
     const Affine X_FN = next.X_FP * transform_of(next.node);
     if (const pugi::xml_attribute id = next.node.attribute("id")) nodes_.try_emplace(id.value(), X_FN);
-    if (next.depth >= limits::kMeshDepth) continue;
+    if (next.depth > limits::kMeshDepth)
+      return Error{
+          {}, fmt::format("has nodes more than {} deep, or one that is inside itself", limits::kMeshDepth)};
     for (const pugi::xml_node& child : next.node.children("node"))
       open.push_back({child, X_FN, next.depth + 1});
     for (const pugi::xml_node& instance : next.node.children("instance_node"))
       if (const pugi::xml_node child = find(instance.attribute("url").value()))
         open.push_back({child, X_FN, next.depth + 1});
   }
+  return {};
 }
 
 pugi::xml_node ColladaDocument::find(std::string_view address) const {

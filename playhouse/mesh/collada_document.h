@@ -17,7 +17,8 @@ namespace playhouse::mesh {
 
 class ColladaDocument {
  public:
-  /// Fails on what is no XML, no COLLADA, or nested deeper than limits::kMeshDepth.
+  /// Fails on what is no XML, no COLLADA, or nested deeper than limits::kMeshDepth; on a unit that is none,
+  /// on nodes that are too many or inside themselves, and on corners below 0.
   static Result<ColladaDocument> parse(std::string_view bytes);
 
   pugi::xml_node root() const { return root_; }
@@ -30,8 +31,11 @@ class ColladaDocument {
   const Affine& X_FC() const { return X_FC_; }
 
  private:
+  template <typename Visit>
+  void each_element(const Visit& visit) const;
   void look_for_ids();
-  void place_nodes();
+  Result<void> place_nodes();
+  Result<void> check_corners() const;
 
   std::unique_ptr<pugi::xml_document> document_ = std::make_unique<pugi::xml_document>();
   pugi::xml_node root_;

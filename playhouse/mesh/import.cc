@@ -4,8 +4,10 @@
 #include <assimp/MemoryIOWrapper.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <assimp/DefaultLogger.hpp>
 #include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
+#include <assimp/LogStream.hpp>
 
 #include <fmt/format.h>
 
@@ -96,6 +98,7 @@ void keep_formats(Assimp::Importer& importer) {
 
 /// Without the name that Assimp knows the file by.
 std::string reason(std::string text) {
+  if (text == "std::bad_alloc") return "it takes too much memory";
   if (const std::size_t at = text.find(kFolder); at != text.npos) text.erase(at, kFolder.size());
   return escaped(text.empty() ? "it is of no kind that is known" : text);
 }
@@ -105,16 +108,53 @@ Colors colors_of(std::string_view path) {
   return lower(path).ends_with(".obj") ? Colors::kObj : Colors::kGltf;
 }
 
+/// Hears what Assimp's readers say of triangles that they leave out, while it is there.
+class Listener final : public Assimp::LogStream {
+ public:
+  /// Sets `heard` then.
+  static void begin(bool& heard) {
+    Assimp::DefaultLogger::create("", Assimp::Logger::NORMAL, 0);
+    Assimp::DefaultLogger::get()->attachStream(new Listener(heard), Assimp::Logger::Warn);  // which owns it
+  }
+  static void end() { Assimp::DefaultLogger::kill(); }
+  void write(const char* message) override {
+    if (std::string_view(message).find("out-of-range indices") != std::string_view::npos) heard_ = true;
+  }
+
+ private:
+  explicit Listener(bool& heard) : heard_(heard) {}
+  bool& heard_;
+};
+
+/// Says of each mesh what its faces are: a face of an OBJ file may be a line or a point, which its reader
+/// does not tell, and which are left out later. Returns whether there are any triangles or polygons.
+bool mark_primitives(aiScene& scene) {
+  bool has_triangles = false;
+  for (unsigned m = 0; m < scene.mNumMeshes; ++m)
+    for (unsigned i = 0; i < scene.mMeshes[m]->mNumFaces; ++i) {
+      const unsigned corners = scene.mMeshes[m]->mFaces[i].mNumIndices;
+      if (corners > 0) scene.mMeshes[m]->mPrimitiveTypes |= AI_PRIMITIVE_TYPE_FOR_N_INDICES(corners);
+      has_triangles = has_triangles || corners >= 3;
+    }
+  return has_triangles;
+}
+
 /// The scene of a file, which the importer owns: of triangles alone, with normals.
 Result<const aiScene*> scene_of(Assimp::Importer& importer, const std::string& name) {
+  bool drops_triangles = false;
+  Listener::begin(drops_triangles);
+  const aiScene* scene = importer.ReadFile(std::string(kFolder) + name, 0);
+  Listener::end();
+  if (scene == nullptr) return Error{{}, "cannot be read: " + reason(importer.GetErrorString())};
+  if (drops_triangles) return Error{{}, "is broken: a triangle has a corner that is not there"};
+  if (scene->mRootNode == nullptr || !mark_primitives(*const_cast<aiScene*>(scene)))
+    return Error{{}, "has no triangles"};
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, 40);  // degrees
-  const aiScene* scene =
-      importer.ReadFile(std::string(kFolder) + name, aiProcess_ValidateDataStructure | aiProcess_Triangulate |
-                                                         aiProcess_SortByPType | aiProcess_GenSmoothNormals |
-                                                         aiProcess_JoinIdenticalVertices);
+  scene = importer.ApplyPostProcessing(aiProcess_ValidateDataStructure | aiProcess_Triangulate |
+                                       aiProcess_SortByPType | aiProcess_GenSmoothNormals |
+                                       aiProcess_JoinIdenticalVertices);
   if (scene == nullptr) return Error{{}, "cannot be read: " + reason(importer.GetErrorString())};
-  if (scene->mRootNode == nullptr || scene->mNumMeshes == 0) return Error{{}, "has no triangles"};
   return scene;
 }
 

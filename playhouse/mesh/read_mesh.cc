@@ -93,13 +93,15 @@ class Budget {
 Result<MeshFile> read_checked(const std::string& path, const ReadFile& read) {
   Result<std::string> bytes = read(path);
   if (!bytes) return bytes.error();
+  std::optional<Physics> physics;
+  if (is_collada(path)) {
+    Result<std::optional<Physics>> said = collada_physics(*bytes);  // which checks what Assimp does not
+    if (!said) return said.error();
+    physics = std::move(*said);
+  }
   Result<MeshFile> file = import(path, *bytes, read);
   if (!file) return file;
-  if (is_collada(path)) {
-    Result<std::optional<Physics>> physics = collada_physics(*bytes);
-    if (!physics) return physics.error();
-    file->mesh.physics = std::move(*physics);
-  }
+  file->mesh.physics = std::move(physics);
   measure(file->mesh);
   if (const Result<void> checked = check_mesh(file->mesh); !checked) return checked.error();
   return file;

@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <csignal>
 #include <fstream>
 
 #include "playhouse/base/testing_folder.h"
 #include "playhouse/mesh/gltf_text.h"
 #include "playhouse/mesh/opacity.h"
+#include "playhouse/mesh/own_process.h"
 #include "playhouse/mesh/testing_meshes.h"
 
 namespace playhouse::mesh {
@@ -186,8 +188,6 @@ Material with_alpha(const std::string& says) {
   return material_of(read("box.gltf", {{"box.gltf", gltf}, {"box.bin", test_gltf_buffer()}}));
 }
 
-TEST(ReadMesh, takes_the_opacity_of_gltf_as_its_mode_says) {
-  const Material solid = with_alpha(""), mask = with_alpha(R"("alphaMode":"MASK",)"),
 TEST(ReadMesh, shows_both_sides_but_where_gltf_says_one) {
   std::string one_sided = test_gltf();
   one_sided.replace(one_sided.find(R"("doubleSided":true,)"), 19, "");
@@ -197,6 +197,8 @@ TEST(ReadMesh, shows_both_sides_but_where_gltf_says_one) {
   EXPECT_TRUE(material_of(read_collada()).is_two_sided);
 }
 
+TEST(ReadMesh, takes_the_opacity_of_gltf_as_its_mode_says) {
+  const Material solid = with_alpha(""), mask = with_alpha(R"("alphaMode":"MASK",)"),
                  thin = with_alpha(R"("alphaMode":"MASK","alphaCutoff":0.2,)"),
                  clear = with_alpha(R"("alphaMode":"BLEND",)");
   EXPECT_EQ(solid.opacity, Opacity::kSolid);
@@ -282,10 +284,60 @@ TEST(ReadMesh, reads_no_gltf_that_requires_an_extension_it_does_not_know) {
   EXPECT_THAT(gltf_list(deeper, "extensionsRequired"), testing::ElementsAre("EXT_e"));
 }
 
-TEST(ReadMesh, survives_a_file_that_ends_its_reader) {
-  TestCollada endless;  // a node that is inside itself
+TEST(ReadMesh, says_of_collada_nodes_that_they_are_too_many_or_inside_themselves) {
+  TestCollada endless;
   endless.node = "<instance_node url=\"#n\"/>";
-  EXPECT_THAT(error_of("a.dae", test_collada(endless)), HasSubstr("a.dae: cannot be read: it "));
+  EXPECT_THAT(error_of("a.dae", test_collada(endless)),
+              HasSubstr("has nodes more than 128 deep, or one that is inside"));
+  TestCollada many;  // 16 of 16 of 16 of 16 of 16
+  for (int level = 0; level < 5; ++level) {
+    many.libraries += fmt::format("<library_nodes><node id=\"l{}\">", level);
+    for (int i = 0; i < 16; ++i) many.libraries += fmt::format("<instance_node url=\"#l{}\"/>", level + 1);
+    many.libraries += "</node></library_nodes>";
+  }
+  many.libraries += "<library_nodes><node id=\"l5\"><instance_geometry url=\"#box\"/></node></library_nodes>";
+  many.node = "<instance_node url=\"#l0\"/>";
+  EXPECT_THAT(error_of("a.dae", test_collada(many)),
+              HasSubstr("has too many nodes: up to 65536 are possible"));
+}
+
+TEST(ReadMesh, refuses_a_collada_unit_that_is_none) {
+  for (const char* unit : {"-1", "0", "abc", "", "nan", "inf", "0,01", "1 m"}) {
+    std::string file = test_collada();
+    file.replace(file.find("meter=\"1\""), 9, std::string("meter=\"") + unit + "\"");
+    EXPECT_THAT(error_of("a.dae", file),
+                HasSubstr(std::string("a.dae: has a unit of \"") + unit + "\" metres"))
+        << unit;
+  }
+  std::string file = test_collada();
+  file.replace(file.find(" meter=\"1\""), 10, "");
+  EXPECT_EQ(error_of("a.dae", file), "read");
+}
+
+TEST(ReadMesh, refuses_triangles_with_corners_that_are_not_there) {
+  const std::string text = "is broken: a triangle has a corner that is not there";
+  TestCollada below;
+  below.triangles.replace(0, 1, "-1");
+  EXPECT_THAT(error_of("a.dae", test_collada(below)), HasSubstr(text));
+  std::string buffer = test_gltf_buffer();
+  buffer[96] = 99;  // the first row
+  const Result<MeshFile> file =
+      read_mesh("a.gltf", test_files({{"a.gltf", test_gltf()}, {"box.bin", buffer}}));
+  ASSERT_FALSE(file);
+  EXPECT_THAT(file.error().line(), HasSubstr(text));
+}
+
+TEST(ReadMesh, leaves_out_faces_of_obj_with_one_or_two_corners) {
+  for (const char* face : {"f 1\n", "f 1 2\n", "f 1 2\nf 3\nf 1 1 1\n", "p 1\nl 1 2 3\n"})
+    expect_box(read("box.obj", {{"box.obj", test_obj() + face}}).mesh);
+  EXPECT_EQ(error_of("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n"), "a.obj: has no triangles");
+}
+
+TEST(OwnProcess, tells_how_it_ended) {
+  OwnProcess process([](Pipe&) { ::raise(SIGSEGV); });
+  ASSERT_NE(process.pipe(), nullptr);
+  EXPECT_FALSE(process.pipe()->receive(100));
+  EXPECT_EQ(process.end(), "ended its process by signal 11");
 }
 
 /// With a point light of this color.
@@ -361,6 +413,20 @@ TEST(ColladaPhysics, has_shapes_where_their_bodies_are) {
   EXPECT_NEAR(physics.shapes[3].half.x, 0.2, 1e-9);
 }
 
+TEST(ColladaPhysics, refuses_masses_and_shapes_that_no_world_has) {
+  const auto error = [](const std::string& half, const std::string& mass) {
+    return error_of("a.dae", test_collada(with_physics(
+                                 "<shape><box><half_extents>" + half + "</half_extents></box></shape>",
+                                 "<mass>" + mass + "</mass>")));
+  };
+  EXPECT_EQ(error("1 1 1", "1e9"), "read");
+  for (const char* mass : {"1e30", "-1", "nan"})
+    EXPECT_EQ(error("1 1 1", mass), "a.dae: is broken: its mass for physics is no number from 0 to 1e+09 kg")
+        << mass;
+  EXPECT_EQ(error("1e6 1 1", "1"),
+            "a.dae: is broken: a shape for physics is no number, or larger or farther than 100000 m");
+}
+
 TEST(ColladaPhysics, turns_what_has_y_up) {
   TestCollada of =
       with_physics("<shape><cylinder><height>2</height><radius>0.3 0.3</radius></cylinder></shape>");
@@ -398,7 +464,7 @@ TEST(ColladaPhysics, tells_what_is_broken) {
   EXPECT_THAT(error(with_physics("<shape><instance_geometry url=\"#none\"/></shape>")),
               HasSubstr("has no geometry \"#none\""));
   EXPECT_THAT(error(with_physics("<shape><sphere><radius>1</radius></sphere></shape>", "<mass>nan</mass>")),
-              HasSubstr("a mass or a coefficient is no number"));
+              HasSubstr("its mass for physics is no number from 0"));
   TestCollada elsewhere = with_physics("<shape><sphere><radius>1</radius></sphere></shape>");
   elsewhere.libraries.replace(elsewhere.libraries.find("target=\"#n\""), 11, "target=\"#x\"");
   EXPECT_THAT(error(elsewhere), HasSubstr("has no node \"#x\""));
