@@ -69,6 +69,7 @@ class Client {
   void send(std::string_view text) {
     ASSERT_EQ(::send(descriptor_, text.data(), text.size(), MSG_NOSIGNAL), static_cast<ssize_t>(text.size()));
   }
+  void send_urgent(char letter) { ASSERT_EQ(::send(descriptor_, &letter, 1, MSG_OOB), 1); }
   void finish() { shutdown(descriptor_, SHUT_WR); }
   /// Closes so that the other side sees a reset.
   void reset() {
@@ -257,6 +258,44 @@ TEST(Tcp, tells_of_a_lost_peer_during_a_pause_and_then_reads_it_to_its_end) {
   log.connection->resume();
   EXPECT_TRUE(serve_until(loop, [&] { return !log.end.empty(); }));
   EXPECT_EQ(log.losses, 1);
+}
+
+TEST(Tcp, tells_of_a_lost_peer_during_a_pause_although_nothing_is_sent) {
+  IoLoop loop;
+  Log log;
+  auto listener = loop.listen("127.0.0.1", 0, into(log));
+  Client client((*listener)->port());
+  ASSERT_TRUE(serve_until(loop, [&] { return log.connection != nullptr; }));
+  client.send("stop the robot");
+  log.on_received = [&] { log.connection->pause(); };
+  ASSERT_TRUE(serve_until(loop, [&] { return log.bytes == "stop the robot"; }));
+  client.send_urgent('!');
+  client.send("last words");
+  client.reset();
+  EXPECT_TRUE(serve_until(loop, [&] { return log.losses == 1; }));
+  EXPECT_EQ(log.end, "") << "it is paused";
+  log.on_received = [] {};
+  log.connection->resume();
+  EXPECT_TRUE(serve_until(loop, [&] { return !log.end.empty(); }));
+  EXPECT_NE(log.end, "closed") << "it was reset";
+  EXPECT_EQ(log.losses, 1);
+}
+
+TEST(Tcp, a_peer_that_finished_sending_is_not_lost_during_a_pause) {
+  IoLoop loop;
+  Log log;
+  auto listener = loop.listen("127.0.0.1", 0, into(log));
+  Client client((*listener)->port());
+  ASSERT_TRUE(serve_until(loop, [&] { return log.connection != nullptr; }));
+  log.connection->pause();
+  client.send("that was all");
+  client.finish();
+  log.connection->send(std::vector{shared("answer")});
+  EXPECT_TRUE(serve_until(loop, [&] { return log.drains == 1; }));
+  EXPECT_EQ(client.read(6), "answer");
+  log.connection->resume();
+  EXPECT_TRUE(serve_until(loop, [&] { return log.end == "closed"; }));
+  EXPECT_EQ(log.losses, 0);
 }
 
 TEST(Tcp, goes_on_accepting_once_there_are_descriptors_again) {

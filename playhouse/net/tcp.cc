@@ -1,6 +1,7 @@
 // TCP behind Connection: one gathered write at a time, and an end that takes nothing back.
 
 #include <netinet/tcp.h>
+#include <poll.h>
 
 #include <algorithm>
 #include <array>
@@ -53,7 +54,10 @@ class TcpStream : public std::enable_shared_from_this<TcpStream> {
     if (writing_.empty()) write_queued();
   }
 
-  void pause() { paused_ = true; }
+  void pause() {
+    paused_ = true;
+    if (!waiting_for_fault_ && !peer_lost_) wait_for_fault();
+  }
 
   void resume() {
     if (!std::exchange(paused_, false)) return;
@@ -101,6 +105,23 @@ class TcpStream : public std::enable_shared_from_this<TcpStream> {
     if (!events_) return;  // the owner closed us
     if (is_end(error)) return end_reading(error);
     if (!paused_) wait_for_bytes();
+  }
+
+  // While nobody reads, a reset or a timeout shows in no other way. Once it waits it does so also after the
+  // pause: reading, which sees the same, cannot go on if this were cancelled.
+  void wait_for_fault() {
+    waiting_for_fault_ = true;
+    socket_.async_wait(tcp::socket::wait_error, [self = shared_from_this()](const error_code& error) {
+      self->waiting_for_fault_ = false;
+      if (error || !self->events_ || !self->paused_ || self->peer_lost_) return;
+      self->has_fault() ? self->lose_peer() : self->wait_for_fault();
+    });
+  }
+
+  // Else it was urgent data. The error itself stays for who reads.
+  bool has_fault() {
+    pollfd looked{socket_.native_handle(), 0, 0};
+    return ::poll(&looked, 1, 0) > 0 && (looked.revents & (POLLERR | POLLHUP)) != 0;
   }
 
   void end_reading(const error_code& error) {
@@ -195,6 +216,7 @@ class TcpStream : public std::enable_shared_from_this<TcpStream> {
   std::size_t in_flight_bytes_ = 0;
   std::optional<IoLoop::Impl::Lingering::iterator> lingering_;  // once everything is sent
   bool waiting_ = false, paused_ = false, read_to_end_ = false, closing_ = false, peer_lost_ = false;
+  bool waiting_for_fault_ = false;
 };
 
 class TcpConnection final : public Connection {
