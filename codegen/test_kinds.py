@@ -396,6 +396,13 @@ class Generated(unittest.TestCase):
         page = emit_kinds_docs.emit(load_kinds(ROOT / "kinds", SCHEMA))["docs/kinds/position.md"]
         self.assertIn('| `"diff" \\| "omni" \\| "walk" \\| "car"` |', page)
 
+    def test_the_sensor_of_contributing_is_one(self):
+        text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+        example = tomllib.loads(text.split("```toml\n")[1].split("```")[0])
+        files = [(f"kinds/{path.name}", tomllib.loads(path.read_text(encoding="utf-8"))) for path in sorted((ROOT / "kinds").glob("*.toml"))]
+        kinds = build_kinds([*files, ("kinds/altimeter.toml", example)], SCHEMA)
+        self.assertTrue(kinds.find("altimeter").measures and kinds.find("altimeter").may_be_watched)
+
 
 if __name__ == "__main__":
     unittest.main()
