@@ -4,15 +4,19 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <memory>
 #include <set>
 #include <stdexcept>
 
 #include "playhouse/base/testing_reference.h"
 #include "playhouse/server/fake_driver.h"
+#include "playhouse/server/frame.h"
+#include "playhouse/server/replace_rules.h"
 #include "playhouse/server/server.h"
 #include "playhouse/server/test_client.h"
 
@@ -108,8 +112,25 @@ class Replay {
   void publish_data_before_next_answer() {
     while (next_is(wire::MessageType::kData)) {
       publish(answers_[next_]);
-      expected_.push_back(answers_[next_++]);
+      expect_data(answers_[next_++]);
     }
+  }
+
+  // In PULL mode data wait for a round, where the original sends them with any answer.
+  void expect_data(const Received& data) {
+    if (!pull_) return expected_.push_back(data);
+    const auto kind_of = [](const Received& each) { return make_frame(each.header, {}).kind(); };
+    if (rules_.action_for(make_frame(data.header, {})) == QueueAction::kReplace) {
+      const auto old = std::find_if(held_.rbegin(), held_.rend(),
+                                    [&](const Received& each) { return kind_of(each) == kind_of(data); });
+      if (old != held_.rend()) held_.erase(std::next(old).base());
+    }
+    held_.push_back(data);
+  }
+
+  void expect_held() {
+    expected_.insert(expected_.end(), held_.begin(), held_.end());
+    held_.clear();
   }
 
   // Finds the recorded answer and makes the device give it.
@@ -136,17 +157,18 @@ class Replay {
     if (request.header.subtype == wire::player::kReqDatamode) {
       const auto mode = wire::decode<wire::player::DeviceDatamodeReq>(request.body)->mode;
       if (mode == 1 || mode == 2) pull_ = mode == 2;
+      if (!pull_) expect_held();
+    }
+    if (request.header.subtype == wire::player::kReqAddReplaceRule) {
+      const auto rule = *wire::decode<wire::player::AddReplaceRuleReq>(request.body);
+      rules_.add({rule.interf, rule.index, rule.type, rule.subtype, static_cast<QueueAction>(rule.replace)});
     }
     if (request.header.subtype != wire::player::kReqDev || !pull_) return;
     const auto asked = *wire::decode<wire::player::DeviceReq>(request.body);
-    const auto purged = [&](const wire::Header& h) {
-      return h.type == wire::MessageType::kData && h.interf == asked.addr.interf &&
-             h.index == asked.addr.index;
-    };
-    while (asked.access == wire::player::kCloseMode && !expected_.empty() &&
-           purged(expected_.back().header)) {
-      expected_.pop_back();
-    }
+    if (asked.access != wire::player::kCloseMode) return;
+    std::erase_if(held_, [&](const Received& data) {
+      return data.header.interf == asked.addr.interf && data.header.index == asked.addr.index;
+    });
   }
 
   void expect_nack(const Received& request) {
@@ -175,6 +197,7 @@ class Replay {
     const bool overflow = answers_[end].header.subtype == wire::player::kSynchOverflow;
     for (std::size_t i = 0; overflow && i < recording_.lost_data; ++i) publish(answers_[next_]);
     publish_data_before_next_answer();
+    expect_held();
     expected_.push_back(answers_[next_++]);
     if (overflow)
       expected_.back().body = wire::encode(wire::Uint32{static_cast<std::uint32_t>(recording_.lost_data)});
@@ -197,6 +220,8 @@ class Replay {
 
   const Recording& recording_;
   std::vector<Received> requests_, answers_, expected_;
+  std::vector<Received> held_;  // data that wait for a round
+  ReplaceRules rules_;
   std::set<std::size_t> moved_;
   std::size_t next_ = 0, unrecorded_ = 0;
   bool pull_ = false;

@@ -155,9 +155,12 @@ void OutQueue::take(std::vector<net::SharedBytes>& out, std::size_t max_bytes, d
   }
 }
 
-// An answer never waits for a round: it goes out with the data before it.
+// An answer never waits for a round, and takes no data along that do.
 bool OutQueue::may_send() const {
-  if (!answers_.empty() || may_tell()) return true;
+  return !answers_.empty() || may_tell() || may_send_data();
+}
+
+bool OutQueue::may_send_data() const {
   return !data_.empty() && (mode_ == DeliveryMode::kPush || data_requested_);
 }
 
@@ -179,7 +182,7 @@ bool OutQueue::round_is_over() const {
 Frame OutQueue::pop() {
   constexpr std::uint64_t kNone = std::numeric_limits<std::uint64_t>::max();
   const std::uint64_t answer = answers_.empty() ? kNone : answers_.front().number;
-  const std::uint64_t data = data_.empty() ? kNone : data_.front().number;
+  const std::uint64_t data = may_send_data() ? data_.front().number : kNone;
   if (may_tell() && notices_.begin()->first < std::min(answer, data))
     return take_notice(notices_.begin()->first);
   if (answer < data) {

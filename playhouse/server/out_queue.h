@@ -111,6 +111,7 @@ class OutQueue {
   void drop_one();
   void count_lost(std::uint64_t messages);
   bool may_send() const;
+  bool may_send_data() const;
   bool may_tell() const;
   bool round_is_over() const;
   Frame pop();

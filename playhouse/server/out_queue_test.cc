@@ -106,15 +106,35 @@ TEST(OutQueue, answers_twice_asked_with_one_synch) {
   EXPECT_EQ(taken(queue), "D4.1 S1");
 }
 
-TEST(OutQueue, lets_an_answer_pull_the_data_before_it_out_of_a_pull_queue) {
+TEST(OutQueue, lets_data_wait_for_their_round_when_an_answer_goes_out) {
   OutQueue queue;
   queue.set_mode(DeliveryMode::kPull);
   queue.add(data(4, 1));
   queue.add(ack(2));
   queue.add(data(4, 3));
-  EXPECT_EQ(taken(queue), "D4.1 A2");
+  EXPECT_EQ(taken(queue), "A2");
+  EXPECT_FALSE(queue.has_output());
+  queue.request_data(ack(4));
+  EXPECT_EQ(taken(queue), "A4 D4.1 D4.3 S1");
+}
+
+TEST(OutQueue, sends_what_waited_for_a_round_when_the_client_turns_to_push) {
+  OutQueue queue;
+  queue.set_mode(DeliveryMode::kPull);
+  queue.add(data(4, 1));
   queue.set_mode(DeliveryMode::kPush);
-  EXPECT_EQ(taken(queue), "D4.3");
+  EXPECT_EQ(taken(queue), "D4.1");
+}
+
+TEST(OutQueue, keeps_answers_in_their_place_among_the_data_of_an_open_round) {
+  OutQueue queue;
+  queue.set_mode(DeliveryMode::kPull);
+  queue.request_data(ack(9));
+  EXPECT_EQ(taken(queue), "A9");
+  queue.add(data(4, 1));
+  queue.add(ack(2));
+  queue.add(data(4, 3));
+  EXPECT_EQ(taken(queue), "D4.1 A2 D4.3 S1");
 }
 
 TEST(OutQueue, ends_a_round_even_when_data_comes_faster_than_it_goes) {
@@ -299,18 +319,18 @@ TEST(OutQueue, a_notice_goes_out_behind_the_data_of_its_device_when_pushing_unle
   EXPECT_EQ(taken(queue), "A99 A2");
 }
 
-TEST(OutQueue, a_notice_waits_for_a_round_in_pull_mode_and_no_answer_takes_it_along) {
+TEST(OutQueue, a_notice_waits_for_a_round_in_pull_mode_as_data_do) {
   OutQueue queue;
   queue.set_mode(DeliveryMode::kPull);
   queue.add(data(4, 1));
   queue.add_notice(4, 0, ack(99));
   queue.add(data(6, 2));
   queue.add(ack(3));
-  EXPECT_EQ(taken(queue), "D4.1 D6.2 A3");
+  EXPECT_EQ(taken(queue), "A3");
   EXPECT_FALSE(queue.has_output());
   queue.add(data(6, 4));
   queue.request_data(ack(5));
-  EXPECT_EQ(taken(queue), "A5 A99 D6.4 S1");
+  EXPECT_EQ(taken(queue), "A5 D4.1 A99 D6.2 D6.4 S1");
 }
 
 TEST(OutQueue, a_notice_goes_out_in_its_place_in_the_round_and_does_not_end_it) {
@@ -362,9 +382,9 @@ TEST(OutQueue, a_device_in_the_place_of_another_gets_none_of_its_data_and_the_no
   queue.replace_device(4, 0);
   queue.add(ack(2));
   queue.add(data(4, 3));
-  EXPECT_EQ(taken(queue), "D6.1 A99 A2");
+  EXPECT_EQ(taken(queue), "A99 A2");
   queue.request_data(ack(5));
-  EXPECT_EQ(taken(queue), "A5 A98 D4.3 S1");
+  EXPECT_EQ(taken(queue), "A5 D6.1 A98 D4.3 S1");
   EXPECT_EQ(queue.bytes_waiting(), 0u);
 }
 
@@ -418,12 +438,12 @@ class SlowQueue {
         out.push_back(nullptr);
         continue;
       }
-      const bool answer =
-          std::any_of(list_.begin(), list_.end(), [](const Frame& f) { return f.is_answer(); });
-      if (!answer && pull && !requested_) return out;
-      if (requested_ && !list_.front().is_answer()) delivered_ = true;
-      out.push_back(list_.front().bytes);
-      list_.erase(list_.begin());
+      const auto next = std::find_if(list_.begin(), list_.end(),
+                                     [&](const Frame& f) { return f.is_answer() || !pull || requested_; });
+      if (next == list_.end()) return out;
+      if (requested_ && !next->is_answer()) delivered_ = true;
+      out.push_back(next->bytes);
+      list_.erase(next);
     }
   }
 

@@ -183,11 +183,11 @@ TEST_F(Pull, a_client_that_asks_for_rounds_without_reading_is_not_read_any_more)
             static_cast<std::ptrdiff_t>(kRounds));
 }
 
-TEST_F(Pull, an_answer_waits_for_no_round) {
+TEST_F(Pull, an_answer_waits_for_no_round_and_leaves_the_data_to_the_next) {
   TestClient client = client_of_both(kPull);
   publish(wheels_id);
-  EXPECT_EQ(outline(client.ask(message(wire::MessageType::kReq, kWheels, 0, kGetGeom))),
-            "DATA 1 of 4, ACK 1");
+  EXPECT_EQ(outline(client.ask(message(wire::MessageType::kReq, kWheels, 0, kGetGeom))), "ACK 1");
+  EXPECT_EQ(outline(client.ask(round())), "ACK 4, DATA 1 of 4, SYNCH 1");
 }
 
 TEST_F(Pull, rules_go_by_every_field_and_negative_ones_match_all) {

@@ -11,7 +11,7 @@ import unittest
 from house import (ACK, CMD, DATA, LASER, NACK, POSITION2D, ROOT, SIMULATION, Client, HouseTest, text)
 
 sys.path.insert(0, str(ROOT / "clients/python"))
-from playhouse_client import Mode, PlayerError, RequestRefused, RunEnded, connect  # noqa: E402
+from playhouse_client import Mode, PlayerError, RequestRefused, RequestTimeout, RunEnded, connect  # noqa: E402
 
 SET_PROPERTY = 6
 TICKS = 200
@@ -91,6 +91,29 @@ class LockStep(HouseTest):
             self.assertEqual(ask_world(client, "step", struct.pack("<I", 5)).type, ACK)
             times = [each.time for each in client.data if each.interf == LASER]
             self.assertEqual(times, [0.1, 0.2, 0.3, 0.4, 0.5])
+
+    def test_in_pull_mode_each_read_behind_a_step_brings_the_data_of_its_ticks(self):
+        with self.run_house("--lock-step", world=self.world(ARENA)) as house, \
+                connect(f":{house.port()}", mode=Mode.PULL, timeout=60) as client:
+            world, laser = client.simulation(0), client.laser(0)
+            times: list = []
+            laser.on_data(lambda kind, value, timestamp: times.append(timestamp))
+            for step in range(1, 21):
+                world.step(3)
+                client.read()
+                self.assertEqual(times, [round(0.1 * tick, 1) for tick in range(3 * step - 2, 3 * step + 1)])
+                times.clear()
+
+    def test_in_pull_mode_data_of_a_round_that_a_step_ends_are_there_at_once(self):
+        with self.run_house("--lock-step", world=self.world(ARENA)) as house, \
+                connect(f":{house.port()}", mode=Mode.PULL, timeout=60) as client:
+            world, laser = client.simulation(0), client.laser(0)
+            with self.assertRaises(RequestTimeout):
+                client.read(0.1)
+            for step in range(1, 4):
+                world.step()
+                client.read()
+                self.assertEqual(laser.timestamp, round(0.1 * step, 1))
 
     def test_a_step_of_no_ticks_and_one_of_a_strange_size_are_refused_with_a_reason(self):
         with self.run_house("--lock-step", world=self.world(ARENA)) as house, Client(house.port()) as client:
@@ -174,6 +197,15 @@ class LockStep(HouseTest):
                 world.join("me")
             with self.assertRaisesRegex(RequestRefused, "--lock-step"):
                 world.reset(3)
+
+    def test_a_paused_world_is_stepped_and_read_in_pull_mode(self):
+        with self.run_house("--paused", world=self.world(ARENA)) as house, \
+                connect(f":{house.port()}", mode=Mode.PULL, timeout=60) as client:
+            world, laser = client.simulation(0), client.laser(0)
+            for step in range(1, 6):
+                world.step()
+                client.read()
+                self.assertEqual(laser.timestamp, round(0.1 * step, 1))
 
 
 class End(HouseTest):

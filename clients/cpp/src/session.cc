@@ -161,6 +161,7 @@ bool Session::take_notice(const Message& message) {
 
 void Session::end_round(const Message& message) {
   round_open_ = false;
+  round_waits_ = !waiting_.empty();
   if (message.header.subtype != wire::player::kSynchOverflow) return;
   const Result<wire::Uint32> lost = wire::decode<wire::Uint32>(message.body);
   overflow_count_ += lost ? std::max(lost->value, 1u) : 1u;
@@ -186,8 +187,9 @@ Result<std::size_t> Session::read(Seconds patience) {
 }
 
 Result<std::size_t> Session::read_round(Deadline deadline) {
+  const bool here = std::exchange(round_waits_, false) && !waiting_.empty();
   std::size_t delivered = deliver();
-  if (!round_open_) {
+  if (!round_open_ && !here) {
     round_open_ = true;  // the request counts for the server, whatever happens to its answer
     const auto begun = request(wire::player::kCode, 0, wire::player::kReqData, {}, deadline);
     if (!begun && (!connection_.is_open() || Clock::now() < deadline)) return begun.error();

@@ -30,7 +30,7 @@ struct Slot {
     double timestamp = 0;  // s
   };
   std::map<std::uint8_t, Latest> latest;  // by subtype
-  double timestamp = 0;                                   // s
+  double timestamp = 0;                   // s
   bool fresh = false;
   std::size_t kept_limit = 0;               // of bodies that stay until somebody takes them
   std::deque<std::vector<std::byte>> kept;  // the newest, in the order in which they came
@@ -108,6 +108,7 @@ class Session {
   Seconds timeout_;
   Mode mode_ = Mode::kPush;  // what a server starts with
   bool round_open_ = false;
+  bool round_waits_ = false;  // a round ended while a request waited: its data are in waiting_
   bool reading_ = false;
   bool told_ = false;  // in this read(), that a device has retired
   std::uint64_t overflow_count_ = 0;

@@ -358,6 +358,24 @@ TEST(Reading, NoDataInTimeIsNoErrorAndTheRoundGoesOn) {
   EXPECT_EQ(asked, 1);
 }
 
+TEST(Reading, ARoundThatEndsWhileARequestWaitsIsTheNextRead) {
+  FakeServer server(rounds([](Peer& peer, const Received& message) {
+    if (message.header.interf == wire::player::kCode) {
+      peer.answer(message);  // and nothing else
+      return;
+    }
+    peer.position(4);
+    peer.synch();
+    peer.answer(message, wire::encode(position2d::Geom()));
+  }));
+  Client client = connect(server);
+  Position2d robot = open_robot(client);
+  EXPECT_EQ(*client.read(kShort), 0u);
+  EXPECT_TRUE(robot.geometry());
+  EXPECT_EQ(*client.read(kShort), 1u);
+  EXPECT_EQ(*client.read(kShort), 0u);
+}
+
 TEST(Reading, InPushModeBringsWhatHasArrived) {
   FakeServer server(rounds([](Peer& peer, const Received& message) {
     peer.answer(message, wire::encode(position2d::Geom()));

@@ -38,6 +38,7 @@ class Session:
         self.waiting: Deque[Message] = deque()
         self.round_open = False
         self.round_refused = False
+        self._round_waits = False  # it ended while a request waited: its data wait
         self.told = False  # that a device has retired
         self._retire = retire
         self.overflow_count = 0
@@ -91,8 +92,10 @@ class Session:
         return answer
 
     def begin_round(self) -> None:
-        """Asks for data, unless a round is open; it ends with the SYNCH that closes `round_open`, or is refused."""
-        if self.round_open:
+        """Asks for data, unless a round is open or has ended with all its data waiting; it ends with the SYNCH that
+        closes `round_open`, or is refused."""
+        here, self._round_waits = self._round_waits and bool(self.waiting), False
+        if self.round_open or here:
             return
         self.round_open, self.round_refused = True, False
         try:
@@ -176,6 +179,7 @@ class Session:
 
     def _end_round(self, message: Message) -> None:
         self.round_open = False
+        self._round_waits = bool(self.waiting)
         if message.header.subtype != player.SYNCH_OVERFLOW.subtype:
             return
         try:

@@ -103,6 +103,25 @@ class Reading(unittest.TestCase):
             self.assertEqual(client.read(), 1)
             self.assertEqual(robot.pose.x, 3.0)
 
+    def test_a_round_that_ends_while_a_request_waits_is_the_next_read(self) -> None:
+        asked: List[Message] = []
+
+        def rounds(peer: Peer, message: Message) -> None:
+            if message.header.subtype == DATA_REQUEST:
+                asked.append(message)
+                return peer.answer(message)  # and nothing else
+            peer.data(position2d.DATA_STATE, state(4.0))
+            peer.synch()
+            peer.answer(message, body=position2d.Geom().encode())
+
+        with FakeServer(script(rounds)) as server, connect(server.address) as client:
+            robot = client.position2d(0)
+            with self.assertRaises(RequestTimeout):
+                client.read(timeout=0.02)
+            robot.geometry()
+            self.assertEqual(client.read(), 1)
+            self.assertEqual(len(asked), 1)
+
     def test_no_data_in_time_is_an_error_and_the_round_goes_on(self) -> None:
         asked: List[Message] = []
 
