@@ -8,6 +8,7 @@
 #include <cstring>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #pragma GCC diagnostic push
@@ -34,6 +35,26 @@ Result<void> check_size(std::uint64_t width, std::uint64_t height, std::size_t m
                    std::to_string(most) + " are possible"};
 }
 
+/// Room for an image of so many pixels, each with 1 (grey), 2 (and alpha), 3 (colours) or 4 (and alpha)
+/// samples.
+void begin(FirstChannel& image, std::size_t pixels, std::size_t) {
+  image.level.assign(pixels, 0);
+}
+void begin(Shades& image, std::size_t pixels, std::size_t samples) {
+  image.color.assign(pixels, 0);
+  if (samples % 2 == 0) image.alpha.assign(pixels, 0);
+}
+
+/// A pixel by its samples.
+void put(FirstChannel& image, std::size_t pixel, std::span<const std::uint8_t> samples) {
+  image.level[pixel] = samples[0];
+}
+void put(Shades& image, std::size_t pixel, std::span<const std::uint8_t> samples) {
+  const int sum = samples.size() < 3 ? 3 * samples[0] : samples[0] + samples[1] + samples[2];
+  image.color[pixel] = static_cast<std::uint16_t>(sum);
+  if (!image.alpha.empty()) image.alpha[pixel] = samples.back();
+}
+
 /// What libpng's callbacks share with the function that called it.
 struct PngReading {
   std::string_view bytes;
@@ -41,7 +62,6 @@ struct PngReading {
   std::size_t at = 0;
   std::string failure;
   std::vector<std::uint8_t> row;
-  FirstChannel image;
 };
 
 void png_failed(png_structp png, png_const_charp text) {
@@ -59,7 +79,8 @@ void png_read_bytes(png_structp png, png_bytep out, std::size_t count) {
 }
 
 /// Rows as 8-bit channels of which the first is red or grey; palette and low depths expanded.
-void png_read_rows(png_structp png, png_infop about, PngReading& reading) {
+template <typename Image>
+void png_read_rows(png_structp png, png_infop about, PngReading& reading, Image& image) {
   png_read_info(png, about);
   const png_uint_32 width = png_get_image_width(png, about);
   const png_uint_32 height = png_get_image_height(png, about);
@@ -73,24 +94,26 @@ void png_read_rows(png_structp png, png_infop about, PngReading& reading) {
   png_read_update_info(png, about);
   const std::size_t row_bytes = png_get_rowbytes(png, about);
   const std::size_t channels = png_get_channels(png, about);
-  FirstChannel& image = reading.image;
   image.width = static_cast<int>(width);
   image.height = static_cast<int>(height);
-  image.level.assign(std::size_t{width} * height, 0);
+  begin(image, std::size_t{width} * height, channels);
   // An interlaced image comes in passes over the same rows; each pass needs the row of the one before.
   reading.row.assign(passes == 1 ? row_bytes : row_bytes * height, 0);
   for (int pass = 0; pass < passes; ++pass) {
     for (png_uint_32 y = 0; y < height; ++y) {
       std::uint8_t* row = reading.row.data() + (passes == 1 ? 0 : y * row_bytes);
       png_read_row(png, row, nullptr);
-      for (png_uint_32 x = 0; x < width; ++x) image.level[std::size_t{y} * width + x] = row[x * channels];
+      for (png_uint_32 x = 0; x < width; ++x)
+        put(image, std::size_t{y} * width + x, {row + x * channels, channels});
     }
   }
 }
 
-Result<FirstChannel> read_png(std::string_view bytes, std::size_t most_pixels) {
+template <typename Image>
+Result<Image> read_png(std::string_view bytes, std::size_t most_pixels) {
   // libpng reports errors by a jump; what must survive it and has a destructor lives outside this frame.
   const auto reading = std::make_unique<PngReading>();
+  const auto image = std::make_unique<Image>();
   reading->bytes = bytes;
   reading->most_pixels = most_pixels;
   png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, reading.get(), png_failed, png_warned);
@@ -102,11 +125,11 @@ Result<FirstChannel> read_png(std::string_view bytes, std::size_t most_pixels) {
   if (setjmp(png_jmpbuf(png)) == 0) {
     png_set_read_fn(png, reading.get(), png_read_bytes);
     png_set_user_limits(png, 0x7FFFFFFF, 0x7FFFFFFF);
-    png_read_rows(png, about, *reading);
+    png_read_rows(png, about, *reading, *image);
   }
   png_destroy_read_struct(&png, &about, nullptr);
   if (!reading->failure.empty()) return Error{{}, "is no readable PNG: " + reading->failure};
-  return std::move(reading->image);
+  return std::move(*image);
 }
 
 /// The words and digits of a PNM header and of ASCII pixels; "#" starts a comment.
@@ -163,20 +186,25 @@ PnmKind kind_of_pnm(char digit) {
 }
 
 /// The pixels of an ASCII PNM; false when they end too early or exceed `top`.
-bool read_ascii_pixels(PnmText& text, PnmKind kind, std::uint32_t top, FirstChannel& image) {
-  for (std::uint8_t& level : image.level) {
-    const auto value = kind.bits ? text.digit() : text.number();
-    if (!value || *value > top) return false;
-    level = static_cast<std::uint8_t>(kind.bits ? (*value ? 0 : 255) : *value * std::uint64_t{255} / top);
-    for (std::size_t other = 1; other < kind.channels; ++other) {
-      if (!text.number()) return false;
+template <typename Image>
+bool read_ascii_pixels(PnmText& text, PnmKind kind, std::uint32_t top, std::size_t pixels, Image& image) {
+  std::uint8_t samples[3] = {};
+  for (std::size_t i = 0; i < pixels; ++i) {
+    for (std::size_t k = 0; k < kind.channels; ++k) {
+      const auto value = kind.bits ? text.digit() : text.number();
+      if (!value || *value > top) return false;
+      samples[k] =
+          static_cast<std::uint8_t>(kind.bits ? (*value ? 0 : 255) : *value * std::uint64_t{255} / top);
     }
+    put(image, i, {samples, kind.channels});
   }
   return true;
 }
 
 /// The pixels of a binary PNM; false when they end too early or exceed `top`.
-bool read_binary_pixels(std::string_view bytes, PnmKind kind, std::uint32_t top, FirstChannel& image) {
+template <typename Image>
+bool read_binary_pixels(std::string_view bytes, PnmKind kind, std::uint32_t top, std::size_t pixels,
+                        Image& image) {
   const std::size_t width = static_cast<std::size_t>(image.width),
                     height = static_cast<std::size_t>(image.height);
   const std::size_t depth = top > 255 ? 2 : 1;
@@ -185,21 +213,24 @@ bool read_binary_pixels(std::string_view bytes, PnmKind kind, std::uint32_t top,
   const auto byte = [bytes](std::size_t at) {
     return static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[at]));
   };
-  for (std::size_t i = 0; i < image.level.size(); ++i) {
+  std::uint8_t samples[3] = {};
+  for (std::size_t i = 0; i < pixels; ++i) {
     const std::size_t x = i % width, row = i / width * row_bytes;
-    if (kind.bits) {
-      image.level[i] = (byte(row + x / 8) >> (7 - x % 8)) & 1u ? 0 : 255;
-      continue;
+    for (std::size_t k = 0; k < kind.channels; ++k) {
+      const std::size_t at = row + (x * kind.channels + k) * depth;
+      const std::uint32_t value = kind.bits    ? ~(byte(row + x / 8) >> (7 - x % 8)) & 1u
+                                  : depth == 2 ? byte(at) << 8 | byte(at + 1)
+                                               : byte(at);
+      if (value > top) return false;
+      samples[k] = static_cast<std::uint8_t>(value * 255 / top);
     }
-    const std::size_t at = row + x * kind.channels * depth;
-    const std::uint32_t value = depth == 2 ? byte(at) << 8 | byte(at + 1) : byte(at);
-    if (value > top) return false;
-    image.level[i] = static_cast<std::uint8_t>(value * 255 / top);
+    put(image, i, {samples, kind.channels});
   }
   return true;
 }
 
-Result<FirstChannel> read_pnm(std::string_view bytes, std::size_t most_pixels) {
+template <typename Image>
+Result<Image> read_pnm(std::string_view bytes, std::size_t most_pixels) {
   const Error bad{{}, "is no readable PNM: the header is wrong or the pixels end too early"};
   const PnmKind kind = kind_of_pnm(bytes[1]);
   PnmText text(bytes, 2);
@@ -209,10 +240,13 @@ Result<FirstChannel> read_pnm(std::string_view bytes, std::size_t most_pixels) {
   if (const auto size = check_size(*width, *height, most_pixels); !size) return size.error();
   const std::size_t pixels = std::size_t{*width} * *height;
   if (text.at() >= bytes.size() || (!(kind.bits && !kind.ascii) && pixels > bytes.size())) return bad;
-  FirstChannel image{static_cast<int>(*width), static_cast<int>(*height), std::vector<std::uint8_t>(pixels)};
-  const bool whole = kind.ascii ? read_ascii_pixels(text, kind, *top, image)
-                                : read_binary_pixels(bytes.substr(text.at() + 1), kind, *top, image);
-  return whole ? Result<FirstChannel>(std::move(image)) : bad;
+  Image image;
+  image.width = static_cast<int>(*width);
+  image.height = static_cast<int>(*height);
+  begin(image, pixels, kind.channels);
+  const bool whole = kind.ascii ? read_ascii_pixels(text, kind, *top, pixels, image)
+                                : read_binary_pixels(bytes.substr(text.at() + 1), kind, *top, pixels, image);
+  return whole ? Result<Image>(std::move(image)) : bad;
 }
 
 /// What stb_image reads from. It takes bytes beyond the end for zeros and says nothing, so this notes when it
@@ -259,7 +293,8 @@ Error bmp_ends_early() {
   return {{}, "is no readable BMP: the file ends too early"};
 }
 
-Result<FirstChannel> read_bmp(std::string_view bytes, std::size_t most_pixels) {
+template <typename Image>
+Result<Image> read_bmp(std::string_view bytes, std::size_t most_pixels) {
   const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const int size = static_cast<int>(bytes.size());
   int width = 0, height = 0, channels = 0;
@@ -279,19 +314,31 @@ Result<FirstChannel> read_bmp(std::string_view bytes, std::size_t most_pixels) {
   if (reading.ended_early) return bmp_ends_early();
   if (!pixels) return Error{{}, std::string("cannot be decoded: ") + stbi_failure_reason()};
   const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  FirstChannel image{width, height, std::vector<std::uint8_t>(count)};
-  for (std::size_t i = 0; i < count; ++i)
-    image.level[i] = pixels.get()[i * static_cast<std::size_t>(channels)];
+  const auto samples = static_cast<std::size_t>(channels);
+  Image image;
+  image.width = width;
+  image.height = height;
+  begin(image, count, samples);
+  for (std::size_t i = 0; i < count; ++i) put(image, i, {pixels.get() + i * samples, samples});
   return image;
+}
+
+template <typename Image>
+Result<Image> read_image(std::string_view bytes, std::size_t most_pixels) {
+  if (bytes.starts_with("\x89PNG\r\n\x1A\n")) return read_png<Image>(bytes, most_pixels);
+  if (bytes.size() > 2 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '6')
+    return read_pnm<Image>(bytes, most_pixels);
+  return read_bmp<Image>(bytes, most_pixels);
 }
 
 }  // namespace
 
 Result<FirstChannel> read_first_channel(std::string_view bytes, std::size_t most_pixels) {
-  if (bytes.starts_with("\x89PNG\r\n\x1A\n")) return read_png(bytes, most_pixels);
-  if (bytes.size() > 2 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '6')
-    return read_pnm(bytes, most_pixels);
-  return read_bmp(bytes, most_pixels);
+  return read_image<FirstChannel>(bytes, most_pixels);
+}
+
+Result<Shades> read_shades(std::string_view bytes, std::size_t most_pixels) {
+  return read_image<Shades>(bytes, most_pixels);
 }
 
 }  // namespace playhouse::scene

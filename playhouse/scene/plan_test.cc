@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <png.h>
 
 #include "playhouse/scene/ros_map.h"
 #include "playhouse/scene/world_loader.h"
@@ -21,6 +22,20 @@ constexpr const char* kRoom =
     "001000000001\n"
     "001000000001\n"
     "001111111111\n";
+
+/// Pixels of red, green, blue and alpha.
+std::string rgba_png(std::uint32_t width, std::uint32_t height, const std::string& pixels) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = width;
+  image.height = height;
+  image.format = PNG_FORMAT_RGBA;
+  png_alloc_size_t size = 0;
+  EXPECT_TRUE(png_image_write_to_memory(&image, nullptr, &size, 0, pixels.data(), 0, nullptr));
+  std::string bytes(size, '\0');
+  EXPECT_TRUE(png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels.data(), 0, nullptr));
+  return bytes;
+}
 
 /// The box about all corners of the walls of a world, in the world.
 geom::Box walls_of(const std::string& world, const char* image = kRoom) {
@@ -138,6 +153,37 @@ TEST(RosMap, takes_a_pixel_by_its_thresholds) {
   EXPECT_EQ(plan->free.solid, (std::vector<std::uint8_t>{0, 0, 0, 1}));
   EXPECT_FALSE(is_plain(*plan, image));
   EXPECT_TRUE(is_plain(*plan, pgm_of(plan->solid)));
+}
+
+/// "#" for a wall, "." for what is free, "?" for what is unknown.
+std::string cells(const std::string& mode, const std::string& image) {
+  const auto map = read_ros_map("image: a\nresolution: 1\norigin: [0, 0, 0]\nmode: " + mode + "\n");
+  const auto plan = plan_of_ros_map(*map, image, "a");
+  EXPECT_TRUE(plan) << plan.error().line();
+  std::string told;
+  for (std::size_t i = 0; plan && i < plan->solid.solid.size(); ++i)
+    told += plan->solid.solid[i] ? '#' : plan->free.solid[i] ? '.' : '?';
+  return told;
+}
+
+TEST(RosMap, in_mode_raw_has_the_occupancy_itself_as_pixels) {
+  EXPECT_EQ(cells("raw", "P2 7 1 255 0 24 50 66 100 101 255"), "..?##??");
+  EXPECT_EQ(cells("trinary", "P2 7 1 255 0 24 50 66 100 101 255"), "####??.");
+}
+
+TEST(RosMap, is_as_light_as_the_mean_of_its_colors) {
+  const std::string red_cyan_dark_white = "P3 4 1 255 255 0 0 0 255 255 90 90 87 255 255 255";
+  EXPECT_EQ(cells("trinary", red_cyan_dark_white), "#?#.");
+  EXPECT_EQ(cells("scale", red_cyan_dark_white), "#?#.");
+}
+
+TEST(RosMap, counts_alpha_as_a_color_in_mode_trinary_and_as_unknown_in_mode_scale) {
+  std::string pixels;  // black, white and dark, opaque and not
+  for (const char grey : {'\x00', '\xff', '\x60'})
+    for (const char alpha : {'\xff', '\x00'}) pixels += {grey, grey, grey, alpha};
+  const std::string image = rgba_png(6, 1, pixels);
+  EXPECT_EQ(cells("trinary", image), "##.??#");
+  EXPECT_EQ(cells("scale", image), "#?.???");
 }
 
 TEST(RosMap, has_its_walls_where_its_origin_says_also_when_it_is_turned) {

@@ -98,18 +98,43 @@ Result<RosMap> read_ros_map(const std::string& text) {
   }
 }
 
+namespace {
+
+/// What a map says of a pixel.
+struct Cell {
+  bool wall = false, free = false;  // neither: unknown
+};
+
+/// Thresholds count for what is between free and occupied in a raw map, too: a world has walls or none.
+Cell cell_of(const RosMap& map, const Shades& image, std::size_t pixel) {
+  const bool has_alpha = !image.alpha.empty();
+  const bool with_alpha = has_alpha && map.mode == "trinary";
+  const double light =
+      with_alpha ? (image.color[pixel] + image.alpha[pixel]) / 4.0 : image.color[pixel] / 3.0;
+  if (map.mode == "raw") {
+    const double percent = std::round(light);
+    if (percent > 100) return {};
+    return {percent > 100 * map.occupied, percent < 100 * map.free};
+  }
+  if (map.mode == "scale" && has_alpha && image.alpha[pixel] < 255) return {};
+  const double occupied = (map.negate ? light : 255 - light) / 255;
+  return {occupied > map.occupied, occupied < map.free};
+}
+
+}  // namespace
+
 Result<Plan> plan_of_ros_map(const RosMap& map, std::string_view bytes, std::string name) {
-  Result<FirstChannel> image = read_first_channel(bytes, limits::kBitmapPixels);
+  const Result<Shades> image = read_shades(bytes, limits::kBitmapPixels);
   if (!image) return image.error();
   Plan plan{std::move(name),
             {image->width, image->height, {}},
             {image->width, image->height, {}},
             map.resolution,
             map.origin};
-  for (const std::uint8_t level : image->level) {
-    const double occupied = (map.negate ? level : 255 - level) / 255.0;
-    plan.solid.solid.push_back(occupied > map.occupied);
-    plan.free.solid.push_back(occupied < map.free);
+  for (std::size_t pixel = 0; pixel < image->color.size(); ++pixel) {
+    const Cell cell = cell_of(map, *image, pixel);
+    plan.solid.solid.push_back(cell.wall);
+    plan.free.solid.push_back(cell.free);
   }
   return plan;
 }

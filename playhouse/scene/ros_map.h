@@ -1,8 +1,11 @@
 #pragma once
 
 /// Maps of ROS: a .yaml file beside an image, as map_server and nav2 read and write them.
-/// Source: the documentation of nav2_map_server: image, resolution, origin, negate, occupied_thresh,
-/// free_thresh, mode. A pixel is occupied by (255 - level) / 255, or by level / 255 where it is negated.
+/// Source: the documentation and map_io.cpp of nav2_map_server: image, resolution, origin, negate,
+/// occupied_thresh, free_thresh, mode. A pixel is as light as the mean of its colours, in mode trinary with
+/// its alpha as one more; it is occupied by (255 - light) / 255, or by light / 255 where it is negated. In
+/// mode scale what one can see through is unknown; in mode raw `light` is the occupancy: 0 free, 100
+/// occupied, above it unknown.
 
 #include <string>
 #include <string_view>
