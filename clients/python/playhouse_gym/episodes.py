@@ -41,11 +41,14 @@ class Episodes:
         observe: Observe,
         reward: Reward,
         terminated: Terminated,
+        seed: Optional[int],
     ) -> None:
+        """`seed`: of all that is drawn until reset() has another; None: a different one each time."""
         self.arena = arena
         self._max_steps, self._ticks = max_steps, ticks
         self._observe, self._reward, self._terminated = observe, reward, terminated
-        self._random: Optional[np.random.Generator] = None
+        self._random = np.random.default_rng(seed)
+        self._begun = False
         self.steps = np.zeros(arena.agents, np.int64)  # of each agent's episode
         self._before = arena.pose.copy()
         high = np.asarray(max_action, np.float32)
@@ -56,8 +59,9 @@ class Episodes:
 
     def reset(self, seed: Optional[int]) -> np.ndarray:
         """Every agent begins. Without a seed it goes on with that of the last time."""
-        if seed is not None or self._random is None:
+        if seed is not None:
             self._random = np.random.default_rng(seed)
+        self._begun = True
         self.arena.start_again(int(self._random.integers(1 << 63)))
         self.steps[:] = 0
         return np.asarray(self._observe(self.arena))
@@ -65,7 +69,7 @@ class Episodes:
     def step(self) -> Tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
         """With the actions, and agents to be reset, in the arena: observations, rewards, terminations, truncations. Who
         was reset begins anew."""
-        if self._random is None:
+        if not self._begun:
             raise RuntimeError("reset() comes before step()")
         begun = self.arena.reset_mask.copy()
         np.copyto(self._before, self.arena.pose)

@@ -37,7 +37,8 @@ class ParallelEnv(_Base):  # type: ignore[misc]
         **arena: Any,
     ) -> None:
         self.arena = Arena(world, **arena)
-        self._episodes = Episodes(self.arena, max_steps, ticks, max_action, observe, reward, terminated)
+        self._episodes = Episodes(self.arena, max_steps, ticks, max_action, observe, reward, terminated,
+                                  arena.get("seed"))
         self.possible_agents: List[str] = [f"robot_{row}" for row in range(self.arena.agents)]
         self.agents: List[str] = []
         self._rows = {name: row for row, name in enumerate(self.possible_agents)}

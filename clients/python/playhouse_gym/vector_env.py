@@ -31,7 +31,7 @@ class VectorEnv(_Base):  # type: ignore[misc]
     metadata: Dict[str, Any] = {"render_modes": [], "autoreset_mode": _NEXT_STEP}
     render_mode = None
     spec = None
-    closed = False
+    closed = True  # until it is made: Gymnasium closes what is not, also where the making failed
 
     def __init__(
         self,
@@ -48,7 +48,8 @@ class VectorEnv(_Base):  # type: ignore[misc]
     ) -> None:
         """Further arguments are those of Arena."""
         self.arena = Arena(world, **arena)
-        self._episodes = Episodes(self.arena, max_steps, ticks, max_action, observe, reward, terminated)
+        self._episodes = Episodes(self.arena, max_steps, ticks, max_action, observe, reward, terminated,
+                                  arena.get("seed"))
         self._copy = copy
         self.num_envs = self.arena.agents
         self.single_observation_space = self._episodes.observation_space
@@ -56,6 +57,7 @@ class VectorEnv(_Base):  # type: ignore[misc]
         self.observation_space = batch(self.single_observation_space, self.num_envs)
         self.action_space = batch(self.single_action_space, self.num_envs)
         self._over = np.zeros(self.num_envs, np.bool_)
+        self.closed = False
 
     @property
     def unwrapped(self) -> "VectorEnv":
@@ -65,7 +67,8 @@ class VectorEnv(_Base):  # type: ignore[misc]
         self, *, seed: Optional[int] = None, options: Optional[Dict[str, Any]] = None
     ) -> Tuple[np.ndarray, Dict[str, Any]]:
         """All robots begin, each at a place of its own. The same seed and the same actions give the same observations, to
-        the bit. There are no options."""
+        the bit. Without one it goes on with the numbers of the last, which the constructor may have been given. There are
+        no options."""
         observations = self._episodes.reset(seed)
         self._over[:] = False
         return self._handed_out(observations), {}
@@ -76,7 +79,7 @@ class VectorEnv(_Base):  # type: ignore[misc]
         np.copyto(self.arena.reset_mask, self._over)
         observations, rewards, terminations, truncations = self._episodes.step()
         np.logical_or(terminations, truncations, out=self._over)
-        return self._handed_out(observations), rewards, terminations, truncations, {}
+        return self._handed_out(observations), self._handed_out(rewards), terminations, truncations, {}
 
     def render(self) -> Optional[str]:
         """The address of the page that shows the world, if `web` was given."""
@@ -92,5 +95,5 @@ class VectorEnv(_Base):  # type: ignore[misc]
     def __exit__(self, *_: object) -> None:
         self.close()
 
-    def _handed_out(self, observations: np.ndarray) -> np.ndarray:
-        return observations.copy() if self._copy else observations
+    def _handed_out(self, values: np.ndarray) -> np.ndarray:
+        return values.copy() if self._copy else values

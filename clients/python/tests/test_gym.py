@@ -252,6 +252,28 @@ class OfGymnasium(WithWorld):
             env.step(action)
             self.assertEqual(np.array_equal(seen, before), copy)
 
+    def test_rewards_that_are_columns_of_the_arena_are_copies_too(self) -> None:
+        for copy in (True, False):
+            env = self.vector_env(copy=copy, reward=lambda arena, before: arena.velocity[:, 0])
+            env.reset(seed=1)
+            seen = env.step(np.tile(np.float32((0.5, 0, 0)), (ROBOTS, 1)))[1]
+            before = seen.copy()
+            env.step(np.zeros((ROBOTS, 3), np.float32))
+            self.assertEqual(np.array_equal(seen, before), copy)
+
+    def test_the_seed_of_the_constructor_is_that_of_a_reset_without_one(self) -> None:
+        def places(seed: int) -> bytes:
+            env = self.vector_env(seed=seed)
+            env.reset()
+            return env.arena.pose.tobytes()
+
+        self.assertEqual(places(3), places(3))
+        self.assertNotEqual(places(3), places(4))
+
+    def test_what_could_not_be_made_is_closed(self) -> None:
+        self.assertTrue(VectorEnv.__new__(VectorEnv).closed, "Gymnasium's __del__ closes what is not")
+        self.assertFalse(self.vector_env().closed)
+
     def test_a_step_before_a_reset_and_after_the_close_is_an_error(self) -> None:
         env = self.vector_env()
         with self.assertRaisesRegex(RuntimeError, "reset"):
