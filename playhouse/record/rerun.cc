@@ -48,10 +48,11 @@ Result<void> take(const std::string& schema, std::span<const std::byte> body, Re
 
 Result<Recording> read_recording(const Source& source) {
   Recording recording;
-  bool has_start = false;
+  bool has_start = false, has_message = false;
   McapReader reader(source);
   const auto end = reader.read(
       {.message = [&](const Channel& channel, const Message& message) -> Result<void> {
+         has_message = true;
          const auto schema = reader.schemas().find(channel.schema);
          if (schema == reader.schemas().end() || !schema->second.name.starts_with("playhouse/msg/"))
            return {};
@@ -66,11 +67,13 @@ Result<Recording> read_recording(const Source& source) {
          return {};
        }});
   if (!end) return end.error();
+  recording.cut = *end == McapReader::End::kCut;
+  if (recording.cut && !has_message)
+    return Error{{}, "was not finished and ends before its first whole chunk: there is nothing to run again"};
   if (!has_start)
     return Error{{}, "is no recording of Playhouse: the attachment " + in_quotes(kStartName) + " is missing"};
   if (recording.states.empty())
     return Error{{}, "has data alone: its states could not be saved, so it cannot be run again"};
-  recording.cut = *end == McapReader::End::kCut;
   return recording;
 }
 

@@ -182,6 +182,20 @@ robot( name "r0" pose [0 0 0 0] )
         self.assertIn("was not finished", ended.stderr)
         self.assertGreaterEqual(json.loads(ended.stdout)["sim_time"], 2)
 
+    def test_a_recording_that_ends_before_its_first_chunk_is_told_so(self):
+        finish("run", self.world(), "--port", 0, "--headless", "--fast", "--duration", 5, "--record", self.file)
+        whole = self.file.read_bytes()
+        at = 8
+        while whole[at] != 6:   # a chunk
+            at += 9 + struct.unpack("<Q", whole[at + 1:at + 9])[0]
+        for size in (8, at - 20, at + 9):
+            self.file.write_bytes(whole[:size])
+            for command in (("run", "--again"), ("replay",)):
+                ended = finish(*command, self.file)
+                self.assertEqual(ended.returncode, 2, ended.stderr)
+                self.assertEqual(ended.stderr, f"{self.file}: error: was not finished and ends before its first whole chunk: "
+                                               "there is nothing to run again\n")
+
     def test_a_disk_that_is_full_ends_the_recording_and_not_the_run(self):
         def little_room():
             signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
