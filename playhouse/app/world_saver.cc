@@ -58,6 +58,7 @@ bool WorldSaver::write(Job job) {
            : Result<void>(Error{escaped(job.file), "not saved: " + text.error().text});
   if (written) {
     log::info("saved the world at {} s to {}", job.time, escaped(job.file));
+    for (const std::string& warning : job.standing.warnings) log::warn("{}: {}", escaped(job.file), warning);
   } else {
     log::error("{}", written.error().line());
   }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "playhouse/arena/testing_runs.h"
+#include "playhouse/world/as_scene.h"
 
 namespace playhouse::arena {
 namespace {
@@ -123,6 +124,23 @@ model( name "box" pose [0.45 0 0.7 0] size [0.3 0.2 0.3] gripper_return 1 )
 }
 
 // A door that a library or a client opens, on a wall that stands still.
+TEST_F(ArenaTest, a_world_file_of_what_is_tilted_tells_that_it_has_it_upright) {
+  start(kWorld);
+  EXPECT_TRUE(world::as_scene(world()).warnings.empty());
+  world().models.tilt_PM.set(world().find("high").index, {0.5, 0});
+  const std::vector<std::string> warnings = world::as_scene(world()).warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].find("a model that is tilted is written upright"), 0u);
+}
+
+TEST_F(ArenaTest, ticks_that_nothing_would_interrupt_are_refused) {
+  const scene::SceneDesc scene = scene_of("interval_sim 20000\n");
+  const auto made = make_engine(scene, {.seed = 1});
+  ASSERT_FALSE(made);
+  EXPECT_EQ(made.error().line(),
+            "w.world: interval_sim 20000 is too long for physics, which takes at most 10000");
+}
+
 TEST_F(ArenaTest, actuators_move_whatever_is_in_the_way) {
   start(R"(
 model( name "wall" pose [0 0 0 0] size [0.2 0.2 1]

@@ -1,16 +1,28 @@
 #include "playhouse/arena/engine.h"
 
+#include <fmt/format.h>
+
 #include "playhouse/arena/arena_engine.h"
 #include "playhouse/arena/surface.h"
 #include "playhouse/stage/check_scene.h"
 
 namespace playhouse::arena {
 
+namespace {
+
+constexpr double kLongestTick = 10;  // s: some thousand steps of physics, which nothing interrupts
+
+}  // namespace
+
 Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene,
                                                    const EngineOptions& options) {
   if (const Result<void> checked = stage::check_scene(scene); !checked) return checked.error();
   const Result<Surface> ground = ground_of(scene);
   if (!ground) return ground.error();
+  if (scene.interval > kLongestTick)
+    return Error{scene.path,
+                 fmt::format("interval_sim {:g} is too long for physics, which takes at most {:g}",
+                             1e3 * scene.interval, 1e3 * kLongestTick)};
   return std::unique_ptr<world::Engine>(
       std::make_unique<ArenaEngine>(scene, options.seed, options.workers, *ground));
 }

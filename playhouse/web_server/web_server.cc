@@ -627,6 +627,7 @@ class WebServer::Impl final : public net::HttpService,
     }
     const std::string name = std::filesystem::path(standing.path).stem().string() + ".saved.world";
     viewer.send_text(std::make_shared<const std::string>(replicate::world_file_text(name, *text)));
+    for (const std::string& warning : standing.warnings) viewer.notice(warning);
   }
 
   Result<void> post_change(std::function<void(world::World&)> change) {

@@ -171,8 +171,26 @@ void StandingScene::note_renamed(std::uint32_t row, std::uint32_t size) {
 
 }  // namespace
 
+namespace {
+
+/// What a world file cannot say of where models are.
+std::vector<std::string> left_out(const World& world) {
+  std::size_t tilted = 0;
+  for (std::uint32_t row = 0; row < world.models.size(); ++row)
+    if (world.models.tilt_PM[row] != geom::Tilt{}) ++tilted;
+  if (tilted == 0) return {};
+  return {
+      fmt::format("{} that {} tilted {} written upright; a saved run (--save-at SECONDS FILE.run) keeps how",
+                  tilted == 1 ? "a model" : fmt::format("{} models", tilted), tilted == 1 ? "is" : "are",
+                  tilted == 1 ? "is" : "are")};
+}
+
+}  // namespace
+
 scene::SceneDesc as_scene(const World& world) {
-  return StandingScene(world).make();
+  scene::SceneDesc standing = StandingScene(world).make();
+  standing.warnings = left_out(world);
+  return standing;
 }
 
 Result<std::string> world_file(const scene::SceneDesc& standing, double time, const std::string& path) {

@@ -15,7 +15,8 @@ namespace playhouse::world {
 /// them. What is attached to a model is a part of it; who came has no controllers. All else is as the world's
 /// scene says it, with which trees that are still alike share their descriptions. Default names are those
 /// that a file gives them. A world that is made of it begins where this one is, at rest: what models do,
-/// believe, measure and remember is in saved runs. Cost: the population. Tick thread.
+/// believe, measure and remember is in saved runs. `warnings` tells what a world file cannot say: tilts.
+/// Cost: the population. Tick thread.
 scene::SceneDesc as_scene(const World& world);
 
 /// The text of a world file at `path` (scene::write_world()) of a scene as it stood at `time` [s], which a
