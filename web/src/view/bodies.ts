@@ -98,9 +98,10 @@ export class Bodies {
   shineBy(shine: Shine | null): void {
     if (shine === this.shine) return;
     this.shine = shine;
-    for (const { mesh, rows } of this.batches) {
+    for (const { mesh, rows, file } of this.batches) {
       disposeAll(mesh.material);
       mesh.material = this.surfaceFor(rows[0]);
+      file?.shineBy(shine);
     }
     if (this.noses) this.noses.mesh.visible = !shine; // no part of the body
     this.shown.fill(0);
@@ -169,7 +170,7 @@ export class Bodies {
 
   /** Draws the file instead of the shape, which is its outline in the plane, from when it is there. */
   private addFile(batch: Batch, address: string): void {
-    batch.file = new MeshBatch(address, batch.rows.length, () => {
+    batch.file = new MeshBatch(address, batch.rows.length, this.shine, () => {
       batch.hidden = true;
       batch.mesh.visible = batch.edges!.visible = false;
       this.move();

@@ -1,10 +1,23 @@
-import { DynamicDrawUsage, Group, InstancedMesh, Matrix4, Mesh, type BufferGeometry, type Material } from 'three';
+import { DynamicDrawUsage, Group, InstancedMesh, Matrix4, Mesh, MeshStandardMaterial, type BufferGeometry, type Material } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import type { Shine } from './surfaces';
 
 /** One surface of a file, in the body's frame. */
 interface Surface {
   geometry: BufferGeometry;
-  material: Material | Material[];
+  material: Material;
+}
+
+/**
+ * The material of a file in this light; null: on the map, where there is nothing that metals could mirror, so that they would be
+ * black: they have their color there.
+ */
+export function materialIn(shine: Shine | null, of: Material): Material {
+  const material = of.clone();
+  if (!(material instanceof MeshStandardMaterial)) return material;
+  if (!shine) material.metalness = 0;
+  if (material.metalness > 0) material.envMap = shine!.around;
+  return material;
 }
 
 /** By address: a file is loaded once, however often who is in the world changes. */
@@ -35,13 +48,15 @@ export class MeshBatch {
   readonly group = new Group();
   /** When the file is there, or is known not to come. */
   readonly ready: Promise<void>;
-  private parts: InstancedMesh[] = [];
+  private parts: InstancedMesh<BufferGeometry, Material>[] = [];
+  private surfaces: Surface[] = [];
   private isGone = false;
 
   /** `shown` is called when the file is there. */
   constructor(
     address: string,
     private readonly count: number,
+    private shine: Shine | null,
     shown: () => void,
   ) {
     this.ready = surfacesAt(address).then(
@@ -55,14 +70,24 @@ export class MeshBatch {
   }
 
   private add(surfaces: Surface[]): void {
+    this.surfaces = surfaces;
     this.parts = surfaces.map(({ geometry, material }) => {
-      const part = new InstancedMesh(geometry, material, this.count);
+      const part = new InstancedMesh(geometry, materialIn(this.shine, material), this.count);
       part.instanceMatrix.setUsage(DynamicDrawUsage);
       part.frustumCulled = false;
       part.castShadow = part.receiveShadow = true;
       return part;
     });
     if (this.parts.length > 0) this.group.add(...this.parts);
+  }
+
+  /** Shows them in this light; null: as on a map. */
+  shineBy(shine: Shine | null): void {
+    this.shine = shine;
+    this.parts.forEach((part, k) => {
+      part.material.dispose();
+      part.material = materialIn(shine, this.surfaces[k].material);
+    });
   }
 
   place(k: number, matrix: Matrix4): void {
@@ -75,6 +100,9 @@ export class MeshBatch {
 
   dispose(): void {
     this.isGone = true;
-    for (const part of this.parts) part.dispose(); // surfaces stay, for the next population
+    for (const part of this.parts) {
+      part.dispose(); // what was loaded stays, for the next population
+      part.material.dispose();
+    }
   }
 }
