@@ -33,7 +33,7 @@ Result<std::unique_ptr<OpenedRecording>> open_recording(const std::string& file,
   same.engine = opened->recording.start.engine;
   same.seed = opened->recording.start.seed;
   Result<std::unique_ptr<world::Engine>> engine =
-      make_engine(opened->scene, same, controllers::Libraries::Use::kLoad, &warn);
+      make_engine(opened->scene, same, controllers::Libraries::Use::kLoad, &warn, {}, others);
   if (!engine) return engine.error();
   opened->rerun = std::make_unique<record::Rerun>(opened->recording, std::move(*engine));
   if (const Result<void> begun = opened->rerun->begin(); !begun)
@@ -53,7 +53,7 @@ int run_again(const RunOptions& options) {
   while (!rerun.at_end() && !rerun.differs()) rerun.step();
   const double wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (rerun.differs())
-    return fail({escaped(options.again), "the run differs from its recording " + *rerun.differs()});
+    return fail_at({escaped(options.again), "the run differs from its recording " + *rerun.differs()});
   const Outcome outcome = outcome_of(rerun, wall_time);
   log::info("the same run to the bit: {:.1f} s simulated in {:.2f} s, {} hashes compared", outcome.sim_time,
             wall_time, rerun.checks());

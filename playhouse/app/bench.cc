@@ -87,7 +87,7 @@ int bench_scene(const BenchOptions& options, std::string_view scenario, const sc
   Result<std::unique_ptr<world::Engine>> engine =
       make_engine(scene, {.engine = options.engine, .seed = options.seed, .workers = options.workers},
                   controllers::Libraries::Use::kLoad, &warn);
-  if (!engine) return fail(engine.error());
+  if (!engine) return fail_in_file(engine.error());
   // The run itself is the one that `playhouse run --fast --headless` does.
   drivers::Simulation simulation(std::move(*engine), {.speed = 0, .duration = duration});
   const auto start = std::chrono::steady_clock::now();

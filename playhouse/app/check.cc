@@ -21,8 +21,8 @@ void print(const std::string& line) {
 
 /// What the file itself can't show: engines, controllers and drivers that refuse it or leave something out.
 /// Controllers in libraries are looked for and not loaded: who checks a file does not trust it yet. Prints
-/// the warnings that `report` has not got.
-Result<void> try_out(const std::string& path, const scene::CheckReport& report) {
+/// the warnings that `report` has not got, and the errors. Whether there were none.
+bool try_out(const std::string& path, const scene::CheckReport& report) {
   Service service({.port = 0, .web = std::nullopt}, {}, QuitTime::kIgnored);
   service.load_no_code();
   service.on_warning([&report](const std::string& warning) {
@@ -30,9 +30,12 @@ Result<void> try_out(const std::string& path, const scene::CheckReport& report) 
     if (std::ranges::find(report.lines, line) == report.lines.end()) print(line);
   });
   const bool is_cfg = path.ends_with(".cfg");
-  if (const Result<void> read = is_cfg ? service.read_cfg(path) : service.read_world(path); !read)
-    return read.error();
-  return service.make_devices();
+  Result<void> tried = is_cfg ? service.read_cfg(path) : service.read_world(path);
+  if (tried) tried = service.make_devices();
+  if (tried) return true;
+  print(finding("error", tried.error()));
+  for (const Error& other : service.other_errors()) print(finding("error", other));
+  return false;
 }
 
 /// Whether the file is good.
@@ -46,9 +49,7 @@ bool check_one(const std::string& path) {
         finding("warning", {path, "not a regular file, so engine, controllers and drivers were not tried"}));
     return true;
   }
-  const Result<void> tried = try_out(path, report);
-  if (!tried) print(finding("error", tried.error()));
-  return tried.ok();
+  return try_out(path, report);
 }
 
 }  // namespace

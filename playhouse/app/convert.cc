@@ -47,7 +47,7 @@ int write_text(const std::string& path, const std::string& text) {
     return kDone;
   }
   const Result<void> written = write_file(path, std::as_bytes(std::span(text)));
-  return written ? int{kDone} : fail(written.error());
+  return written ? int{kDone} : fail_at(written.error());
 }
 
 /// A file as one in the folder of `beside` names it, or in full where that is nowhere.
@@ -60,46 +60,47 @@ std::string named_from(const std::string& beside, const fs::path& file) {
 
 int write_plan(const ConvertOptions& options, const scene::Plan& plan, const std::string& bitmap) {
   const Result<std::string> text = scene::world_of_plan(plan, bitmap, options.height.value_or(kWallHeight));
-  if (!text) return fail({escaped(options.input), text.error().text});
+  if (!text) return fail_in_file({escaped(options.input), text.error().text});
   return write_text(options.output, *text);
 }
 
 int convert_image(const ConvertOptions& options) {
   if (!options.scale)
-    return fail({escaped(options.input), "is an image: --scale says how many metres a pixel measures"},
-                kUsage);
+    return fail_at({escaped(options.input), "is an image: --scale says how many metres a pixel measures"},
+                   kUsage);
   const Result<std::string> bytes = read_file(options.input);
-  if (!bytes) return fail(bytes.error());
+  if (!bytes) return fail_in_file(bytes.error());
   const Result<scene::Plan> plan =
       scene::plan_of_image(*bytes, fs::path(options.input).stem().string(), *options.scale);
-  if (!plan) return fail({escaped(options.input), plan.error().text});
+  if (!plan) return fail_in_file({escaped(options.input), plan.error().text});
   return write_plan(options, *plan, named_from(options.output, options.input));
 }
 
 /// A map whose thresholds are not those of bitmaps has its walls in an image of its own, beside the world.
 int convert_map(const ConvertOptions& options) {
   const Result<std::string> text = read_file(options.input);
-  if (!text) return fail(text.error());
+  if (!text) return fail_in_file(text.error());
   const Result<scene::RosMap> map = scene::read_ros_map(*text);
   if (!map) {
     const std::string line = map.error().where.empty() ? "" : ":" + map.error().where;
-    return fail({escaped(options.input) + line, map.error().text});
+    return fail_in_file({escaped(options.input) + line, map.error().text});
   }
   const fs::path image =
       fs::path(options.input).parent_path() / map->image;  // that of an absolute path alone
   const Result<std::string> bytes = read_file(image.string());
-  if (!bytes) return fail(bytes.error());
+  if (!bytes) return fail_in_file(bytes.error());
   const Result<scene::Plan> plan =
       scene::plan_of_ros_map(*map, *bytes, fs::path(options.input).stem().string());
-  if (!plan) return fail({escaped(image.string()), plan.error().text});
+  if (!plan) return fail_in_file({escaped(image.string()), plan.error().text});
   if (scene::is_plain(*plan, *bytes)) return write_plan(options, *plan, named_from(options.output, image));
   if (options.output.empty())
-    return fail({escaped(options.input),
-                 "has thresholds of its own, so its walls become an image beside the world: -o says where"},
-                kUsage);
+    return fail_at(
+        {escaped(options.input),
+         "has thresholds of its own, so its walls become an image beside the world: -o says where"},
+        kUsage);
   const fs::path walls = fs::path(options.output).replace_extension(".pgm");
   if (is_same_file(walls.string(), image.string()))
-    return fail({escaped(walls.string()), "is the image of the map: give the world another name"}, kUsage);
+    return fail_at({escaped(walls.string()), "is the image of the map: give the world another name"}, kUsage);
   if (const int failed = write_text(walls.string(), scene::pgm_of(plan->solid)); failed != kDone)
     return failed;
   return write_plan(options, *plan, walls.filename().string());
@@ -116,16 +117,15 @@ Result<scene::SceneDesc> load(const ConvertOptions& options, std::vector<Error>&
 int write_map(const ConvertOptions& options, const scene::SceneDesc& scene) {
   const Result<scene::Plan> plan =
       plan_of_world(scene, options.scale.value_or(kMapResolution), options.height.value_or(kLookHeight));
-  if (!plan) return fail({escaped(options.input), plan.error().text});
-  const fs::path image = fs::path(options.output).replace_extension(".pgm");
-  if (const int failed = write_text(image.string(), scene::pgm_of(plan->solid)); failed != kDone)
-    return failed;
-  return write_text(options.output, scene::ros_map_of(*plan, image.filename().string()));
+  if (!plan) return fail_in_file({escaped(options.input), plan.error().text});
+  const std::string image = fs::path(options.output).replace_extension(".pgm").string();
+  if (const int failed = write_text(image, scene::pgm_of(plan->solid)); failed != kDone) return failed;
+  return write_text(options.output, scene::ros_map_of(*plan, fs::path(image).filename().string()));
 }
 
 int write_gltf(const ConvertOptions& options, const scene::SceneDesc& scene) {
   const Result<std::string> glb = glb_of(world::World(scene, 1));
-  if (!glb) return fail({escaped(options.input), glb.error().text});
+  if (!glb) return fail_in_file({escaped(options.input), glb.error().text});
   return write_text(options.output, *glb);
 }
 
@@ -139,7 +139,7 @@ int convert_world(const ConvertOptions& options) {
   if (is_gltf(options.output)) return write_gltf(options, *scene);
   // Bitmaps of a text that goes anywhere are named in full.
   const Result<std::string> text = scene::write_world(*scene, options.output);
-  if (!text) return fail({escaped(options.input), "not converted: " + text.error().text});
+  if (!text) return fail_in_file({escaped(options.input), "not converted: " + text.error().text});
   return write_text(options.output, *text);
 }
 
@@ -148,12 +148,17 @@ int convert_world(const ConvertOptions& options) {
 int convert(const ConvertOptions& options) {
   log::open(0);
   if (is_same_file(options.input, options.output))
-    return fail({escaped(options.output), "is what is read: give another name"}, kUsage);
+    return fail_at({escaped(options.output), "is what is read: give another name"}, kUsage);
   const bool is_plan = is_image(options.input) || is_map(options.input);
   if (is_gltf(options.output) && is_plan)
-    return fail({escaped(options.output), "is made of a world: convert the plan to a .world first"}, kUsage);
+    return fail_at({escaped(options.output), "is made of a world: convert the plan to a .world first"},
+                   kUsage);
+  if (is_image(options.output))
+    return fail_at({escaped(options.output),
+                    "is an image: a world is written as .world, a map as .yaml, bodies as .glb"},
+                   kUsage);
   if (fs::path(options.output).extension() == ".gltf")
-    return fail({escaped(options.output), "is glTF as text, which is not written: name it .glb"}, kUsage);
+    return fail_at({escaped(options.output), "is glTF as text, which is not written: name it .glb"}, kUsage);
   if (is_image(options.input)) return convert_image(options);
   return is_map(options.input) ? convert_map(options) : convert_world(options);
 }

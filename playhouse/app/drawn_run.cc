@@ -9,14 +9,14 @@
 
 namespace playhouse::app {
 
-Result<void> DrawnRun::begin() {
+Result<void> DrawnRun::begin(std::vector<Error>* others) {
   const bool again = simulation_ != nullptr;
   if (again && world().tick() == 0) return {};
   const Warn tell_once = [again](const std::string& line) {
     if (!again) warn(line);
   };
   Result<std::unique_ptr<world::Engine>> engine =
-      make_engine(scene_, running_, controllers::Libraries::Use::kLoad, tell_once);
+      make_engine(scene_, running_, controllers::Libraries::Use::kLoad, tell_once, {}, others);
   if (!engine) return engine.error();
   seen_.watch((*engine)->world());
   drivers::Simulation::Options options;

@@ -24,8 +24,9 @@ class DrawnRun {
   DrawnRun(const DrawnRun&) = delete;
   DrawnRun& operator=(const DrawnRun&) = delete;
 
-  /// Begins at tick 0, again where it has run already: the same run. Fails on a scene that cannot run.
-  Result<void> begin();
+  /// Begins at tick 0, again where it has run already: the same run. Fails on a scene that cannot run;
+  /// `others` gets the errors after the first.
+  Result<void> begin(std::vector<Error>* others = nullptr);
 
   /// On to a tick, which the renderer sees coming as it wants to. Fails where the renderer does, and when a
   /// signal came.

@@ -10,7 +10,7 @@ namespace playhouse::app {
 
 int export_tables(const ExportOptions& options) {
   const Result<std::unique_ptr<record::Source>> source = record::open_source(options.file);
-  if (!source) return fail(source.error());
+  if (!source) return fail_in_file(source.error());
   std::string folder = options.folder;
   constexpr std::string_view kEnding = ".mcap";
   if (folder.empty())
@@ -18,8 +18,8 @@ int export_tables(const ExportOptions& options) {
                                              : options.file + ".tables";
   const Result<record::CsvTables> written = record::write_csv(**source, folder);
   if (!written)
-    return fail({written.error().where.empty() ? escaped(options.file) : written.error().where,
-                 written.error().text});
+    return written.error().where.empty() ? fail_in_file({escaped(options.file), written.error().text})
+                                         : fail_at(written.error());
   for (const std::string& why : written->left_out) warn(escaped(options.file) + ": " + why);
   if (written->cut)
     warn(escaped(options.file) + ": was not finished; what follows its last whole chunk is lost");

@@ -11,6 +11,11 @@ int fail(const Error& error, Exit code) {
   return code;
 }
 
+int fail_at(const Error& error, Exit code) {
+  log::tell(spdlog::level::err, error);
+  return code;
+}
+
 int fail_in_file(const Error& error, const std::vector<Error>& others) {
   log::tell(spdlog::level::err, error);
   for (const Error& other : others) log::tell(spdlog::level::err, other);

@@ -46,13 +46,15 @@ std::unique_ptr<DrawnRun> open_run(const Options& options, const Drawing& drawin
   Result<scene::SceneDesc> scene = read_scene(options.world, &others);
   if (!scene) return code = fail_in_file(scene.error(), others), nullptr;
   auto run = std::make_unique<DrawnRun>(std::move(*scene), options.running, shown(options.show));
-  if (const Result<void> begun = run->begin(); !begun) return code = fail(begun.error()), nullptr;
+  others.clear();
+  if (const Result<void> begun = run->begin(&others); !begun)
+    return code = fail_in_file(begun.error(), others), nullptr;
   return run;
 }
 
 int write(const std::string& path, const std::string& bytes) {
   const Result<void> written = write_file(path, std::as_bytes(std::span(bytes)));
-  return written ? int{kDone} : fail(written.error());
+  return written ? int{kDone} : fail_at(written.error());
 }
 
 /// When a film has pictures.
@@ -88,9 +90,9 @@ class Filming {
 
   /// As Drawing::Draw.
   Result<int> film() {
-    if (const Result<void> begun = run_.begin(); !begun) return fail(begun.error());
+    if (const Result<void> begun = run_.begin(); !begun) return fail_in_file(begun.error());
     const Result<View> view = view_of(run_.world(), options_.width);
-    if (!view) return fail({escaped(options_.world), view.error().text}, kUsage);
+    if (!view) return fail_at({escaped(options_.world), view.error().text}, kUsage);
     const auto each = [&](const PictureTaker& take) { return take_all(*view, take); };
     if (!is_png(options_.output)) return ended(film_by_ffmpeg(options_.output, *view, shots_.period, each));
     AnimatedPng animation(shots_.count, shots_.period);
@@ -118,7 +120,7 @@ class Filming {
 
   Result<int> ended(const Result<void>& result) const {
     if (not_drawn_) return *not_drawn_;
-    return result ? int{kDone} : fail({escaped(options_.output), result.error().text});
+    return result ? int{kDone} : fail_at({escaped(options_.output), result.error().text});
   }
 
   const FilmOptions& options_;
@@ -133,7 +135,7 @@ class Filming {
 }  // namespace
 
 int picture(const PictureOptions& options) {
-  if (!is_png(options.output)) return fail({escaped(options.output), "a picture is a .png"}, kUsage);
+  if (!is_png(options.output)) return fail_at({escaped(options.output), "a picture is a .png"}, kUsage);
   Drawing drawing("picture", options.renderer);
   int code = kDone;
   const std::unique_ptr<DrawnRun> run = open_run(options, drawing, code);
@@ -143,11 +145,11 @@ int picture(const PictureOptions& options) {
   return drawing.run(*run, interrupt, [&](Renderer& renderer) -> Result<int> {
     if (const Result<void> ran = run->advance(tick, renderer, interrupt); !ran) return ran.error();
     const Result<View> view = view_of(run->world(), options.width);
-    if (!view) return fail({escaped(options.world), view.error().text}, kUsage);
+    if (!view) return fail_at({escaped(options.world), view.error().text}, kUsage);
     const Result<Picture> drawn = renderer.draw(run->world(), *view);
     if (!drawn) return drawn.error();
     const Result<std::string> png = scene::png_of(drawn->width, drawn->height, drawn->rgb);
-    return png ? write(options.output, *png) : fail({escaped(options.output), png.error().text});
+    return png ? write(options.output, *png) : fail_at({escaped(options.output), png.error().text});
   });
 }
 

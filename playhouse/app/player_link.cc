@@ -104,10 +104,10 @@ int player_link(std::span<const char* const> words) {
   }
   log::open(options->level);
   if (!options->log_file.empty()) {
-    if (const Result<void> opened = log::also_to(options->log_file); !opened) return fail(opened.error());
+    if (const Result<void> opened = log::also_to(options->log_file); !opened) return fail_at(opened.error());
   }
   if (!is_there(options->file))
-    return fail({escaped(options->file), std::string("cannot be opened: ") + std::strerror(errno)});
+    return fail_at({escaped(options->file), std::string("cannot be opened: ") + std::strerror(errno)});
   Service service({.port = options->port, .web = std::nullopt, .bind = "0.0.0.0", .port_option = "-p"}, {},
                   QuitTime::kIgnored);
   const int code = run_service(

@@ -16,6 +16,7 @@ int replay(const ReplayOptions& options) {
   Service service(options.serving, options.running, QuitTime::kIgnored);
   service.play(**opened);
   if (const Result<void> step = service.make_devices(); !step) return fail(step.error());
+  if (const Result<void> step = service.read_guests(); !step) return fail_in_file(step.error());
   if (const Result<void> step = service.open_page(); !step) return fail(step.error());
   if (const Result<void> step = service.open_observers(); !step) return fail(step.error());
   for (const std::string& place : service.places()) log::say(place);

@@ -23,14 +23,15 @@ int run_service(Service& service, const std::function<Result<void>()>& read, con
     return fail_in_file(step.error(), service.other_errors());
   if (!running.save_world.empty())
     if (const Result<void> step = service.let_clients_save(running.save_world); !step)
-      return fail(step.error());
+      return fail_at(step.error());
   for (const SaveAt& save : saves)
-    if (const Result<void> step = service.save_at(save); !step) return fail(step.error());
+    if (const Result<void> step = service.save_at(save); !step) return fail_at(step.error());
+  if (const Result<void> step = service.read_guests(); !step) return fail_in_file(step.error());
   if (const Result<void> step = service.open_page(); !step) return fail(step.error());
   if (const Result<void> step = service.open_observers(); !step) return fail(step.error());
   if (!running.record.empty())
     if (const Result<void> step = service.record(running.record, running.record_only); !step)
-      return fail(step.error());
+      return fail_at(step.error());
 
   for (const std::string& place : service.places()) log::say(place);
   if (opened) opened(service.player_ports());

@@ -19,7 +19,7 @@
 #include "playhouse/app/interrupt.h"
 #include "playhouse/app/whole_file.h"
 #include "playhouse/base/in_quotes.h"
-#include "playhouse/base/log.h"
+#include "playhouse/base/log_at.h"
 #include "playhouse/base/log_output.h"
 #include "playhouse/record/mcap_writer.h"
 #include "playhouse/scene/world_loader.h"
@@ -136,7 +136,7 @@ void Service::save_due(const world::World& world) {
     if (saved) {
       log::info("saved {:.1f} s to {}", world.time(), escaped(due.file));
     } else {
-      log::error("{}", saved.error().line());
+      log::tell(spdlog::level::err, saved.error());
       saving_works_ = false;
     }
     return true;
@@ -228,7 +228,7 @@ Result<std::unique_ptr<drivers::Simulation>> Service::open_world(const std::stri
     if (const Result<void> read = read_world(path, scene::NamedBy::kFile); !read) return read.error();
   }
   Result<std::unique_ptr<world::Engine>> engine =
-      make_engine(scene_, running_, libraries_, warn_, engine_maker_);
+      make_engine(scene_, running_, libraries_, warn_, engine_maker_, &other_errors_);
   if (!engine) return engine.error();
   if (saved_) {
     const Result<void> loaded = world::load_state((*engine)->world(), saved_->state);
@@ -240,6 +240,8 @@ Result<std::unique_ptr<drivers::Simulation>> Service::open_world(const std::stri
 
 Result<void> Service::read_guests() {
   if (serving_.guests.empty()) return {};
+  if (!serving_.web && !serving_.observers)
+    return Error{{}, "--guests is for the page, which --headless and --web off leave out, and --observers"};
   Result<std::string> text = read_file(serving_.guests);
   if (!text) return text.error();
   Result<std::vector<web_server::Guest>> guests = web_server::parse_guests(*text, serving_.guests);
@@ -249,9 +251,6 @@ Result<void> Service::read_guests() {
 }
 
 Result<void> Service::open_page() {
-  if (!serving_.web && !serving_.observers && !serving_.guests.empty())
-    return Error{{}, "--guests is for the page, which --headless and --web off leave out, and --observers"};
-  if (const Result<void> read = read_guests(); !read) return read;
   if (!serving_.web) return {};
   std::function<world::PhysicsShapes()> physics_shapes;
   if (!playback_) physics_shapes = [this] { return simulation().engine().physics_shapes(); };
@@ -369,8 +368,8 @@ Outcome Service::run(const std::function<void(int signal)>& ended) {
     saving_works_ = record_file_->finish() && saving_works_;
   }
   for (const SaveAt& save : saves_)
-    log::error("{}: not saved: the run ended at {} s, before {} s", escaped(save.file),
-               simulation().world().time(), save.seconds);
+    log::error_at(escaped(save.file), "not saved: the run ended at {} s, before {} s",
+                  simulation().world().time(), save.seconds);
   Outcome outcome = outcome_of(simulation().engine(), wall_time);
   outcome.signal = signal_.load();
   return outcome;

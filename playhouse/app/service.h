@@ -96,8 +96,9 @@ class Service final : private ServerSurroundings {
   Result<void> make_devices();
   /// What else is wrong with the file that a step failed for.
   const std::vector<Error>& other_errors() const { return other_errors_; }
-  /// Opens the web page, if one is wanted.
+  /// The file that says who may open the page. Fails where it is wrong, or nobody could use it.
   Result<void> read_guests();
+  /// Opens the web page, if one is wanted.
   Result<void> open_page();
   /// Opens the port for observers, if one is wanted.
   Result<void> open_observers();

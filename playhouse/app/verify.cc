@@ -28,7 +28,8 @@ std::vector<unsigned> workers_of(const VerifyOptions& options) {
   return workers;
 }
 
-Result<std::vector<Side>> open_sides(const scene::SceneDesc& scene, const VerifyOptions& options) {
+Result<std::vector<Side>> open_sides(const scene::SceneDesc& scene, const VerifyOptions& options,
+                                     std::vector<Error>& others) {
   std::vector<Side> sides;
   for (const unsigned workers : workers_of(options)) {
     Running running = options.running;
@@ -36,7 +37,7 @@ Result<std::vector<Side>> open_sides(const scene::SceneDesc& scene, const Verify
     // Warnings are those of the world: once is enough.
     const Warn warn_once = sides.empty() ? Warn(&warn) : Warn([](const std::string&) {});
     Result<std::unique_ptr<world::Engine>> engine =
-        make_engine(scene, running, controllers::Libraries::Use::kLoad, warn_once);
+        make_engine(scene, running, controllers::Libraries::Use::kLoad, warn_once, {}, &others);
     if (!engine) return engine.error();
     sides.push_back({workers, std::move(*engine)});
   }
@@ -71,8 +72,9 @@ int verify(const VerifyOptions& options) {
   std::vector<Error> others;
   const Result<scene::SceneDesc> scene = read_scene(options.world, &others);
   if (!scene) return fail_in_file(scene.error(), others);
-  const Result<std::vector<Side>> sides = open_sides(*scene, options);
-  if (!sides) return fail(sides.error());
+  others.clear();
+  const Result<std::vector<Side>> sides = open_sides(*scene, options, others);
+  if (!sides) return fail_in_file(sides.error(), others);
   for (std::uint64_t tick = 0;; ++tick) {
     if (tell_difference(*sides)) return kFailed;
     if (tick == options.ticks) break;

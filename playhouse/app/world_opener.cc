@@ -12,6 +12,7 @@
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/libraries/custom_kinds.h"
 #include "playhouse/scene/world_loader.h"
+#include "playhouse/stage/check_scene.h"
 #include "playhouse/stage/engine.h"
 
 namespace playhouse::app {
@@ -46,20 +47,28 @@ Result<EngineMaker> engine_named(std::string_view name) {
 
 Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene, const Running& running,
                                                    controllers::Libraries::Use use, const Warn& warn,
-                                                   const EngineMaker& make) {
+                                                   const EngineMaker& make, std::vector<Error>* others) {
+  for (const std::string& library : running.allowed_libraries)
+    if (std::error_code ignored; !std::filesystem::exists(library, ignored))
+      return Error{escaped(library), "--allow-library: there is no such file"};
   const Result<EngineMaker> maker = make ? make : engine_named(running.engine);
   if (!maker) return maker.error();
   Result<std::unique_ptr<world::Engine>> engine = (*maker)(scene, running.seed, running.workers);
   if (!engine) return engine;
+  for (const std::string& warning : stage::oddities_of(scene)) warn(warning);
+  if (!make && running.engine == kStage)
+    for (const std::string& warning : stage::left_out_in_the_plane(scene)) warn(warning);
   const libraries::Libraries allowed{
       .folders = libraries::library_folders(scene, program_folder()),
       .allowed = {running.allowed_libraries.begin(), running.allowed_libraries.end()},
       .use = use};
-  for (const auto attach : {libraries::attach_custom_kinds, controllers::attach}) {
-    const Result<std::vector<std::string>> attached = attach((*engine)->world(), allowed);
-    if (!attached) return attached.error();
-    for (const std::string& warning : *attached) warn(warning);
-  }
+  world::World& world = (*engine)->world();
+  const auto custom = libraries::attach_custom_kinds(world, allowed);
+  if (!custom) return custom.error();
+  for (const std::string& warning : *custom) warn(warning);
+  const auto controllers = controllers::attach(world, allowed, others);
+  if (!controllers) return controllers.error();
+  for (const std::string& warning : *controllers) warn(warning);
   return engine;
 }
 

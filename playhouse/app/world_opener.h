@@ -34,10 +34,11 @@ Result<EngineMaker> engine_named(std::string_view name);
 Result<scene::SceneDesc> read_scene(const std::string& path, std::vector<Error>* others);
 
 /// An engine for the scene, with the controllers that its models name: what `make` makes, or else the one
-/// that `running` names. The scene must outlive it.
+/// that `running` names. The scene must outlive it. `others`, if given, gets the errors after the first.
 Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene, const Running& running,
                                                    controllers::Libraries::Use use, const Warn& warn,
-                                                   const EngineMaker& make = {});
+                                                   const EngineMaker& make = {},
+                                                   std::vector<Error>* others = nullptr);
 
 /// Whether the world file's quit_time ends the run.
 enum class QuitTime : std::uint8_t { kHonoured, kIgnored };

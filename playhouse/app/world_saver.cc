@@ -7,6 +7,7 @@
 #include "playhouse/app/whole_file.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log.h"
+#include "playhouse/base/log_output.h"
 #include "playhouse/world/as_scene.h"
 
 namespace playhouse::app {
@@ -60,7 +61,7 @@ bool WorldSaver::write(Job job) {
     log::info("saved the world at {} s to {}", job.time, escaped(job.file));
     for (const std::string& warning : job.standing.warnings) log::warn("{}: {}", escaped(job.file), warning);
   } else {
-    log::error("{}", written.error().line());
+    log::tell(spdlog::level::err, written.error());
   }
   return written.ok();
 }

@@ -4,20 +4,21 @@
 
 #include <algorithm>
 
+#include "playhouse/base/result.h"
+
 namespace playhouse {
 
-std::vector<LineLimits::Line> LineLimits::pass(int level, std::string_view kind, std::string line,
-                                               double now) {
+std::vector<LineLimits::Line> LineLimits::pass(std::string_view kind, Line line, double now) {
   std::vector<Line> out;
   tell_held(now, kSecondsUntilTold, out);
-  const auto [found, is_new] = kinds_.try_emplace({level, std::string(kind)});
+  const auto [found, is_new] = kinds_.try_emplace({line.level, std::string(kind)});
   Kind& of = found->second;
   of.room = is_new ? kLines : std::min(kLines, of.room + (now - of.time) * kLinesPerSecond);
   of.time = now;
   if (of.room >= 1) {
     of.room -= 1;
-    of.example = line;
-    out.push_back({level, std::move(line)});
+    of.example = Error{line.place, line.text}.line();
+    out.push_back(std::move(line));
   } else if (of.held++ == 0) {
     of.held_since = now;
   }

@@ -22,12 +22,13 @@ class LineLimits {
   struct Line {
     int level;
     std::string text;
+    std::string place = {};  // in a file, that comes first; empty: none
   };
 
   /// What is to be written, in order, now that there is one more line: the line itself unless its kind has
   /// had kLines, and kLinesPerSecond since; before it, how many lines were held back,
   /// of every kind that has held some for kSecondsUntilTold.
-  std::vector<Line> pass(int level, std::string_view kind, std::string line, double now);
+  std::vector<Line> pass(std::string_view kind, Line line, double now);
 
   /// How many lines were held back and not told yet, for the end of the program.
   std::vector<Line> summaries(double now);

@@ -19,7 +19,7 @@ std::vector<std::string> texts(const std::vector<LineLimits::Line>& lines) {
 std::size_t flood(LineLimits& limits, std::size_t lines, double now, int level = kWarning) {
   std::size_t written = 0;
   for (std::size_t i = 0; i < lines; ++i) {
-    written += limits.pass(level, "{}: refused", "1.2.3.4: refused", now).size();
+    written += limits.pass("{}: refused", {level, "1.2.3.4: refused"}, now).size();
   }
   return written;
 }
@@ -40,7 +40,7 @@ TEST(LineLimits, has_room_for_a_burst_again_after_a_while_and_no_more) {
 TEST(LineLimits, holds_back_no_other_kind_and_no_other_level) {
   LineLimits limits;
   flood(limits, 10 * kBurst, 0);
-  EXPECT_EQ(texts(limits.pass(kWarning, "{}: closed", "5.6.7.8: closed", 0)),
+  EXPECT_EQ(texts(limits.pass("{}: closed", {kWarning, "5.6.7.8: closed"}, 0)),
             std::vector<std::string>{"5.6.7.8: closed"});
   EXPECT_EQ(flood(limits, 1, 0, kError), 1u);
 }
@@ -49,7 +49,7 @@ TEST(LineLimits, tells_how_many_it_held_back_with_the_next_line_of_any_kind) {
   LineLimits limits;
   flood(limits, kBurst + 70, 1);
   const double later = 1 + LineLimits::kSecondsUntilTold;
-  EXPECT_EQ(texts(limits.pass(kWarning, "other", "other", later)),
+  EXPECT_EQ(texts(limits.pass("other", {kWarning, "other"}, later)),
             (std::vector<std::string>{"70 more lines in the last 10 s like: 1.2.3.4: refused", "other"}));
   EXPECT_TRUE(limits.summaries(later).empty()) << "told once";
 }
@@ -74,7 +74,7 @@ TEST(LineLimits, every_line_of_a_flood_is_written_or_counted) {
   };
   constexpr std::size_t kLines = 600000;  // a thousand a second for ten minutes
   for (std::size_t i = 0; i < kLines; ++i)
-    look(limits.pass(kWarning, "x", "x", static_cast<double>(i) / 1000));
+    look(limits.pass("x", {kWarning, "x"}, static_cast<double>(i) / 1000));
   look(limits.summaries(600));
   EXPECT_EQ(written + counted, kLines);
   EXPECT_LE(written, kBurst + 600);

@@ -18,6 +18,7 @@
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/line_limits.h"
 #include "playhouse/base/line_writer.h"
+#include "playhouse/base/log_at.h"
 #include "playhouse/base/log_output.h"
 
 namespace playhouse::log {
@@ -96,13 +97,9 @@ double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-void give(spdlog::level::level_enum level, const std::string& line) {
-  spdlog::default_logger_raw()->log(level, spdlog::string_view_t(line));
-}
-
 void give_all(const std::vector<LineLimits::Line>& lines) {
   for (const LineLimits::Line& line : lines)
-    give(static_cast<spdlog::level::level_enum>(line.level), line.text);
+    tell(static_cast<spdlog::level::level_enum>(line.level), {line.place, line.text});
 }
 
 /// What was held back and not told yet.
@@ -137,14 +134,19 @@ Result<void> also_to(const std::string& path) {
 }
 
 void write(spdlog::level::level_enum level, fmt::string_view format, fmt::format_args values) {
+  write_at(level, "", format, values);
+}
+
+void write_at(spdlog::level::level_enum level, const std::string& place, fmt::string_view format,
+              fmt::format_args values) {
   if (!spdlog::should_log(level)) return;
   std::string line = fmt::vformat(format, values);
   const std::string_view kind(format.data(), format.size());
-  if (kind == "{}" || !limited().on) return give(level, line);
+  if (kind == "{}" || !limited().on) return tell(level, {place, line});
   std::vector<LineLimits::Line> lines;
   {
     const std::lock_guard lock(limited().mutex);
-    lines = limited().limits.pass(level, kind, std::move(line), now());
+    lines = limited().limits.pass(kind, {level, std::move(line), place}, now());
   }
   give_all(lines);
 }

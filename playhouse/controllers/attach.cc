@@ -4,10 +4,12 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 
 #include "playhouse/base/in_quotes.h"
+#include "playhouse/base/limits.h"
 #include "playhouse/controllers/diffusion.h"
 #include "playhouse/controllers/dynamic.h"
 #include "playhouse/controllers/expand.h"
@@ -128,19 +130,29 @@ void describe_for(scene::SceneDesc& scene) {
   Dynamic::describe_parts(scene);
 }
 
-Result<std::vector<std::string>> attach(world::World& world, const Libraries& libraries) {
+Result<std::vector<std::string>> attach(world::World& world, const Libraries& libraries,
+                                        std::vector<Error>* others) {
   Batches batches(world, libraries);
+  std::set<std::string> faulty;
+  std::vector<Error> told;  // the first of each controller
   for (std::uint32_t row = 0; row < world.models.size(); ++row) {
     if (world.desc({row}).ctrl.empty()) continue;
     const std::string where = world.scene().at(world.where({row}));
     std::vector<std::string> repeated;
-    for (const Post& post : posts_of(world, {row}, &repeated))
-      if (const Result<void> added = batches.add(post, where); !added) return added.error();
+    for (const Post& post : posts_of(world, {row}, &repeated)) {
+      if (faulty.contains(post.name) || told.size() == limits::kWarningsOfAKind) continue;
+      const Result<void> added = batches.add(post, where);
+      if (added) continue;
+      faulty.insert(post.name);
+      told.push_back(added.error());
+    }
     for (const std::string& name : repeated)
       batches.warn(where + ": " + in_quotes(world.name({row})) + " names controller " + in_quotes(name) +
                    " twice; the second is left out");
   }
-  return batches.take_warnings();
+  if (told.empty()) return batches.take_warnings();
+  if (others) others->assign(told.begin() + 1, told.end());
+  return told.front();
 }
 
 }  // namespace playhouse::controllers

@@ -4,7 +4,7 @@
 #include <exception>
 
 #include "playhouse/base/in_quotes.h"
-#include "playhouse/base/log.h"
+#include "playhouse/base/log_at.h"
 
 namespace playhouse::controllers {
 namespace {
@@ -156,8 +156,8 @@ void Loaded::give(World& world, const Seat& seat) {
 void Loaded::end(World& world, Seat& seat, const char* why) {
   seat.ended = true;
   if (seat.position) drive(world, seat.position, 0, 0);
-  log::error("{}: controller {} of {} ended: {}", world.scene().at(world.where(seat.model)),
-             in_quotes(seat.controller_name), in_quotes(seat.name), why);
+  log::error_at(world.scene().at(world.where(seat.model)), "controller {} of {} ended: {}",
+                in_quotes(seat.controller_name), in_quotes(seat.name), why);
 }
 
 void Loaded::decide(World& world, std::size_t begin, std::size_t end_row) {

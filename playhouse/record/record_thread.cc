@@ -3,7 +3,7 @@
 #include <chrono>
 #include <utility>
 
-#include "playhouse/base/log.h"
+#include "playhouse/base/log_at.h"
 
 namespace playhouse::record {
 namespace {
@@ -66,7 +66,7 @@ void RecordThread::write(End end) {
     if (std::exchange(failed_, true)) return;
   }
   changed_.notify_all();
-  log::error("{}; the run goes on and is recorded no more", written.error().line());
+  log::error_at(written.error().where, "{}; the run goes on and is recorded no more", written.error().text);
 }
 
 void RecordThread::pass_on(const Bytes& records) {

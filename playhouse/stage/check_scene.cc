@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "playhouse/base/log.h"
 #include "playhouse/scene/charge.h"
 #include "playhouse/scene/generated/read_kinds.h"
 
@@ -67,18 +66,6 @@ Result<void> check_model(const scene::SceneDesc& scene, const scene::ModelDesc& 
   return {};
 }
 
-/// Robots drive through floorplans that say obstacle_return 0, as the map.inc that comes with Stage does.
-void warn_of_ghost_walls(const scene::SceneDesc& scene) {
-  bool robots = false;
-  for (const scene::ModelDesc& model : scene.models) robots |= model.kind == scene::ModelKind::kPosition;
-  for (const scene::ModelDesc& model : scene.models) {
-    if (!robots || model.obstacle_return || model.bitmaps.empty()) continue;
-    log::warn("{}: model {} has obstacle_return 0: robots drive through it", scene.at(model.where),
-              model.name);
-    return;
-  }
-}
-
 }  // namespace
 
 Result<void> check_scene(const scene::SceneDesc& scene) {
@@ -89,7 +76,28 @@ Result<void> check_scene(const scene::SceneDesc& scene) {
   for (const scene::TreeDesc& tree : scene.trees)
     if (!finite(tree.X_WM))
       return Error{scene.at(tree.where), "model " + tree.name + " has a pose that is not a finite number"};
-  warn_of_ghost_walls(scene);
+  return {};
+}
+
+/// Robots drive through floorplans that say obstacle_return 0, as the map.inc that comes with Stage does.
+std::vector<std::string> oddities_of(const scene::SceneDesc& scene) {
+  bool robots = false;
+  for (const scene::ModelDesc& model : scene.models) robots |= model.kind == scene::ModelKind::kPosition;
+  for (const scene::ModelDesc& model : scene.models) {
+    if (!robots || model.obstacle_return || model.bitmaps.empty()) continue;
+    return {scene.at(model.where) + ": model " + model.name +
+            " has obstacle_return 0: robots drive through it"};
+  }
+  return {};
+}
+
+std::vector<std::string> left_out_in_the_plane(const scene::SceneDesc& scene) {
+  for (const scene::ModelDesc& model : scene.models)
+    for (const scene::RangerSensorDesc& sensor : model.sensors) {
+      if (sensor.rings <= 1 && sensor.errors == scene::RangerErrors::kNone) continue;
+      return {scene.at(model.where) + ": rings and error of sensors count with --engine arena; here " +
+              model.name + " has one level ring"};
+    }
   return {};
 }
 

@@ -23,17 +23,6 @@ void tell_of_unseen_weather(const scene::SceneDesc& scene) {
         scene.path);
 }
 
-/// What this engine measures less of than a file asks for: one line, for the first that does.
-void warn_of_arena_words(const scene::SceneDesc& scene) {
-  for (const scene::ModelDesc& model : scene.models)
-    for (const scene::RangerSensorDesc& sensor : model.sensors) {
-      if (sensor.rings <= 1 && sensor.errors == scene::RangerErrors::kNone) continue;
-      log::warn("{}: rings and error of sensors count with --engine arena; here {} has one level ring",
-                scene.at(model.where), model.name);
-      return;
-    }
-}
-
 /// What a file says of shapes that are flat here: one line, for the first.
 void tell_of_meshes(const scene::SceneDesc& scene) {
   const auto first =
@@ -66,7 +55,6 @@ Result<std::unique_ptr<world::Engine>> make_engine(const scene::SceneDesc& scene
                                                    const EngineOptions& options) {
   if (const Result<void> checked = check_scene(scene); !checked) return checked.error();
   tell_of_unseen_weather(scene);
-  warn_of_arena_words(scene);
   tell_of_meshes(scene);
   return std::unique_ptr<world::Engine>(std::make_unique<StageEngine>(scene, options.seed, options.workers));
 }

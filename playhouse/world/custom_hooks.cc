@@ -5,7 +5,7 @@
 #include <string>
 
 #include "playhouse/base/in_quotes.h"
-#include "playhouse/base/log.h"
+#include "playhouse/base/log_at.h"
 #include "playhouse/world/world.h"
 
 namespace playhouse::world {
@@ -17,8 +17,8 @@ const CustomCode* custom_code(const World& world, ModelRow model) {
 
 void complain(const World& world, ModelRow model, const CustomCode& code, const char* why) {
   if (code.complained.test_and_set()) return;
-  log::error("{}: custom model {} of {}: {}", world.scene().at(world.where(model)),
-             in_quotes(world.desc(model).custom->library), in_quotes(world.name(model)), why);
+  log::error_at(world.scene().at(world.where(model)), "custom model {} of {}: {}",
+                in_quotes(world.desc(model).custom->library), in_quotes(world.name(model)), why);
 }
 
 bool all_finite(std::span<const double> numbers) {

@@ -50,6 +50,13 @@ class Convert(HouseTest):
         self.assertIn("is what is read", done.stderr)
         self.assertEqual(old.read_text(), OLD)
 
+    def test_a_world_is_not_written_as_an_image(self):
+        made = self.folder / "w.png"
+        done = finish("convert", self.write("w.world", "model( )"), "-o", made)
+        self.assertEqual((done.returncode, done.stderr),
+                         (2, f"{made}: error: is an image: a world is written as .world, a map as .yaml, bodies as .glb\n"))
+        self.assertFalse(made.exists())
+
     def test_a_world_with_faults_is_told(self):
         done = finish("convert", self.write("old.world", "laser( pose [1] )"), "-o", self.folder / "new.world")
         self.assertEqual(done.returncode, 2)
@@ -156,8 +163,8 @@ class Convert(HouseTest):
         self.assertEqual(done.returncode, 2)
         self.assertIn("--scale", done.stderr)
         done = finish("convert", self.write("map.yaml", "image: plan.pbm\nresoluton: 1\n"))
-        self.assertEqual(done.returncode, 1)
-        self.assertIn('map.yaml:2: there is no key "resoluton" (did you mean "resolution"?)', done.stderr)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn('map.yaml:2: error: there is no key "resoluton" (did you mean "resolution"?)', done.stderr)
 
 
 if __name__ == "__main__":

@@ -116,6 +116,33 @@ class Faults(HouseTest):
             done = finish(*command)
             self.assertTrue(done.stderr.startswith("error: "), done.stderr)
 
+    def test_every_unknown_controller_is_told_once_at_its_line(self):
+        world = self.world('define r position( ctrl "wandr" )\nr( )\nr( )\nposition( ctrl "fsr" )\n')
+        for command in (["run", world, "--headless", "--port", "0"], ["check", world], ["verify", world, "--ticks", "1"],
+                        ["picture", world, "--renderer", "playhouse", "-o", self.folder / "a.png"]):
+            done = finish(*command)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            lines = [line for line in (done.stdout + done.stderr).splitlines() if "error" in line]
+            self.assertEqual(len(lines), 2, lines)
+            self.assertRegex(lines[0], '^' + re.escape(f"{world}:2: error: ") + '.*"wandr"')
+            self.assertRegex(lines[1], '^' + re.escape(f"{world}:4: error: ") + '.*"fsr"')
+
+    def test_check_says_all_on_standard_output(self):
+        self.write("plan.pbm", "P1 2 2 1001")
+        world = self.world('position( )\nmodel( bitmap "plan.pbm" size [2 2 1] obstacle_return 0 )\n'
+                           'ranger( sensor( error "lidar" ) )\n')
+        done = finish("check", world)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn(f"{world}:2: warning: model ", done.stdout)
+        self.assertIn(f"{world}:3: warning: rings and error of sensors", done.stdout)
+        run = finish("run", world, "--headless", "--port", "0", "--fast", "--duration", "0")
+        self.assertIn(f"{world}:2: warning: model ", run.stderr)
+
+    def test_a_library_that_is_allowed_and_not_there_is_a_wrong_command_line(self):
+        gone = self.folder / "gone.so"
+        self.check_fault(2, f"{gone}: error: --allow-library: there is no such file", "run", self.world(), "--headless",
+                         "--port", "0", "--allow-library", gone)
+
     def test_no_name_of_a_file_reaches_the_terminal_with_its_escape_codes(self):
         evil = "\x1b]0;title\x07\x1b[31m"
         cfg = self.write("evil.cfg", f'driver( name "stage" provides ["simulation:0"] worldfile "{evil}.world" )\n')

@@ -207,13 +207,13 @@ robot( name "r0" pose [0 0 0 0] )
         self.assertEqual(ended.returncode, 1, ended.stderr)
         self.assertEqual(json.loads(ended.stdout)["sim_time"], 600)
         told = [line for line in ended.stderr.splitlines() if "run.mcap" in line]
-        self.assertEqual(told, [f"error: {self.file}: cannot be written: File too large; the run goes on and is recorded no more"])
+        self.assertEqual(told, [f"{self.file}: error: cannot be written: File too large; the run goes on and is recorded no more"])
         self.again()   # what was written by then
 
     def test_what_cannot_be_recorded_is_told_in_one_line(self):
         for arguments, code, line in (
-                (("--record", "/dev/full"), 1, "/dev/full: cannot be written: No space left on device"),
-                (("--record", self.folder), 1, f"{self.folder}: cannot be written: Is a directory"),
+                (("--record", "/dev/full"), 1, "/dev/full: error: cannot be written: No space left on device"),
+                (("--record", self.folder), 1, f"{self.folder}: error: cannot be written: Is a directory"),
                 (("--record-only", "ranger"), 2, "--record-only requires --record"),
                 (("--record", self.file, "--record-only", "rangr"), 2,
                  '--record-only: no kind that can be recorded is called "rangr" (did you mean "ranger"?)')):
@@ -229,10 +229,12 @@ robot( name "r0" pose [0 0 0 0] )
         for content, line in ((b"playhouse saved run 2\n", "is no MCAP file"), (b"", "is no MCAP file"),
                               (whole[:middle] + b"\0\1\2\3" + whole[middle + 4:], "is damaged")):
             self.file.write_bytes(content)
-            ended = finish("run", "--again", self.file)
-            self.assertEqual(ended.returncode, 2, ended.stderr)
-            self.assertIn(line, ended.stderr)
-            self.assertEqual(len(ended.stderr.splitlines()), 1, ended.stderr)
+            export = [("export", self.file, "--csv")] if "MCAP" in line else []
+            for command in (("run", "--again", self.file), ("replay", self.file), *export):
+                ended = finish(*command)
+                self.assertEqual(ended.returncode, 2, ended.stderr)
+                self.assertIn(f"{self.file}: error: {line}", ended.stderr)
+                self.assertEqual(len(ended.stderr.splitlines()), 1, ended.stderr)
 
     def table(self, name: str) -> list[dict]:
         with open(self.folder / "run" / f"{name}.csv", newline="") as file:
@@ -285,8 +287,8 @@ robot( name "r0" pose [0 0 0 0] )
         self.write("taken", "")
         ended = finish("export", self.file, "--csv", "-o", self.folder / "taken")
         self.assertEqual(ended.returncode, 1)
-        self.assertEqual(ended.stderr, f"error: {self.folder}/taken: cannot be made: Not a directory\n")
-        self.assertEqual(finish("export", self.folder / "none.mcap", "--csv").returncode, 1)
+        self.assertEqual(ended.stderr, f"{self.folder}/taken: error: cannot be made: Not a directory\n")
+        self.assertEqual(finish("export", self.folder / "none.mcap", "--csv").returncode, 2)
         self.assertEqual(finish("export", self.file).returncode, 2)
 
 

@@ -127,13 +127,13 @@ class SaveWorld(HouseTest):
             self.assertEqual(done.returncode, 1, done.stderr)
             errors = [line for line in done.stderr.splitlines() if "error" in line]
             self.assertEqual(len(errors), 1, done.stderr)
-            self.assertIn(f"{nowhere}: cannot be written: No such file or directory", errors[0])
+            self.assertIn(f"{nowhere}: error: cannot be written: No such file or directory", errors[0])
         self.saved.write_text("good")
         limited = 'trap "" XFSZ; ulimit -f 1; exec "$@"'   # no file of more than a block
         done = subprocess.run(["bash", "-c", limited, "bash", PROGRAM, "run", str(ROOT / "worlds/cave.world"), *arguments,
                                "--save-at", "0", str(self.saved)], capture_output=True, text=True, timeout=PATIENCE)
         self.assertEqual(done.returncode, 1, done.stderr)
-        self.assertIn(f"{self.saved}: cannot be written: File too large", done.stderr)
+        self.assertIn(f"{self.saved}: error: cannot be written: File too large", done.stderr)
         self.assertEqual(self.saved.read_text(), "good")
         self.assertEqual([file.name for file in self.folder.glob("*.part")], [])
 
