@@ -317,7 +317,7 @@ std::optional<std::set<std::string>> names_in(const std::string& text) {
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
     const std::string name = text.substr(begin, end - begin);
-    const bool good = !name.empty() && std::ranges::all_of(name, [](unsigned char letter) {
+    const bool good = !name.empty() && name[0] != '-' && std::ranges::all_of(name, [](unsigned char letter) {
       return std::isalnum(letter) || letter == '-' || letter == '_';
     });
     if (!good || !names.insert(name).second) return std::nullopt;
@@ -372,16 +372,17 @@ void add_drawn_run(CLI::App& app, Options& options) {
 }
 
 void add_lock_step(CLI::App& app, Raw& raw, Running& running) {
-  app.add_option(
-         "--lock-step", raw.lock_step,
-         "go on only when a client asks for a step; with a number or names: each of so many, or of these, "
-         "clients (docs/lock-step.md)")
-      ->check(check_lock_step)
-      ->type_name("[N | NAME,NAME,...]")
-      ->expected(0, 1);
+  auto* lock_step = app.add_option("--lock-step", raw.lock_step,
+                                   "go on only when a client asks for a step; with a number or names: each "
+                                   "of so many, or of these, "
+                                   "clients (docs/lock-step.md)")
+                        ->check(check_lock_step)
+                        ->type_name("[N | NAME,NAME,...]")
+                        ->expected(0, 1);
   app.add_option("--lock-step-timeout", running.lock_step_timeout,
                  "seconds that a client may be silent before the others go on without it (for ever)")
-      ->check(check_positive);
+      ->check(check_positive)
+      ->needs(lock_step);
 }
 
 void add_recording(CLI::App& app, Running& running) {

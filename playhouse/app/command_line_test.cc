@@ -91,6 +91,9 @@ TEST(CommandLine, lock_step_is_for_one_client_for_some_or_for_those_of_names) {
   EXPECT_EQ(serve.running.lock_step_timeout, 2.5);
   for (const char* wrong : {"0", "9999999", "a,,b", "a,a", "3,b", "my.world"})
     EXPECT_THAT(fault({"run", "w", "--lock-step", wrong}), HasSubstr("a number of clients")) << wrong;
+  for (const char* wrong : {"--lock-step=-1", "--lock-step=-a"})
+    EXPECT_THAT(fault({"run", "w", wrong}), HasSubstr("a number of clients")) << wrong;
+  EXPECT_EQ(fault({"run", "w", "--lock-step-timeout", "3"}), "--lock-step-timeout requires --lock-step");
 }
 
 TEST(CommandLine, gym_wants_a_socket_and_serves_no_page_unless_told_to) {
