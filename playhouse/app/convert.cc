@@ -8,6 +8,7 @@
 #include "playhouse/app/commands.h"
 #include "playhouse/app/fail.h"
 #include "playhouse/app/gltf.h"
+#include "playhouse/app/kept_files.h"
 #include "playhouse/app/plan_of_world.h"
 #include "playhouse/app/whole_file.h"
 #include "playhouse/base/in_quotes.h"
@@ -106,19 +107,25 @@ int convert_map(const ConvertOptions& options) {
   return write_plan(options, *plan, walls.filename().string());
 }
 
-Result<scene::SceneDesc> load(const ConvertOptions& options, std::vector<Error>& others) {
-  Result<scene::SceneDesc> scene = scene::load_world(options.input, scene::NamedBy::kPerson, &others);
+Result<scene::SceneDesc> load(const ConvertOptions& options, std::vector<Error>& others,
+                              scene::SourceFiles& sources) {
+  Result<scene::SceneDesc> scene =
+      scene::load_world(options.input, scene::NamedBy::kPerson, &others, &sources);
   if (scene)
     for (const std::string& warning : scene->warnings) warn(warning);
   return scene;
 }
 
 /// The image is beside the map and has its name.
+std::string image_of_map(const ConvertOptions& options) {
+  return fs::path(options.output).replace_extension(".pgm").string();
+}
+
 int write_map(const ConvertOptions& options, const scene::SceneDesc& scene) {
   const Result<scene::Plan> plan =
       plan_of_world(scene, options.scale.value_or(kMapResolution), options.height.value_or(kLookHeight));
   if (!plan) return fail_in_file({escaped(options.input), plan.error().text});
-  const std::string image = fs::path(options.output).replace_extension(".pgm").string();
+  const std::string image = image_of_map(options);
   if (const int failed = write_text(image, scene::pgm_of(plan->solid)); failed != kDone) return failed;
   return write_text(options.output, scene::ros_map_of(*plan, fs::path(image).filename().string()));
 }
@@ -131,8 +138,13 @@ int write_gltf(const ConvertOptions& options, const scene::SceneDesc& scene) {
 
 int convert_world(const ConvertOptions& options) {
   std::vector<Error> others;
-  const Result<scene::SceneDesc> scene = load(options, others);
+  scene::SourceFiles sources;
+  const Result<scene::SceneDesc> scene = load(options, others, sources);
   if (!scene) return fail_in_file(scene.error(), others);
+  const std::string image = is_map(options.output) ? image_of_map(options) : "";
+  for (const std::string& output : {options.output, image})
+    if (const Result<void> kept = keep_files(output, names_of(sources)); !kept)
+      return fail_in_file(kept.error());
   if (is_map(options.output)) return write_map(options, *scene);
   if (options.scale || options.height)
     return fail({"", "--scale and --height are for images and maps"}, kUsage);

@@ -18,6 +18,7 @@
 #include "playhouse/app/drawn_run.h"
 #include "playhouse/app/fail.h"
 #include "playhouse/app/ffmpeg.h"
+#include "playhouse/app/kept_files.h"
 #include "playhouse/app/whole_file.h"
 #include "playhouse/app/world_opener.h"
 #include "playhouse/base/in_quotes.h"
@@ -43,8 +44,11 @@ std::unique_ptr<DrawnRun> open_run(const Options& options, const Drawing& drawin
   if (const Result<void> possible = drawing.possible(); !possible)
     return code = fail(possible.error()), nullptr;
   std::vector<Error> others;
-  Result<scene::SceneDesc> scene = read_scene(options.world, &others);
+  scene::SourceFiles sources;
+  Result<scene::SceneDesc> scene = read_scene(options.world, &others, &sources);
   if (!scene) return code = fail_in_file(scene.error(), others), nullptr;
+  if (const Result<void> kept = keep_files(options.output, names_of(sources)); !kept)
+    return code = fail_in_file(kept.error()), nullptr;
   auto run = std::make_unique<DrawnRun>(std::move(*scene), options.running, shown(options.show));
   others.clear();
   if (const Result<void> begun = run->begin(&others); !begun)

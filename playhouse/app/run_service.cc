@@ -4,10 +4,24 @@
 
 #include "playhouse/app/device_service.h"
 #include "playhouse/app/fail.h"
+#include "playhouse/app/kept_files.h"
 #include "playhouse/base/log.h"
 #include "playhouse/base/log_output.h"
 
 namespace playhouse::app {
+namespace {
+
+Result<void> keep_what_was_read(const Service& service, const Running& running,
+                                const std::vector<SaveAt>& saves) {
+  std::vector<std::string> outputs{running.record, running.save_world};
+  for (const SaveAt& save : saves) outputs.push_back(save.file);
+  const std::vector<std::string> read = service.files_read();
+  for (const std::string& output : outputs)
+    if (const Result<void> kept = keep_files(output, read); !kept) return kept;
+  return {};
+}
+
+}  // namespace
 
 int run_service(Service& service, const std::function<Result<void>()>& read, const Running& running,
                 const std::function<void(const std::vector<std::uint16_t>& ports)>& opened,
@@ -21,6 +35,8 @@ int run_service(Service& service, const std::function<Result<void>()>& read, con
   if (const Result<void> step = service.open_ports(); !step) return fail(step.error());
   if (const Result<void> step = service.make_devices(); !step)
     return fail_in_file(step.error(), service.other_errors());
+  if (const Result<void> kept = keep_what_was_read(service, running, saves); !kept)
+    return fail_in_file(kept.error());
   if (!running.save_world.empty())
     if (const Result<void> step = service.let_clients_save(running.save_world); !step)
       return fail_at(step.error());

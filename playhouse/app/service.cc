@@ -17,6 +17,7 @@
 #include "playhouse/app/device_service.h"
 #include "playhouse/app/fail.h"
 #include "playhouse/app/interrupt.h"
+#include "playhouse/app/kept_files.h"
 #include "playhouse/app/whole_file.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/log_at.h"
@@ -86,6 +87,7 @@ Result<void> Service::read_saved(const std::string& path) {
   Result<world::SavedRun> run = world::decode_saved_run(std::as_bytes(std::span(*bytes)));
   if (!run) return Error{escaped(path), run.error().text};
   saved_ = std::move(*run);
+  files_read_.push_back(path);
   sources_ = saved_->sources;
   running_.engine = saved_->engine;
   running_.seed = saved_->seed;
@@ -96,6 +98,14 @@ Result<void> Service::read_saved(const std::string& path) {
   scene_ = std::move(*scene);
   controllers::describe_for(scene_);
   return {};
+}
+
+std::vector<std::string> Service::files_read() const {
+  std::vector<std::string> files = names_of(sources_);
+  files.insert(files.end(), files_read_.begin(), files_read_.end());
+  files.insert(files.end(), running_.allowed_libraries.begin(), running_.allowed_libraries.end());
+  if (!serving_.guests.empty()) files.push_back(serving_.guests);
+  return files;
 }
 
 Result<void> Service::save(const world::World& world, const std::string& file) const {
@@ -160,6 +170,7 @@ Result<void> Service::read_cfg(const std::string& path) {
   Result<scene::CfgFile> file = scene::load_cfg(path, serving_.port, &other_errors_);
   if (!file) return file.error();
   cfg_ = std::move(*file);
+  files_read_.insert(files_read_.end(), cfg_->files.begin(), cfg_->files.end());
   for (const std::string& warning : cfg_->warnings) warn_(warning);
   return {};
 }

@@ -75,6 +75,8 @@ class Service final : private ServerSurroundings {
   const scene::CfgFile* file_without_world() const;
   /// A saved run: its world goes on where it was saved, with its seed.
   Result<void> read_saved(const std::string& path);
+  /// All files that were read so far, which none may write over.
+  std::vector<std::string> files_read() const;
   /// Lets clients save the world into a file; before run(). Fails where nobody can write it.
   Result<void> let_clients_save(const std::string& file);
   /// A recorded run is shown in place of one that is made: no devices, and a page that changes nothing. The
@@ -143,7 +145,8 @@ class Service final : private ServerSurroundings {
 
   // In order of construction; what is below uses what is above.
   std::optional<scene::CfgFile> cfg_;
-  scene::SourceFiles sources_;  // of scene_
+  scene::SourceFiles sources_;           // of scene_
+  std::vector<std::string> files_read_;  // besides those
   std::optional<world::SavedRun> saved_;
   OpenedRecording* recording_ = nullptr;
   std::vector<SaveAt> saves_;  // not done yet

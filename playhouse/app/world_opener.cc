@@ -25,8 +25,9 @@ std::filesystem::path program_folder() {
 
 }  // namespace
 
-Result<scene::SceneDesc> read_scene(const std::string& path, std::vector<Error>* others) {
-  Result<scene::SceneDesc> scene = scene::load_world(path, scene::NamedBy::kPerson, others);
+Result<scene::SceneDesc> read_scene(const std::string& path, std::vector<Error>* others,
+                                    scene::SourceFiles* sources) {
+  Result<scene::SceneDesc> scene = scene::load_world(path, scene::NamedBy::kPerson, others, sources);
   if (!scene) return scene;
   for (const std::string& warning : scene->warnings) warn(warning);
   controllers::describe_for(*scene);

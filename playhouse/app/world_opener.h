@@ -15,6 +15,7 @@
 #include "playhouse/controllers/attach.h"
 #include "playhouse/drivers/simulated/simulation.h"
 #include "playhouse/scene/scene_desc.h"
+#include "playhouse/scene/source_text.h"
 #include "playhouse/world/engine.h"
 
 namespace playhouse::app {
@@ -30,8 +31,9 @@ using EngineMaker = std::function<Result<std::unique_ptr<world::Engine>>(
 Result<EngineMaker> engine_named(std::string_view name);
 
 /// A world file as a person names it, with what its controllers make during a run; its warnings are told.
-/// Fails as scene::load_world().
-Result<scene::SceneDesc> read_scene(const std::string& path, std::vector<Error>* others);
+/// Fails as scene::load_world(). `sources`, if given, gets the files.
+Result<scene::SceneDesc> read_scene(const std::string& path, std::vector<Error>* others,
+                                    scene::SourceFiles* sources = nullptr);
 
 /// An engine for the scene, with the controllers that its models name: what `make` makes, or else the one
 /// that `running` names. The scene must outlive it. `others`, if given, gets the errors after the first.

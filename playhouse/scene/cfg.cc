@@ -199,7 +199,8 @@ class CfgLoader {
 };
 
 Result<CfgFile> CfgLoader::load() {
-  cfg_.path = document_.sources.file_names().front();
+  cfg_.files = document_.sources.file_names();
+  cfg_.path = cfg_.files.front();
   file_->folder = folder_of(cfg_.path);
   read_file();
   if (error_) return warnings_.with_slip(*error_);

@@ -75,6 +75,7 @@ class CfgSection {
 
 struct CfgFile {
   std::string path;
+  std::vector<std::string> files;     // all files read
   std::vector<CfgSection> drivers;    // in file order
   std::vector<std::string> warnings;  // "file:line: text", of the file itself
 };

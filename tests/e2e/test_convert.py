@@ -50,6 +50,21 @@ class Convert(HouseTest):
         self.assertIn("is what is read", done.stderr)
         self.assertEqual(old.read_text(), OLD)
 
+    def test_what_a_world_is_made_of_is_not_written_over(self):
+        files = {"plan.pgm": "P2 2 2 255 0 255 0 0", "walls.inc": 'define walls model( bitmap "plan.pgm" size [2 2 1] )',
+                 "plan.world": 'include "walls.inc"\nwalls( )\n'}
+        for name, content in files.items():
+            self.write(name, content)
+        (self.folder / "linked.world").symlink_to("walls.inc")
+        for output in ("plan.yaml", "walls.inc", "./linked.world", "plan.pgm"):
+            done = finish("convert", self.folder / "plan.world", "-o", self.folder / output)
+            self.assertEqual(done.returncode, 2, output)
+            self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+            self.assertRegex(done.stderr, "error: is (what is read|an image)")
+            for name, content in files.items():
+                self.assertEqual((self.folder / name).read_text(), content)
+        self.assertFalse((self.folder / "plan.yaml").exists())
+
     def test_a_world_is_not_written_as_an_image(self):
         made = self.folder / "w.png"
         done = finish("convert", self.write("w.world", "model( )"), "-o", made)

@@ -119,6 +119,40 @@ class SaveWorld(HouseTest):
                 self.assertEqual(done.returncode, 0, done.stderr)
             self.assertEqual(files[0].read_text(), files[1].read_text())
 
+    def test_no_file_that_is_read_is_written_over(self):
+        self.write("plan.pbm", "P1 2 2 1001")
+        self.write("walls.inc", 'model( bitmap "plan.pbm" size [4 4 1] )')
+        world = self.world('include "walls.inc"\nposition( name "r0" )')
+        cfg = self.write("test.cfg", CFG)
+        state = self.folder / "a.run"
+        always = ["--port", "0", "--headless", "--fast", "--duration", "1"]
+        finish("run", world, *always, "--save-at", 0, state)
+        (self.folder / "linked").symlink_to("test.world")
+        before = {file: file.read_bytes() for file in self.folder.iterdir()}
+        for command, said, output in (
+                ("run", world, ("--record", world)), ("run", world, ("--save-at", 0, world)),
+                ("run", world, ("--save-world", self.folder / "." / "walls.inc")),
+                ("run", world, ("--save-at", 0.5, self.folder / "plan.pbm")),
+                ("run", world, ("--save-at", 0.5, self.folder / "linked")),
+                ("serve", cfg, ("--record", cfg)), ("serve", cfg, ("--record", world)),
+                ("run", "--from", (state, "--record", state)), ("run", "--from", (state, "--save-at", 0, state)),
+                ("run", "--from", (state, "--save-at", 0, world))):
+            done = finish(command, said, *output, *always)
+            self.assertEqual(done.returncode, 2, (output, done.stderr))
+            self.assertEqual(done.stderr, f"{output[-1]}: error: is what is read: give another name\n")
+            for file, content in before.items():
+                self.assertEqual(file.read_bytes(), content, file)
+
+    def test_no_picture_is_written_over_a_bitmap_of_the_world(self):
+        plan = self.write("plan.pbm", "P1 2 2 1001")
+        (self.folder / "linked.png").symlink_to("plan.pbm")
+        world = self.world('model( bitmap "plan.pbm" size [4 4 1] )')
+        for command in ("picture", "film"):
+            done = finish(command, world, "--renderer", "playhouse", "-o", self.folder / "linked.png")
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn("is what is read", done.stderr)
+        self.assertEqual(plan.read_text(), "P1 2 2 1001")
+
     def test_a_file_that_cannot_be_written_is_one_line_and_leaves_the_old_one(self):
         nowhere = self.folder / "none" / "x.world"
         arguments = ["--port", "0", "--headless", "--fast", "--duration", "1"]
