@@ -1,7 +1,7 @@
 #pragma once
 
 /// SmallWorld: a world built in memory for the tests here and of the web server: a wall, robots with a laser
-/// of 5 beams, two sonars and a fiducial finder each, a puck, and grippers that nothing carries.
+/// of 5 beams, two sonars and a fiducial finder each, a puck, grippers that nothing carries, and people.
 
 #include <string>
 
@@ -16,8 +16,8 @@ namespace playhouse::replicate {
 
 class SmallWorld {
  public:
-  explicit SmallWorld(int robots, int grippers = 0)
-      : scene_(make_scene(robots, grippers)), prototypes(scene_), world(scene_, 1) {}
+  explicit SmallWorld(int robots, int grippers = 0, int people = 0)
+      : scene_(make_scene(robots, grippers, people)), prototypes(scene_), world(scene_, 1) {}
   SmallWorld(const SmallWorld&) = delete;
   SmallWorld& operator=(const SmallWorld&) = delete;
 
@@ -45,7 +45,7 @@ class SmallWorld {
   }
 
  private:
-  static scene::SceneDesc make_scene(int robots, int grippers) {
+  static scene::SceneDesc make_scene(int robots, int grippers, int people) {
     scene::SceneDesc scene;
     scene.name = "small";
     scene.window.show_data = true;
@@ -61,6 +61,7 @@ class SmallWorld {
     puck.gui_nose = true;
     scene.models.push_back(puck);
     for (int k = 0; k < grippers; ++k) add_gripper(scene, k);
+    for (int k = 0; k < people; ++k) add_person(scene, k);
     return scene;
   }
 
@@ -80,6 +81,16 @@ class SmallWorld {
     gripper.gripper.emplace();
     scene::make_body(gripper.size, gripper);
     scene.models.push_back(gripper);
+  }
+
+  static void add_person(scene::SceneDesc& scene, int k) {
+    scene::ModelDesc person = model("p" + std::to_string(k), "position", scene::ModelKind::kPosition, -1);
+    person.size = {0.3, 0.5, 1.75};
+    person.gui_move = true;
+    person.position.emplace();
+    person.position->drive = scene::Drive::kWalk;
+    scene::make_body(person.size, person);
+    scene.models.push_back(person);
   }
 
   static void add_robot(scene::SceneDesc& scene, int k) {

@@ -147,6 +147,14 @@ class WebServer::Impl final : public net::HttpService,
   }
 
  private:
+  /// The model that a viewer has joined the world as.
+  struct Body {
+    std::optional<world::ModelId> model;  // none: it has not come yet
+    std::uint32_t desc = 0;               // what it was made from
+    std::string walk;                     // how it walks, for its viewer
+    bool is_left = false;                 // the viewer has gone, or has another one
+  };
+
   /// One turn: the newest snapshot for every viewer, and its next commands.
   void serve() {
     for (const auto& viewer : viewers_) viewer->new_turn();
@@ -311,8 +319,15 @@ class WebServer::Impl final : public net::HttpService,
   }
 
   bool is_body(world::ModelId model, const WebViewer& of) const {
-    const auto own = bodies_.find(&of);
-    return own != bodies_.end() && own->second->model == model;
+    const auto own = bodies_.find(of.number());
+    return own != bodies_.end() && own->second->model == model && is_still(*own->second);
+  }
+
+  /// The body's id names nobody else, as far as viewers know: what a controller makes within a tick may have
+  /// it once the run began again.
+  bool is_still(const Body& body) const {
+    const std::optional<std::uint32_t> row = body.model ? newest_->row(*body.model) : std::nullopt;
+    return !row || (newest_->root[*row] == *row && newest_->prototype[*row] == prototypes_.of(body.desc));
   }
 
   WebViewer* viewer(std::uint32_t number) const {
@@ -348,7 +363,7 @@ class WebServer::Impl final : public net::HttpService,
   void tell_people() {
     boost::json::array people;
     for (const auto& viewer : viewers_) {
-      const auto own = bodies_.find(viewer.get());
+      const auto own = bodies_.find(viewer->number());
       const bool has_body = own != bodies_.end() && own->second->model;
       boost::json::object person{{"viewer", viewer->number()}, {"role", name_of(viewer->guest().role)}};
       if (!viewer->guest().name.empty()) person["name"] = viewer->guest().name;
@@ -507,7 +522,8 @@ class WebServer::Impl final : public net::HttpService,
       return Error{"",
                    "nobody can join this world: it has no position with drive \"walk\" (worlds/person.inc)"};
     leave_body(from);
-    const auto body = bodies_[&from] = std::make_shared<Body>();
+    const auto body = bodies_[from.number()] = std::make_shared<Body>();
+    body->desc = person->desc;
     body->walk = walk_text(*scene_.models[person->desc].position);
     const std::string& known = from.guest().name;
     return post_change([join, wanted = known.empty() ? join.name : known, body, desc = person->desc,
@@ -521,13 +537,6 @@ class WebServer::Impl final : public net::HttpService,
       });
     });
   }
-
-  /// The model that a viewer has joined the world as.
-  struct Body {
-    std::optional<world::ModelId> model;  // none: it has not come yet
-    std::string walk;                     // how it walks, for its viewer
-    bool is_left = false;                 // the viewer has gone, or has another one
-  };
 
   static bool walks(const scene::ModelDesc& model) {
     return model.position && model.position->drive == scene::Drive::kWalk;
@@ -546,14 +555,14 @@ class WebServer::Impl final : public net::HttpService,
     body.model = model;
     if (body.is_left) return remove_body(body);
     for (const auto& viewer : viewers_) {
-      const auto own = bodies_.find(viewer.get());
+      const auto own = bodies_.find(viewer->number());
       if (own != bodies_.end() && own->second.get() == &body) viewer->joined(model, body.walk);
     }
     tell_people();
   }
 
   void leave_body(const WebViewer& viewer) {
-    const auto own = bodies_.find(&viewer);
+    const auto own = bodies_.find(viewer.number());
     if (own == bodies_.end()) return;
     own->second->is_left = true;
     remove_body(*own->second);
@@ -562,17 +571,18 @@ class WebServer::Impl final : public net::HttpService,
 
   void remove_body(const Body& body) {
     if (!body.model) return;
-    const Result<void> posted = post_change([model = *body.model](world::World& world) {
-      if (!world.row(model)) return;
+    const Result<void> posted = post_change([model = *body.model, desc = body.desc](world::World& world) {
+      const world::ModelRow row = world.row(model);
+      if (!row || world.models.desc[row.index] != desc) return;  // it has gone already
       const Result<void> gone = world::despawn(world, model);
-      PLAYHOUSE_ASSERT(gone.ok());
+      if (!gone) log::warn("web: the body of somebody who left stays: {}", gone.error().text);
     });
     if (!posted) log::warn("web: the body of somebody who left stays: {}", posted.error().text);
   }
 
   Result<void> say(const replicate::Say& say, const WebViewer& from) {
-    const auto own = bodies_.find(&from);
-    if (own == bodies_.end() || !own->second->model)
+    const auto own = bodies_.find(from.number());
+    if (own == bodies_.end() || !own->second->model || !is_still(*own->second))
       return Error{"", "only who has joined can say something"};
     return post_change([say, model = *own->second->model](world::World& world) {
       if (const world::ModelRow row = world.row(model)) world::set_say(world, row, say.text);
@@ -763,7 +773,7 @@ class WebServer::Impl final : public net::HttpService,
   std::set<world::ModelId> selected_;                                // robots
   std::map<world::ModelId, std::shared_ptr<Measuring>> subscribed_;  // robots that the world was asked for
   std::unique_ptr<net::Timer> offer_timer_, subscription_timer_;
-  std::map<const WebViewer*, std::shared_ptr<Body>> bodies_;  // of those who join
+  std::map<std::uint32_t, std::shared_ptr<Body>> bodies_;  // of those who join, by the viewer's number
   DrivenRobots driven_;
   replicate::Snapshot front_;
   std::shared_ptr<const replicate::Layout> scene_layout_;  // of scene_text_

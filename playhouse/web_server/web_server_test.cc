@@ -132,8 +132,10 @@ class WebServerTest : public testing::Test {
   explicit WebServerTest(std::span<const PageFile> page = kPage, const std::string& bind = "127.0.0.1",
                          std::vector<std::string> further_names = {},
                          std::chrono::milliseconds viewer_quiet = std::chrono::hours(1),
-                         std::vector<Guest> guests = {}, std::size_t viewers = limits::kViewers)
-      : server_(loop_,
+                         std::vector<Guest> guests = {}, std::size_t viewers = limits::kViewers,
+                         int people = 0)
+      : small_(3, 0, people),
+        server_(loop_,
                 {.bind = bind,
                  .port = 0,
                  .page = page,
@@ -194,7 +196,7 @@ class WebServerTest : public testing::Test {
     return done();
   }
 
-  SmallWorld small_{3};
+  SmallWorld small_;
   Notes notes_;
   net::IoLoop loop_;
   WebServer server_;
@@ -771,13 +773,13 @@ TEST_F(WebServerTest, a_message_over_the_limit_ends_the_connection) {
 
 class GuestsTest : public WebServerTest {
  protected:
-  GuestsTest()
+  explicit GuestsTest(int people = 0)
       : WebServerTest(kPage, "127.0.0.1", {}, std::chrono::hours(1),
                       {{Role::kAdmin, "the-admin", "Ada"},
                        {Role::kDriver, "a-driver-", ""},
                        {Role::kHuman, "somebody-", "Bob"},
                        {Role::kObserver, "*", ""}},
-                      4) {}
+                      4, people) {}
   /// The line that a page hears after a command.
   std::string answer(WebClient& viewer, const std::string& command) {
     viewer.send_text(command);
@@ -861,6 +863,58 @@ TEST_F(GuestsTest, an_admin_does_not_shut_out_the_own_address) {
   EXPECT_THAT(again.message(), HasSubstr("\"name\":\"small\""));
   ASSERT_TRUE(other.upgrade());
   EXPECT_THAT(other.message(), HasSubstr("open the page by the link that you were given"));
+}
+
+/// Somebody joins, and then the run begins again: their body has gone, and its id is another's.
+class BodiesTest : public GuestsTest {
+ protected:
+  BodiesTest() : GuestsTest(1) {}
+  void join(WebClient& guest) {
+    filler_ = *world::spawn(small_.world, SmallWorld::robot(0), {7, 7, 0, 0});
+    ASSERT_TRUE(guest.upgrade_with("somebody-"));
+    guest.send_text(R"({"do":"join","name":"Bob","x":9,"y":9,"a":0})");
+    ASSERT_TRUE(hears(guest, R"("body":)"));
+    body_ = small_.world.id(small_.world.find("Bob"));
+  }
+  /// A robot comes, of which the part of this number has the id that the body had.
+  void replace_body(std::uint32_t part) {
+    ASSERT_TRUE(world::despawn(small_.world, body_));
+    ASSERT_TRUE(world::despawn(small_.world, filler_));
+    world::Population(small_.world).next_id() = body_.value - part;
+    robot_ = *world::spawn(small_.world, SmallWorld::robot(0), {5, 5, 0, 0});
+    ASSERT_TRUE(small_.world.row(body_));
+  }
+
+  world::ModelId filler_, body_, robot_;
+};
+
+TEST_F(BodiesTest, who_leaves_takes_no_part_of_a_robot_along) {
+  {
+    WebClient guest(port_);
+    join(guest);
+    ASSERT_FALSE(HasFatalFailure());
+    replace_body(1);
+  }
+  EXPECT_TRUE(turn_until([this] { return server_.status().viewers == 0 && notes_.posted() == 0; }));
+  turn();
+  EXPECT_TRUE(small_.world.row(robot_));
+}
+
+TEST_F(BodiesTest, are_not_mistaken_for_a_robot_that_has_their_id) {
+  WebClient guest(port_);
+  join(guest);
+  ASSERT_FALSE(HasFatalFailure());
+  const std::string of_body = R"(,"model":)" + std::to_string(body_.value);
+  guest.send_text(R"({"do":"drive")" + of_body + R"(,"forward":1,"sideways":0,"turn":0})");
+  ASSERT_TRUE(turn_until([&] {
+    const world::PositionRow row = small_.world.position(body_);
+    return small_.world.positions.command[row.index].x == 1;
+  }));
+  replace_body(0);
+  EXPECT_THAT(next_text(guest, turning()), HasSubstr("gone"));
+  for (const char* command : {R"({"do":"drive","forward":1,"sideways":0,"turn":0)", R"({"do":"remove")"})
+    EXPECT_THAT(answer(guest, command + of_body + "}"), HasSubstr("may not do that")) << command;
+  EXPECT_THAT(answer(guest, R"({"do":"say","text":"hi"})"), HasSubstr("only who has joined"));
 }
 
 TEST_F(GuestsTest, a_wrong_token_opens_nothing_and_the_limit_holds) {

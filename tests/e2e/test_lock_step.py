@@ -8,7 +8,8 @@ import threading
 import time
 import unittest
 
-from house import (ACK, CMD, DATA, LASER, NACK, POSITION2D, ROOT, SIMULATION, Client, HouseTest, text)
+from house import (ACK, CMD, DATA, LASER, NACK, POSITION2D, ROOT, SIMULATION, Client, House, HouseTest, text)
+from viewer import Viewer
 
 sys.path.insert(0, str(ROOT / "clients/python"))
 from playhouse_client import Mode, PlayerError, RequestRefused, RequestTimeout, RunEnded, connect  # noqa: E402
@@ -170,6 +171,43 @@ class LockStep(HouseTest):
                         runs[again] = seen
                     self.assertEqual(seen, runs[again])
         self.assertNotEqual(runs[1], runs[5])
+
+    def test_who_comes_after_a_new_start_is_taken_for_nobody_who_was_there_before(self):
+        """A person at the page, and devices of robots, had ids in the run before."""
+        person = (ROOT / "worlds" / "person.inc").read_text()
+        world = self.world(person + ARENA + 'person( name "visitor" pose [0 3 0 90] )\n')
+        with House("run", world, "--port", 0, "--web", 0, "--lock-step") as house:
+            client = Client(house.port())
+            client.open(SIMULATION, 0)
+            with Viewer(int(house.wait_for_line(r"http://127\.0\.0\.1:(\d+)/").group(1))) as viewer:
+                def tick():
+                    self.assertEqual(ask_world(client, "step").type, ACK)
+                    viewer.turn()
+
+                def robot_comes():
+                    place = struct.pack("<ddd", -2.0, 0.0, 0.0)
+                    self.assertEqual(ask_world(client, "spawn", place, "r0").type, ACK)
+                    tick()
+
+                tick()
+                robot_comes()
+                viewer.send(do="join", name="Ada", x=2.0, y=-4.0, a=0.0)
+                while len(viewer.came) < 2:
+                    tick()
+                self.assertEqual(ask_world(client, "reset", struct.pack("<Q", 5)).type, ACK)
+                tick()
+                robot_comes()
+                robot_comes()
+                for _ in range(20):
+                    tick()
+                self.assertEqual(len(set(viewer.came)), 4)
+                devices = client.devices()
+                viewer.send(do="rewind", tick=1)
+                while len(client.devices()) == len(devices):
+                    tick()
+            for _ in range(10):
+                self.assertEqual(ask_world(client, "step").type, ACK)
+            self.assertIsNone(house.process.poll())
 
     def test_robots_come_and_go_by_one_call(self):
         with self.run_house("--lock-step", world=self.world(ARENA)) as house, \

@@ -102,8 +102,13 @@ void AutoDevices::make(const world::World& world, std::span<const MappedDevice> 
 }
 
 void AutoDevices::remember(const world::World& world, std::span<const MappedDevice> devices) {
-  for (const MappedDevice& mapped : devices)
-    if (mapped.model) given_[world.id(mapped.model)].devices.push_back(mapped);
+  for (const MappedDevice& mapped : devices) {
+    if (!mapped.model) continue;
+    Given& given = given_[world.id(mapped.model)];
+    // Another model had this id in a run that was taken back or began again, and comes back no more.
+    if (given.gone) given = {};
+    given.devices.push_back(mapped);
+  }
 }
 
 /// Now and then, so that a model costs the same however many there were. A run can be taken back to instants

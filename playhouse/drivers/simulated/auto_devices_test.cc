@@ -230,6 +230,28 @@ TEST_F(AutoDevicesTest, that_close_late_take_no_use_from_a_robot_that_came_back)
   EXPECT_EQ(world.models.subscribers[world.row(robot).index], 1u);
 }
 
+TEST_F(AutoDevicesTest, are_those_of_the_newest_that_has_an_id_which_a_tick_gave_again) {
+  const auto comes_in_a_tick = [&] {
+    const ModelId id = *world::spawn(simulation().engine().world(), kA, {});
+    site.run(1);
+    return id;
+  };
+  simulation().record(true);
+  site.run(1);
+  const std::uint64_t instant = simulation().past()->ticks.front();
+  const ModelId first = comes_in_a_tick();
+  testing::go_back(simulation(), instant);
+  site.hear();
+  ASSERT_EQ(comes_in_a_tick(), first);
+  EXPECT_EQ(names(first).front(), "position2d:5");
+  site.run(10);
+  const std::uint64_t later = simulation().past()->ticks.back();
+  go(first);
+  testing::go_back(simulation(), later);
+  site.hear();
+  EXPECT_THAT(names(first), ElementsAre("position2d:5", "position3d:5", "speech:5", "speech_recognition:5"));
+}
+
 /// Robots whose numbers are used up: an interface has few indices.
 class ManyRobots : public ::testing::Test {
  protected:

@@ -189,16 +189,40 @@ TEST(Simulation, starts_again_with_the_models_and_ids_of_the_start_and_another_s
                         {.speed = 0, .lock_step = LockStep::Options{}});
   world::World& world = simulation.engine().world();
   const std::uint64_t hash = world.hash(), seed = world.seed();
-  const world::ModelId first = *world::spawn(world, 0, {1, 2, 0, 0});
+  ASSERT_TRUE(world::spawn(world, 0, {1, 2, 0, 0}));
   simulation.engine().step();
   ASSERT_TRUE(simulation.start_again(seed).ok());
   EXPECT_EQ(world.tick(), 0u);
   EXPECT_EQ(world.hash(), hash);
-  EXPECT_EQ(*world::spawn(world, 0, {1, 2, 0, 0}), first);
   ASSERT_TRUE(simulation.start_again(7).ok());
   EXPECT_EQ(world.seed(), 7u);
   EXPECT_EQ(world.models.size(), 1u);
   EXPECT_EQ(world.hash(), world::World(scene, 7).hash());
+}
+
+TEST(Simulation, gives_no_id_a_second_time_after_it_started_again) {
+  const scene::SceneDesc scene = testing::scene_of(kRobot);
+  Simulation simulation(std::make_unique<testing::StillEngine>(scene),
+                        {.speed = 0, .duration = 0, .lock_step = LockStep::Options{}});
+  const auto come = [&] {
+    world::ModelId id;
+    simulation.post([&](world::World& world) { id = *world::spawn(world, 0, {1, 2, 0, 0}); });
+    simulation.run();
+    return id;
+  };
+  const auto start_again = [&] {
+    simulation.post_to_all([&](world::World&) { EXPECT_TRUE(simulation.start_again(7)); });
+    simulation.post([](world::World&) {});
+    simulation.run();
+    EXPECT_EQ(simulation.world().hash(), world::World(scene, 7).hash()) << "nobody came yet";
+  };
+  std::vector<world::ModelId> came;
+  for (int run = 0; run < 3; ++run) {
+    came.push_back(come());
+    start_again();
+  }
+  EXPECT_LT(came[0], came[1]);
+  EXPECT_LT(came[1], came[2]);
 }
 
 TEST(Simulation, without_lock_step_keeps_no_start) {

@@ -227,8 +227,8 @@ void Simulation::take_inbox() {
   show();
 }
 
-/// Who comes after the run was taken back is nobody who came before: ids go on from where they were. The
-/// count itself is part of the state, so it stays as it is until somebody comes.
+/// Who comes after the run was taken back, or began again, is nobody who came before: ids go on from where
+/// they were. The count itself is part of the state, so it stays as it is until somebody comes.
 void Simulation::carry_out(const Change& change) {
   world::World& world = engine_->world();
   std::uint32_t& next_id = world::Population(world).next_id();
@@ -238,6 +238,19 @@ void Simulation::carry_out(const Change& change) {
   if (next_id == raised) next_id = before;
 }
 
+/// Before another state of the run is loaded.
+void Simulation::keep_ids() {
+  ids_given_ = std::max(ids_given_, world::Population::next_id(engine_->world()));
+}
+
+/// Whoever used a model that was there before and has gone, or came back, does so no more: within a tick, ids
+/// are given as in a run that was never taken back.
+void Simulation::end_lives_of_others(const std::vector<world::ModelId>& before) {
+  std::vector<world::ModelId> others;
+  std::ranges::set_symmetric_difference(before, engine_->world().models.id, std::back_inserter(others));
+  for (const world::ModelId model : others) ++lives_[model];
+}
+
 void Simulation::go_back(std::uint64_t tick) {
   world::World& world = engine_->world();
   if (history_.empty()) return;
@@ -245,10 +258,9 @@ void Simulation::go_back(std::uint64_t tick) {
   history_.take(world);  // so that there is a way back
   if (witness_) witness_->before_changes(world);
   const std::vector<world::ModelId> before = world.models.id;
-  ids_given_ = std::max(ids_given_, world::Population::next_id(world));
+  keep_ids();
   load(tick);
-  for (const world::ModelId model : world.models.id)
-    if (!std::ranges::binary_search(before, model)) ++lives_[model];
+  end_lives_of_others(before);
   time_.store(world.time(), std::memory_order_relaxed);
   pacer_.start(clock_(), now_.speed, now_.paused);
   show_past();
@@ -300,13 +312,10 @@ Result<void> Simulation::start_again(std::uint64_t seed) {
   if (start_.empty())
     return Error{{}, why_no_start_.empty() ? "only a run with --lock-step keeps its start" : why_no_start_};
   world::World& world = engine_->world();
+  keep_ids();
   const std::vector<world::ModelId> before = world.models.id;
   if (const Result<void> loaded = world::load_state(world, start_, seed); !loaded) return loaded;
-  // Ids of models that came and went are given again: whoever used those does so no more.
-  std::vector<world::ModelId> changed;
-  std::ranges::set_symmetric_difference(before, world.models.id, std::back_inserter(changed));
-  for (const world::ModelId model : changed) ++lives_[model];
-  ids_given_ = 0;
+  end_lives_of_others(before);
   history_.clear();
   time_.store(world.time(), std::memory_order_relaxed);
   pacer_.start(clock_(), now_.speed, now_.paused);

@@ -112,9 +112,9 @@ class Simulation final : public world::Control {
   const Saver& saver() const { return saver_; }
 
   // Tick thread only (inside a Change), or while run() is not running.
-  /// The world becomes what it was when this was made, with another seed, as in a new run: models and ids
-  /// are those of then. Fails where no such state is kept: without lock-step, and with a controller that
-  /// cannot say what it remembers.
+  /// The world becomes what it was when this was made, with another seed, as in a new run: its models are
+  /// those of then, and have their ids. Who comes later has an id that nobody had before. Fails where no such
+  /// state is kept: without lock-step, and with a controller that cannot say what it remembers.
   Result<void> start_again(std::uint64_t seed);
   void add_source(std::shared_ptr<Source> source) { sources_.add(std::move(source)); }
   void remove_source(const Source& source) { sources_.remove(source); }
@@ -142,6 +142,8 @@ class Simulation final : public world::Control {
   void take_wanted();
   void take_inbox();
   void carry_out(const Change& change);
+  void keep_ids();
+  void end_lives_of_others(const std::vector<world::ModelId>& before);
   void go_back(std::uint64_t tick);
   void load(std::uint64_t tick);
   void show_past();
@@ -184,7 +186,7 @@ class Simulation final : public world::Control {
   Pacer pacer_;
   History history_;
   std::map<world::ModelId, std::uint64_t> lives_;  // of models that came back
-  std::uint32_t ids_given_ = 0;   // before the run was taken back: none of them is given to another model
+  std::uint32_t ids_given_ = 0;   // before another state was loaded: none of them is given to another model
   std::vector<std::byte> start_;  // the state at the start, where it is kept
   std::string why_no_start_;      // else
   std::vector<Change> taken_;
