@@ -1,11 +1,15 @@
 #include "playhouse/drivers/simulated/simulation.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <iterator>
+#include <type_traits>
 #include <utility>
 
+#include "playhouse/base/limits.h"
 #include "playhouse/base/log.h"
 #include "playhouse/drivers/simulated/position2d.h"
 #include "playhouse/wire/generated/position2d.h"
@@ -28,9 +32,6 @@ Clock::time_point wall_time(double seconds) {
 
 /// While paused, the world is shown again this often. [s]
 constexpr double kPausedShow = 0.1;
-
-/// Single steps that may wait; those asked for beyond are not taken.
-constexpr std::uint64_t kSteps = 1000;
 
 /// A clock cannot wait for ever: at a tiny speed the next tick is due after the end of its numbers. [s]
 constexpr double kLongestWait = 3600;
@@ -122,7 +123,7 @@ void Simulation::tick() {
   std::vector<LockStep::Done> done;
   if (lock_step_) done = lock_step_->ticked();
   const bool last_step = now_.steps == 1;
-  if (now_.steps > 0) --now_.steps;
+  if (now_.steps > 0) count_step();
   pacer_.ticked(clock_());
   factor_.store(pacer_.real_time_factor(), std::memory_order_relaxed);
 
@@ -137,6 +138,13 @@ void Simulation::tick() {
   if (!done.empty() || last_step) finish_publishing();
   for (const LockStep::Done& each : done) each({});
   if (last_step) answer_steps();
+}
+
+/// Of wanted_ as well, which has these and those that were asked for since.
+void Simulation::count_step() {
+  --now_.steps;
+  const std::lock_guard lock(mutex_);
+  --wanted_.steps;
 }
 
 void Simulation::answer_steps() {
@@ -195,10 +203,8 @@ void Simulation::finish_publishing() {
 void Simulation::take_wanted() {
   {
     const std::lock_guard lock(mutex_);
-    const std::uint64_t steps = now_.steps + std::exchange(wanted_.steps, 0);
+    if (!wanted_.paused) wanted_.steps = 0;  // a world that runs takes them without being asked
     now_ = wanted_;
-    now_.steps =
-        now_.paused ? std::min(steps, kSteps) : 0;  // a world that runs takes them without being asked
     wanted_.pace_changed = false;
     wanted_.instant.reset();
   }
@@ -297,15 +303,21 @@ void Simulation::wake() {
   changed_.notify_one();
 }
 
+/// False: the edit, which says so, has changed nothing.
 template <typename Edit>
-void Simulation::want(Edit edit) {
+bool Simulation::want(Edit edit) {
   {
     const std::lock_guard lock(mutex_);
-    edit(wanted_);
+    if constexpr (std::is_void_v<std::invoke_result_t<Edit, Wanted&>>) {
+      edit(wanted_);
+    } else if (!edit(wanted_)) {
+      return false;
+    }
     wanted_.pace_changed = true;
     woken_.store(true);
   }
   changed_.notify_one();
+  return true;
 }
 
 Result<void> Simulation::start_again(std::uint64_t seed) {
@@ -349,15 +361,14 @@ void Simulation::resume() {
 }
 
 void Simulation::step(std::uint64_t ticks, LockStep::Done done) {
-  bool refused = false;
-  want([&](Wanted& wanted) {
+  const bool taken = want([&](Wanted& wanted) {
+    if (ticks > limits::kSingleSteps - wanted.steps) return false;
     wanted.paused = true;
-    refused = wanted.steps + ticks > kSteps;
-    if (refused) return;
     wanted.steps += ticks;
-    if (done) steppers_.push_back(done);
+    if (done) steppers_.push_back(std::move(done));
+    return true;
   });
-  if (refused && done) done("too many steps are waiting");
+  if (!taken && done) done(fmt::format("too many steps are waiting: {} at most", limits::kSingleSteps));
 }
 
 void Simulation::set_speed(double times_real_time) {

@@ -88,7 +88,8 @@ class Simulation final : public world::Control {
   void resume() override;
   void step_once() override { step(1, {}); }
   /// So many single steps; the world is paused then. `done`, if any, is called on the tick thread when their
-  /// data are published; with a reason, at once, where too many steps wait already.
+  /// data are published; with a reason, at once, where more than limits::kSingleSteps would wait: nothing
+  /// happens then.
   void step(std::uint64_t ticks, LockStep::Done done);
   void set_speed(double times_real_time) override;
   void drive(world::ModelId robot, const geom::Twist& velocity) override;
@@ -131,14 +132,14 @@ class Simulation final : public world::Control {
     bool paused = false;
     bool stop = false;
     bool pace_changed = true;
-    std::uint64_t steps = 0;  // single steps to do although paused
+    std::uint64_t steps = 0;  // single steps to do although paused; in wanted_, all that are not done
     bool recording = false;
     std::optional<std::uint64_t> instant;  // to go back to
   };
 
   void wake();
   template <typename Edit>
-  void want(Edit edit);
+  bool want(Edit edit);
   void take_wanted();
   void take_inbox();
   void carry_out(const Change& change);
@@ -155,6 +156,7 @@ class Simulation final : public world::Control {
   void follow_changes();
   void show();
   void finish_publishing();
+  void count_step();
   void answer_steps();
 
   std::unique_ptr<world::Engine> engine_;

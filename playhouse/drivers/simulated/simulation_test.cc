@@ -6,6 +6,7 @@
 #include <cmath>
 #include <thread>
 
+#include "playhouse/base/limits.h"
 #include "playhouse/drivers/simulated/position2d.h"
 #include "playhouse/drivers/testing/still_engine.h"
 #include "playhouse/wire/generated/position2d.h"
@@ -286,6 +287,66 @@ TEST(Simulation, single_steps_that_wait_are_forgotten_when_the_world_resumes) {
   simulation.stop();
   ticks.join();
   EXPECT_LE(simulation.world().tick(), 1u) << "the first is due at once";
+}
+
+/// A paused world whose ticks wait for the test.
+class SingleSteps : public ::testing::Test {
+ protected:
+  SingleSteps() {
+    simulation_.add_listener([this](const world::World& world, const world::Pace&) {
+      while (world.tick() > allowed_) std::this_thread::yield();
+    });
+    ticks_ = std::thread([this] { simulation_.run(); });
+  }
+  ~SingleSteps() override {
+    allowed_ = kAll;
+    simulation_.stop();
+    ticks_.join();
+  }
+  /// Of a client; once answered, by the tick or why not.
+  struct Asked {
+    std::atomic<std::uint64_t> done_at = kAll;
+    std::string why_not;
+  };
+  void step(std::uint64_t ticks, Asked& asked) {
+    simulation_.step(ticks, [this, &asked](const std::optional<std::string>& why_not) {
+      asked.why_not = why_not.value_or("");
+      asked.done_at = why_not ? 0 : simulation_.world().tick();
+    });
+  }
+  /// The first tick of what was asked for is done, the rest is not.
+  void wait_for_first_tick() {
+    while (simulation_.time() == 0) std::this_thread::yield();
+  }
+  static constexpr std::uint64_t kAll = 1u << 30;
+
+  const scene::SceneDesc scene_ = testing::scene_of(kRobot);
+  Simulation simulation_{std::make_unique<StillEngine>(scene_), {.speed = 1, .paused = true}};
+  std::atomic<std::uint64_t> allowed_ = 0;
+  std::thread ticks_;
+};
+
+TEST_F(SingleSteps, that_are_acknowledged_are_done) {
+  Asked first, second, third;
+  step(limits::kSingleSteps, first);
+  wait_for_first_tick();
+  step(limits::kSingleSteps, second);
+  EXPECT_EQ(second.done_at, 0u);
+  EXPECT_EQ(second.why_not, "too many steps are waiting: 1000 at most");
+  step(1, third);
+  allowed_ = kAll;
+  while (first.done_at == kAll || third.done_at == kAll) std::this_thread::yield();
+  EXPECT_EQ(third.done_at, limits::kSingleSteps + 1);
+  EXPECT_EQ(first.why_not + third.why_not, "");
+}
+
+TEST_F(SingleSteps, that_are_too_many_do_not_pause_the_world) {
+  allowed_ = kAll;
+  simulation_.resume();
+  Asked asked;
+  step(limits::kSingleSteps + 1, asked);
+  EXPECT_EQ(asked.done_at, 0u);
+  EXPECT_FALSE(simulation_.pace().paused);
 }
 
 TEST(Simulation, what_still_waits_at_the_end_is_refused) {

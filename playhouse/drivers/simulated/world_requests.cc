@@ -1,5 +1,7 @@
 #include "playhouse/drivers/simulated/world_requests.h"
 
+#include <fmt/format.h>
+
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -10,6 +12,7 @@
 #include <utility>
 
 #include "playhouse/base/in_quotes.h"
+#include "playhouse/base/limits.h"
 #include "playhouse/wire/codec.h"
 #include "playhouse/world/population.h"
 #include "playhouse/world/speech.h"
@@ -20,8 +23,6 @@ namespace {
 namespace sim = wire::simulation;
 
 static_assert(std::endian::native == std::endian::little, "property values travel in a PC's byte order");
-
-constexpr std::uint64_t kMostTicks = 1u << 20;  // of one step
 
 /// One question and the right to answer it, which may be copied with tasks.
 struct Asked {
@@ -82,9 +83,10 @@ void join(Simulation& simulation, const Asked& asked, device::Caller* caller) {
 void step(Simulation& simulation, const Asked& asked, device::Caller* caller) {
   const std::optional<std::uint64_t> ticks =
       asked.request.value.empty() ? std::optional<std::uint64_t>(1) : number(asked.request.value);
-  if (!ticks || *ticks == 0 || *ticks > kMostTicks)
-    return asked.nack("a number of ticks is wanted, 1 to 1048576, in 4 or 8 bytes");
   LockStep* lock_step = simulation.lock_step();
+  const std::uint32_t most = lock_step == nullptr ? limits::kSingleSteps : limits::kStepTicks;
+  if (!ticks || *ticks == 0 || *ticks > most)
+    return asked.nack(fmt::format("a number of ticks is wanted, 1 to {}, in 4 or 8 bytes", most));
   if (lock_step == nullptr) return simulation.step(*ticks, asked.when_done());
   if (caller == nullptr) return asked.nack("clients alone step");
   watch(*lock_step, *caller);
