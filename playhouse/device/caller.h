@@ -2,6 +2,8 @@
 
 /// Caller: a client of the server as drivers see it, which know no sessions. Io thread.
 
+#include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <utility>
@@ -20,7 +22,13 @@ class Caller {
   const std::string& name() const { return name_; }
 
   /// Runs once the client has gone, before this object has.
-  void when_gone(std::function<void()> task) { tasks_.push_back(std::move(task)); }
+  void when_gone(std::function<void()> task) { tasks_.push_back({nullptr, std::move(task)}); }
+  /// The same, unless there is one of this owner already.
+  void when_gone_once(const void* owner, std::function<void()> task) {
+    if (std::ranges::find(tasks_, owner, &Task::owner) == tasks_.end())
+      tasks_.push_back({owner, std::move(task)});
+  }
+  std::size_t task_count() const { return tasks_.size(); }
 
   /// From now on its connection ends soon after the client's machine or cable fails, and not after as long as
   /// the system likes to wait (net::Connection::expect_alive).
@@ -32,12 +40,17 @@ class Caller {
 
   /// The client has gone. For the server.
   void leave() {
-    for (const std::function<void()>& task : std::exchange(tasks_, {})) task();
+    for (const Task& task : std::exchange(tasks_, {})) task.run();
   }
 
  private:
+  struct Task {
+    const void* owner;  // null: none
+    std::function<void()> run;
+  };
+
   std::string name_;
-  std::vector<std::function<void()>> tasks_;
+  std::vector<Task> tasks_;
   std::function<void()> expect_alive_;
 };
 

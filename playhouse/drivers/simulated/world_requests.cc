@@ -61,10 +61,10 @@ std::optional<std::uint64_t> number(std::string_view value) {
   return number;
 }
 
-/// A client that goes is no member any more, whatever it was waiting for.
+/// A member that goes is one no more, whatever it was waiting for.
 void watch(LockStep& lock_step, device::Caller& caller) {
-  if (lock_step.has(&caller)) return;
-  caller.when_gone([&lock_step, who = &caller] { lock_step.leave(who); });
+  if (lock_step.has(&caller))
+    caller.when_gone_once(&lock_step, [&lock_step, who = &caller] { lock_step.leave(who); });
 }
 
 void join(Simulation& simulation, const Asked& asked, device::Caller* caller) {
@@ -74,8 +74,8 @@ void join(Simulation& simulation, const Asked& asked, device::Caller* caller) {
   if (caller == nullptr) return asked.nack("clients alone join");
   const std::string name(wire::text(asked.request.value));
   if (name.empty()) return asked.nack("a name is wanted");
-  watch(*lock_step, *caller);
   const std::string why_not = lock_step->join(caller, name, caller->name());
+  watch(*lock_step, *caller);
   if (!why_not.empty()) return asked.nack(why_not);
   asked.ack();
 }
@@ -89,8 +89,8 @@ void step(Simulation& simulation, const Asked& asked, device::Caller* caller) {
     return asked.nack(fmt::format("a number of ticks is wanted, 1 to {}, in 4 or 8 bytes", most));
   if (lock_step == nullptr) return simulation.step(*ticks, asked.when_done());
   if (caller == nullptr) return asked.nack("clients alone step");
-  watch(*lock_step, *caller);
   lock_step->step(caller, caller->name(), *ticks, asked.when_done());
+  watch(*lock_step, *caller);
 }
 
 void reset(Simulation& simulation, const Asked& asked) {

@@ -1,0 +1,78 @@
+// Requests for steps: what a client is told, and what is left of it. Out of scope here: what steps do
+// (simulation_test.cc, lock_step_test.cc), and models that come and go (tests/e2e).
+
+#include "playhouse/drivers/simulated/world_requests.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+
+#include "playhouse/drivers/testing/still_engine.h"
+#include "playhouse/wire/codec.h"
+
+namespace playhouse::drivers {
+namespace {
+
+namespace sim = wire::simulation;
+
+/// A world, in lock-step or not, and a client of it.
+class WorldRequests : public ::testing::Test {
+ protected:
+  void open(std::optional<LockStep::Options> lock_step) {
+    simulation_ = std::make_unique<Simulation>(
+        std::make_unique<testing::StillEngine>(scene_),
+        Simulation::Options{.speed = 0, .duration = 0, .lock_step = std::move(lock_step)});
+  }
+  /// The value of a NACK; empty where there is none yet, or an ACK.
+  std::string ask(const std::string& property, const std::string& value) {
+    device::Replier replier(recorder_, ++ticket_);
+    const sim::PropertyReq request{wire::c_string("world"), wire::c_string(property), 0, value};
+    EXPECT_TRUE(ask_for_world(*simulation_, request, &client_, replier));
+    const auto answer = recorder_.answers.find(ticket_);
+    if (answer == recorder_.answers.end() || answer->second.ack) return {};
+    return std::string(wire::text(wire::decode<sim::PropertyReq>(answer->second.body)->value));
+  }
+  std::string step(std::uint32_t ticks) {
+    return ask("step", std::string(reinterpret_cast<const char*>(&ticks), sizeof ticks));
+  }
+
+  const scene::SceneDesc scene_ = testing::scene_of("interval_sim 100\nposition( name \"r0\" )\n");
+  testing::Recorder recorder_;
+  device::Caller client_{"somebody"};
+  std::unique_ptr<Simulation> simulation_;
+  std::uint64_t ticket_ = 0;
+};
+
+TEST_F(WorldRequests, for_steps_tell_how_many_there_may_be) {
+  open({});
+  EXPECT_EQ(step(1001), "a number of ticks is wanted, 1 to 1000, in 4 or 8 bytes");
+  EXPECT_FALSE(simulation_->pace().paused) << "it was refused";
+  open(LockStep::Options{});
+  EXPECT_EQ(step((1u << 20) + 1), "a number of ticks is wanted, 1 to 1048576, in 4 or 8 bytes");
+}
+
+TEST_F(WorldRequests, that_are_refused_leave_nothing_with_the_client) {
+  open(LockStep::Options{.members = 1, .names = {"left"}});
+  for (int k = 0; k < 100; ++k) {
+    EXPECT_EQ(step(1), "clients of this world join by name first");
+    EXPECT_NE(ask("join", wire::c_string("nobody")), "");
+  }
+  EXPECT_EQ(client_.task_count(), 0u);
+}
+
+TEST_F(WorldRequests, of_a_member_have_it_leave_once_however_many_there_were) {
+  open(LockStep::Options{.members = 1, .names = {"left"}});
+  for (int k = 0; k < 100; ++k) {
+    EXPECT_EQ(ask("join", wire::c_string("left")), "");
+    step(1);
+    simulation_->lock_step()->leave(&client_);  // as one that was silent
+  }
+  EXPECT_EQ(client_.task_count(), 1u);
+  EXPECT_EQ(ask("join", wire::c_string("left")), "");
+  client_.leave();
+  EXPECT_FALSE(simulation_->lock_step()->has(&client_));
+}
+
+}  // namespace
+}  // namespace playhouse::drivers
