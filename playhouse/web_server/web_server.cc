@@ -649,12 +649,12 @@ class WebServer::Impl final : public net::HttpService,
   /// Does something with a viewer on the web thread, if it is still there. Any thread, and also when the
   /// server is gone.
   std::function<void(std::function<void(WebViewer&)>)> reacher(const WebViewer& viewer) {
-    return [&loop = loop_, weak = weak_from_this(), viewer = &viewer](std::function<void(WebViewer&)> task) {
-      loop.post([weak, viewer, task = std::move(task)] {
+    return [&loop = loop_, weak = weak_from_this(),
+            number = viewer.number()](std::function<void(WebViewer&)> task) {
+      loop.post([weak, number, task = std::move(task)] {
         const auto self = weak.lock();
-        if (!self) return;
-        for (const auto& other : self->viewers_)
-          if (other.get() == viewer) return task(*other);
+        WebViewer* const found = self ? self->viewer(number) : nullptr;
+        if (found) task(*found);
       });
     };
   }

@@ -453,6 +453,23 @@ TEST_F(WebServerTest, a_viewer_gets_the_world_as_it_stands_as_a_file) {
   })) << "once it is there, it can be had again";
 }
 
+TEST_F(WebServerTest, who_comes_next_gets_no_answer_to_one_who_left) {
+  {
+    WebClient early(port_);
+    ASSERT_TRUE(early.upgrade());
+    early.message();
+    early.send_text(R"({"do":"save"})");
+    ASSERT_TRUE(eventually([this] { return notes_.posted() > 0; }));
+  }
+  ASSERT_TRUE(eventually([this] { return server_.status().viewers == 0; }));
+  WebClient late(port_);  // often where the other was in memory
+  ASSERT_TRUE(late.upgrade());
+  late.message();
+  turn();
+  ASSERT_TRUE(world::spawn(small_.world, SmallWorld::robot(1), {7, 8, 0, 0}, "newcomer").ok());
+  EXPECT_THAT(next_text(late, turning()), HasSubstr("newcomer"));
+}
+
 TEST_F(WebServerTest, a_viewer_that_comes_later_gets_the_population_of_then) {
   WebClient early(port_);
   ASSERT_TRUE(early.upgrade());
