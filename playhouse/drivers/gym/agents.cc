@@ -80,6 +80,15 @@ void Agents::use_all(world::World& world) {
   }
 }
 
+/// Those of agents that came back have ended; of all others they are what they were.
+void Agents::use_again(world::World& world) {
+  for (Agent& agent : agents_) {
+    agent.wheels.end(world, simulation_);
+    agent.sensor.end(world, simulation_);
+  }
+  use_all(world);
+}
+
 void Agents::find() {
   const world::World& world = simulation_.world();
   std::vector<world::ModelRow> ranger_of(world.models.size());  // the first in each tree, by its top
@@ -110,6 +119,7 @@ std::uint32_t Agents::beams_of(const Agent& agent) const {
 
 void Agents::reset_all() {
   world::World& world = simulation_.engine().world();
+  use_again(world);
   std::vector<std::size_t> place_of(agents_.size());
   for (std::size_t i = 0; i < place_of.size(); ++i) place_of[i] = i;
   Rng rng(world.seed(), world.tick(), {Purpose::kAgentPlace});

@@ -41,6 +41,7 @@ class Agents {
   };
   void find();
   void use_all(world::World& world);
+  void use_again(world::World& world);
   std::uint32_t beams_of(const Agent& agent) const;
   void place(std::size_t agent);
   void stand(std::size_t agent);

@@ -3,18 +3,20 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <fmt/format.h>
+
 #include <cerrno>
 #include <cstring>
 #include <string>
 #include <system_error>
 #include <vector>
 
+#include "playhouse/base/limits.h"
+
 namespace playhouse::drivers::gym {
 namespace {
 
 enum Verb : std::uint32_t { kStep = 1, kStartAgain = 2 };
-
-constexpr std::uint32_t kMostTicks = 1u << 20;  // of one step
 
 /// Before the text of the same length, which says why not; no text: done.
 struct Answer {
@@ -87,17 +89,24 @@ void Link::listen() {
 void Link::carry_out(const Request& request) {
   const bool is_step = request.verb == kStep;
   if (!is_step && request.verb != kStartAgain) return answer("there is no such request");
-  if (is_step && (request.ticks == 0 || request.ticks > kMostTicks))
-    return answer("a step has 1 to 1048576 ticks");
-  simulation_.post([this, is_step, seed = request.seed](world::World&) {
+  if (is_step && (request.ticks == 0 || request.ticks > limits::kStepTicks))
+    return answer(fmt::format("a step has 1 to {} ticks", limits::kStepTicks));
+  const auto change = [this, is_step, seed = request.seed](world::World&) {
+    why_not_.clear();
     if (is_step) return agents_.act();
-    if (simulation_.start_again(seed)) agents_.reset_all();  // the start is kept in lock-step
-  });
+    if (const Result<void> started = simulation_.start_again(seed); !started) {
+      why_not_ = started.error().line();
+    } else {
+      agents_.reset_all();
+    }
+  };
+  // There is one at a time, and it counts also while others fill the queue.
+  simulation_.post_always(change, {});
   simulation_.lock_step()->step(this, "the learning program", is_step ? request.ticks : 1,
                                 [this](const std::optional<std::string>& why_not) {
                                   if (why_not) return answer(*why_not);
                                   agents_.observe();
-                                  answer({});
+                                  answer(why_not_);
                                 });
 }
 

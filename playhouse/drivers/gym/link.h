@@ -4,6 +4,7 @@
 /// world in lock-step; what it says is short, and the arrays are in shared memory (agents.h). docs/gym.md has
 /// the messages.
 
+#include <string>
 #include <thread>
 
 #include "playhouse/base/result.h"
@@ -36,6 +37,7 @@ class Link {
   Simulation& simulation_;
   const int socket_;
   Agents agents_;
+  std::string why_not_;  // the change of the step under way was not made; tick thread
   std::thread listener_;
 };
 
