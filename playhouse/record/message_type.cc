@@ -55,6 +55,7 @@ struct MessageType::Walk {
   std::vector<std::vector<std::string>>* to = nullptr;
   Rows rows;
   bool has_list = false;
+  bool is_too_large = false;
   std::size_t field = 0;  // the next
 };
 
@@ -146,6 +147,8 @@ bool MessageType::read(const std::string& type, CdrReader& in, Walk& walk) const
     if (!in.ok() || (field.list && count > in.left())) return false;
     if (field.kind == Kind::kMessage) {
       walk.has_list = true;
+      if (count > kMessageValues / (fields_.size() + messages_)) walk.is_too_large = true;
+      if (walk.is_too_large) return false;
       const std::size_t first = walk.field;
       for (std::uint32_t i = 0; i < count; ++i) {
         walk.rows.emplace_back(fields_.size());
@@ -175,7 +178,14 @@ Result<MessageType::Rows> MessageType::rows(std::span<const std::byte> message) 
   Walk walk;
   walk.outside.resize(fields_.size());
   walk.to = &walk.outside;
-  if (!read("", in, walk)) return Error{{}, "has a message that is none of its schema"};
+  const bool good = read("", in, walk);
+  if (good && walk.has_list) {
+    std::size_t repeated = 0;  // by each row
+    for (const std::vector<std::string>& values : walk.outside) repeated += values.size();
+    walk.is_too_large = repeated > 0 && walk.rows.size() > kMessageValues / repeated;
+  }
+  if (walk.is_too_large) return Error{{}, "has a message of too many values"};
+  if (!good) return Error{{}, "has a message that is none of its schema"};
   if (!walk.has_list) return Rows{std::move(walk.outside)};
   for (auto& row : walk.rows)
     for (std::size_t field = 0; field < fields_.size(); ++field)

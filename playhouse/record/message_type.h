@@ -16,6 +16,8 @@ namespace playhouse::record {
 
 /// Columns of a table, at most; a list of numbers has one for each.
 inline constexpr std::size_t kTableColumns = 1u << 18;
+/// Rows of one message times its fields, at most; a world of 100,000 robots has 2 million.
+inline constexpr std::size_t kMessageValues = 1u << 22;
 
 class MessageType {
  public:
@@ -28,7 +30,8 @@ class MessageType {
   /// Which of them are lists.
   const std::vector<bool>& lists() const { return lists_; }
 
-  /// By row and field, the values as text. Fails on a message that is none of the type.
+  /// By row and field, the values as text. Fails on a message that is none of the type, and on one with more
+  /// rows than kMessageValues allows.
   using Rows = std::vector<std::vector<std::vector<std::string>>>;
   Result<Rows> rows(std::span<const std::byte> message) const;
 

@@ -60,6 +60,28 @@ TEST(MessageType, refuses_messages_that_are_cut) {
     EXPECT_FALSE(type.rows(std::span(whole).first(size)).ok()) << size;
 }
 
+TEST(MessageType, refuses_a_short_message_that_would_make_a_huge_table) {
+  std::string wide = "a/A[] list\nMSG: a/A\n";
+  for (int i = 0; i < 20'000; ++i) wide += "uint8[] f" + std::to_string(i) + "\n";
+  const MessageType type = *MessageType::parse(wide);
+  CdrWriter message;
+  message.floats(std::vector<float>(50'000));  // read as 50,000 rows of 20,000 fields
+  const Result<MessageType::Rows> rows = type.rows(message.message());
+  ASSERT_FALSE(rows.ok());
+  EXPECT_EQ(rows.error().text, "has a message of too many values");
+}
+
+TEST(MessageType, refuses_a_long_list_that_every_row_would_repeat) {
+  const MessageType type = *MessageType::parse("float32[] all\na/A[] list\nMSG: a/A\nuint8 one\n");
+  CdrWriter message;
+  message.floats(std::vector<float>(100'000));
+  message.number(std::uint32_t{100'000});
+  for (int i = 0; i < 100'000; ++i) message.number(std::uint8_t{1});
+  const Result<MessageType::Rows> rows = type.rows(message.message());
+  ASSERT_FALSE(rows.ok());
+  EXPECT_EQ(rows.error().text, "has a message of too many values");
+}
+
 TEST(MessageType, refuses_schemas_that_are_none) {
   EXPECT_THAT(fault_of("float64"), HasSubstr("a line that is none"));
   EXPECT_THAT(fault_of("some/Thing thing"), HasSubstr("lacks type \"some/Thing\""));
