@@ -75,7 +75,7 @@ Result<void> McapWriter::write(std::span<const std::byte> bytes) {
       const int code = count < 0 ? errno : ENOSPC;
       failed_ = true;
       // Half a record helps nobody; where it cannot be taken back, readers stop before it.
-      if (ftruncate(file_, static_cast<off_t>(size_)) != 0) return fault(code);
+      [[maybe_unused]] const int whole = ftruncate(file_, static_cast<off_t>(size_));
       return fault(code);
     }
     done += static_cast<std::size_t>(count);
@@ -85,7 +85,6 @@ Result<void> McapWriter::write(std::span<const std::byte> bytes) {
 }
 
 void McapWriter::add(std::span<const std::byte> records) {
-  Unpacker in(records);
   for (std::size_t at = 0; at < records.size();) {
     Unpacker head(records.subspan(at));
     const auto op = static_cast<Op>(head.u8());

@@ -18,6 +18,7 @@ namespace playhouse::record {
 namespace {
 
 constexpr const char* kWorldFrame = "world";
+constexpr const char* kEditsTopic = "/playhouse/edits";
 
 const char* word_of(world::Change::Kind kind) {
   switch (kind) {
@@ -73,6 +74,8 @@ Result<void> Recorder::begin(const world::World& world, const scene::SourceFiles
   const Attachment start{ns(), kStartName, "application/octet-stream", world::encode(run)};
   if (const Result<void> attached = file_.attach(start); !attached) return attached;
   look_around(world);
+  // Before others need all there are: without it what runs again is another run.
+  if (runs_again_) channel_of(kEditsTopic, kEdit);
   record_state(world);
   record_poses(world, true);
   record_check(world);
@@ -89,8 +92,7 @@ std::uint64_t Recorder::ns() const {
   return static_cast<std::uint64_t>(std::llround(static_cast<double>(steps_) * interval_ * 1e9));
 }
 
-void Recorder::put_message(const world::World& world, const std::string& topic, const std::string& schema,
-                           const Bytes& body) {
+std::optional<std::uint16_t> Recorder::channel_of(const std::string& topic, const std::string& schema) {
   const auto [kind, is_new_kind] = schemas_.try_emplace(schema, schemas_.size() + 1);
   if (is_new_kind) put(out_, Schema{kind->second, schema, kSchemaEncoding, schema_text(schema)});
   auto channel = channels_.find({topic, schema});
@@ -99,15 +101,22 @@ void Recorder::put_message(const world::World& world, const std::string& topic, 
       if (!std::exchange(full_, true))
         log::warn("a recording has {} channels at most: {} and what comes later is left out",
                   limits::kRecordChannels, topic);
-      return;
+      return std::nullopt;
     }
     const auto id = static_cast<std::uint16_t>(channels_.size());
     channel = channels_.emplace(std::pair(topic, schema), id).first;
     put(out_, Channel{id, kind->second, topic, kMessageEncoding});
     sequence_.push_back(0);
   }
+  return channel->second;
+}
+
+void Recorder::put_message(const world::World& world, const std::string& topic, const std::string& schema,
+                           const Bytes& body) {
+  const std::optional<std::uint16_t> channel = channel_of(topic, schema);
+  if (!channel) return;
   const auto published = static_cast<std::uint64_t>(std::llround(world.time() * 1e9));
-  put(out_, Message{channel->second, sequence_[channel->second]++, ns(), published, body});
+  put(out_, Message{*channel, sequence_[*channel]++, ns(), published, body});
 }
 
 void Recorder::hand_over() {
@@ -233,7 +242,7 @@ void Recorder::after_changes(const world::World& world) {
       message.number(Unpacker(std::span(before_).subspan(16)).u64());  // the tick, behind size and seed
       message.number(hash_of(before_));
       message.bytes(difference(before_, state_));
-      put_message(world, "/playhouse/edits", kEdit, message.message());
+      put_message(world, kEditsTopic, kEdit, message.message());
     }
   }
   look_around(world);

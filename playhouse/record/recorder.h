@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -69,6 +70,8 @@ class Recorder final : public world::Witness {
   void record_models(const world::World& world);
   void record_state(const world::World& world);
   void record_check(const world::World& world);
+  /// None where there are as many as a file can have.
+  std::optional<std::uint16_t> channel_of(const std::string& topic, const std::string& schema);
   void put_message(const world::World& world, const std::string& topic, const std::string& schema,
                    const Bytes& body);
   std::uint64_t ns() const;

@@ -111,6 +111,13 @@ TEST_F(RecorderTest, has_what_its_models_do_by_names_that_ros_can_have) {
   EXPECT_THAT(topics(), Contains("/c_d/position"));
 }
 
+TEST_F(RecorderTest, has_the_channel_of_changes_before_others_take_all_there_are) {
+  begin();
+  tick();
+  end();
+  EXPECT_THAT(topics(), Contains("/playhouse/edits"));
+}
+
 TEST_F(RecorderTest, watches_the_sensors_that_it_records_also_of_who_comes) {
   begin();
   carry_out_posted();
