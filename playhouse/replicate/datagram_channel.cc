@@ -19,7 +19,7 @@ double DatagramChannel::patience() const {
   return std::clamp(2 * round_trip_ + kAckDelay, kLeastPatience, kMostPatience);
 }
 
-std::uint32_t DatagramChannel::write(double now, std::size_t text_room, std::vector<std::byte>& out) {
+Seq DatagramChannel::write(double now, std::size_t text_room, std::vector<std::byte>& out) {
   out.clear();
   Packer pack(out);
   begin_packet(session_, pack);
@@ -44,25 +44,25 @@ Result<Heard> DatagramChannel::receive(std::span<const std::byte> rest, double n
   const std::uint64_t taken = in.varint();
   const std::uint64_t size = in.varint();
   const std::uint64_t at = size > 0 ? in.varint() : 0;
-  if (!in.ok() || seq == 0 || seq > 0xFFFFFFFFu || ack > sent_ || size > in.left())
+  if (!in.ok() || seq == 0 || seq > kSeqMost || ack > sent_ || size > in.left())
     return Error{"", "a packet is none"};
-  if (!note(static_cast<std::uint32_t>(seq))) return Heard{};
+  if (!note(seq)) return Heard{};
   const auto body = rest.last(in.left());
-  acknowledge(static_cast<std::uint32_t>(ack), before, now);
+  acknowledge(ack, before, now);
   if (!sender_.taken(taken)) return Error{"", "a packet acknowledges texts that were never sent"};
   const Result<void> fits = receiver_.take(at, body.first(static_cast<std::size_t>(size)));
   if (!fits) return fits.error();
-  return Heard{true, static_cast<std::uint32_t>(seq), size > 0, body.subspan(static_cast<std::size_t>(size))};
+  return Heard{true, seq, size > 0, body.subspan(static_cast<std::size_t>(size))};
 }
 
-bool DatagramChannel::note(std::uint32_t seq) {
+bool DatagramChannel::note(Seq seq) {
   if (seq > newest_) {
-    const std::uint32_t step = seq - newest_;
+    const Seq step = seq - newest_;
     before_ = step < 32 ? before_ << step : 0;
     if (newest_ > 0 && step <= 32) before_ |= 1u << (step - 1);
     newest_ = seq;
   } else {
-    const std::uint32_t age = newest_ - seq;
+    const Seq age = newest_ - seq;
     if (age == 0 || age >= kAcknowledged || (before_ >> (age - 1) & 1) != 0) return false;
     before_ |= 1u << (age - 1);
   }
@@ -70,7 +70,7 @@ bool DatagramChannel::note(std::uint32_t seq) {
   return true;
 }
 
-void DatagramChannel::acknowledge(std::uint32_t ack, std::uint32_t before, double now) {
+void DatagramChannel::acknowledge(Seq ack, std::uint32_t before, double now) {
   std::erase_if(flights_, [&](const Flight& flight) {
     if (flight.seq > ack || ack - flight.seq >= kAcknowledged) return false;
     if (flight.seq == ack) round_trip_ += kSmoothing * (now - flight.time - round_trip_);

@@ -391,6 +391,27 @@ RC_GTEST_PROP(DatagramLaw, any_bytes_are_a_datagram_or_refused, (const std::vect
   if (!parsed) RC_ASSERT(!parsed.error().text.empty());
 }
 
+TEST(DatagramChannel, goes_on_after_more_packets_than_32_bits_count) {
+  constexpr Seq kMany = 0xFFFFFFFEu;
+  constexpr std::size_t kSession = 2 + 8;  // bytes in front of what a channel reads
+  DatagramChannel one(7, 1000, kMany), other(7, 1000);
+  one.post(pack_text("a text"));
+  std::vector<std::byte> packet;
+  for (Seq k = 1; k <= 5; ++k) {
+    ASSERT_EQ(one.write(static_cast<double>(k), 100, packet), kMany + k);
+    const Result<Heard> heard = other.receive(std::span(packet).subspan(kSession), static_cast<double>(k));
+    ASSERT_TRUE(heard.ok()) << heard.error().text;
+    EXPECT_TRUE(heard->is_new);
+    EXPECT_EQ(heard->seq, kMany + k);
+  }
+  const auto text = other.next_text();
+  ASSERT_TRUE(text.ok() && *text);
+  EXPECT_EQ((*text)->after, kMany);
+  other.write(6, 100, packet);
+  ASSERT_TRUE(one.receive(std::span(packet).subspan(kSession), 6).ok());
+  EXPECT_EQ(one.settle(6).acknowledged.size(), 5u);
+}
+
 /// Every bit of what both ends get is turned once; neither may crash, and the session goes on or ends.
 TEST(DatagramLink, damaged_packets_are_taken_or_end_the_session) {
   SmallWorld small(5);

@@ -113,7 +113,7 @@ void DatagramViewer::refill(double now) {
 
 void DatagramViewer::settle(double now) {
   const Settled settled = channel_.settle(now);
-  const auto each_row = [&](std::uint32_t seq, auto&& then) {
+  const auto each_row = [&](Seq seq, auto&& then) {
     const auto sent = sent_rows_.find(seq);
     if (sent == sent_rows_.end()) return;
     for (const SentRow& each : sent->second) {
@@ -121,9 +121,9 @@ void DatagramViewer::settle(double now) {
       if (row && seq > rows_[*row].floor) then(rows_[*row], each.state);
     }
   };
-  for (const std::uint32_t seq : settled.lost)
+  for (const Seq seq : settled.lost)
     each_row(seq, [seq](Row& row, const ModelState&) { row.is_lost = row.is_lost || row.sent_seq == seq; });
-  for (const std::uint32_t seq : settled.acknowledged) {
+  for (const Seq seq : settled.acknowledged) {
     each_row(seq, [seq](Row& row, const ModelState& state) {
       if (seq > row.acknowledged_seq) {
         row.acknowledged = state;
@@ -218,10 +218,10 @@ bool DatagramViewer::send_packet(const Snapshot& snapshot, double now, bool must
   const double most = allowance_ - static_cast<double>(limits::kDatagramHeadBytes);
   if (most < static_cast<double>(kLeastPacket)) return false;
   const std::size_t room = std::min(limits::kDatagramBytes, static_cast<std::size_t>(most));
-  // Begun with its head alone, for how long that is: 10 + 5 + 5 + 4 + 10 + 3 + 10 bytes at most.
-  constexpr std::size_t kHead = 47;
+  // Begun with its head alone, for how long that is: 10 + 8 + 8 + 4 + 10 + 3 + 10 bytes at most.
+  constexpr std::size_t kHead = 53;
   const std::size_t texts_room = rows_wait ? room * 3 / 4 : room;
-  const std::uint32_t seq = channel_.write(now, texts_room - kHead, packet_);
+  const Seq seq = channel_.write(now, texts_room - kHead, packet_);
   write_rows(snapshot, now, seq, room - packet_.size());
   allowance_ -= static_cast<double>(packet_.size() + limits::kDatagramHeadBytes);
   owes_ack_ = false;
@@ -232,7 +232,7 @@ bool DatagramViewer::send_packet(const Snapshot& snapshot, double now, bool must
 }
 
 /// The state of a packet: its head, and as many rows as there is room for.
-void DatagramViewer::write_rows(const Snapshot& snapshot, double now, std::uint32_t seq, std::size_t room) {
+void DatagramViewer::write_rows(const Snapshot& snapshot, double now, Seq seq, std::size_t room) {
   if (room < kStateHeadBytes) return;
   room -= kStateHeadBytes;
   Packer pack(packet_);
@@ -258,8 +258,7 @@ void DatagramViewer::write_rows(const Snapshot& snapshot, double now, std::uint3
 }
 
 /// False: it has no room. What is written is as long as it may become between any others.
-bool DatagramViewer::add_row(const Snapshot& snapshot, std::uint32_t seq, std::uint32_t told,
-                             std::size_t& room) {
+bool DatagramViewer::add_row(const Snapshot& snapshot, Seq seq, std::uint32_t told, std::size_t& room) {
   const Row& row = rows_[told];
   const ModelState& to = snapshot.models[now_row_[told]];
   const bool has_baseline = row.acknowledged_seq > 0 && seq - row.acknowledged_seq <= kOldestBaseline;

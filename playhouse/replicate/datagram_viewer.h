@@ -50,9 +50,9 @@ class DatagramViewer {
   /// What one model was, is and will be to the observer. States before `acknowledged` are of no use any more.
   struct Row {
     ModelState start, acknowledged, sent;
-    std::uint32_t acknowledged_seq = 0;  // 0: none, the observer has `start`
-    std::uint32_t sent_seq = 0;
-    std::uint32_t floor = 0;    // packets up to here told of another model with this id
+    Seq acknowledged_seq = 0;  // 0: none, the observer has `start`
+    Seq sent_seq = 0;
+    Seq floor = 0;              // packets up to here told of another model with this id
     std::uint64_t told_at = 0;  // bytes of the stream after which the observer knows it
     double sent_time = -std::numeric_limits<double>::infinity();
     double gathered = 0;   // of importance
@@ -80,8 +80,8 @@ class DatagramViewer {
   void say(const Snapshot& snapshot);
   void weigh(const Snapshot& snapshot, double now);
   bool send_packet(const Snapshot& snapshot, double now, bool must, const Send& send);
-  void write_rows(const Snapshot& snapshot, double now, std::uint32_t seq, std::size_t room);
-  bool add_row(const Snapshot& snapshot, std::uint32_t seq, std::uint32_t row, std::size_t& room);
+  void write_rows(const Snapshot& snapshot, double now, Seq seq, std::size_t room);
+  bool add_row(const Snapshot& snapshot, Seq seq, std::uint32_t row, std::size_t& room);
   void pack_rows();
   void post(std::string_view text) { channel_.post(pack_text(text)); }
 
@@ -91,8 +91,8 @@ class DatagramViewer {
   std::shared_ptr<const Layout> told_;  // the population that the observer was told of
   std::vector<Row> rows_;               // of told_
   std::shared_ptr<const Layout> mapped_;
-  std::vector<std::uint32_t> now_row_;  // of told_'s rows in the layout mapped_; kNone: it is gone
-  std::map<std::uint32_t, std::vector<SentRow>> sent_rows_;  // by seq
+  std::vector<std::uint32_t> now_row_;             // of told_'s rows in the layout mapped_; kNone: it is gone
+  std::map<Seq, std::vector<SentRow>> sent_rows_;  // by seq
   std::map<world::ModelId, std::string> said_;
   std::optional<std::uint64_t> said_number_;  // Snapshot::said of which it has all texts
 

@@ -75,7 +75,7 @@ double angle_of(std::uint16_t turn) {
 
 }  // namespace
 
-Result<void> ObservedWorld::take_text(std::string_view text, std::uint32_t after) {
+Result<void> ObservedWorld::take_text(std::string_view text, Seq after) {
   boost::system::error_code failed;
   const json::value value = json::parse(text, failed);
   if (failed || !value.is_object()) return Error{"", "the program sent a text that is no JSON object"};
@@ -114,7 +114,7 @@ Result<void> ObservedWorld::take_text(std::string_view text, std::uint32_t after
   return {};
 }
 
-Result<void> ObservedWorld::take_state(std::uint32_t seq, std::span<const std::byte> bytes) {
+Result<void> ObservedWorld::take_state(Seq seq, std::span<const std::byte> bytes) {
   if (bytes.empty()) return {};
   Unpacker in(bytes);
   const std::uint64_t tick = in.varint();
@@ -137,8 +137,7 @@ Result<void> ObservedWorld::take_state(std::uint32_t seq, std::span<const std::b
       if (is_known && age == 0) state = found->second.start;
       if (is_known && age > 0) {
         const auto& history = found->second.history;
-        const auto baseline =
-            std::ranges::find(history, seq - age, &std::pair<std::uint32_t, ModelState>::first);
+        const auto baseline = std::ranges::find(history, seq - age, &std::pair<Seq, ModelState>::first);
         if (baseline == history.end()) return Error{"", "a state refers to one that never came"};
         state = baseline->second;
       }
@@ -150,8 +149,7 @@ Result<void> ObservedWorld::take_state(std::uint32_t seq, std::span<const std::b
 }
 
 /// Also what is late: a difference may be told from it.
-void ObservedWorld::keep(ObservedModel& model, std::uint32_t seq, const ModelState& state,
-                         std::uint64_t tick) {
+void ObservedWorld::keep(ObservedModel& model, Seq seq, const ModelState& state, std::uint64_t tick) {
   std::erase_if(model.history, [&](const auto& old) { return old.first + kKept < seq; });
   model.history.emplace_back(seq, state);
   if (seq <= model.newest) return;

@@ -15,6 +15,7 @@
 #include "playhouse/base/result.h"
 #include "playhouse/geom/pose.h"
 #include "playhouse/replicate/layout.h"
+#include "playhouse/replicate/text_stream.h"
 
 namespace playhouse::replicate {
 
@@ -26,18 +27,17 @@ struct ObservedModel {
   std::string says;
 
   ModelState start;
-  std::uint32_t floor = 0;   // packets up to here told of another model
-  std::uint32_t newest = 0;  // packet of `state`
-  std::vector<std::pair<std::uint32_t, ModelState>>
-      history;  // of late packets, by which differences are told
+  Seq floor = 0;                                    // packets up to here told of another model
+  Seq newest = 0;                                   // packet of `state`
+  std::vector<std::pair<Seq, ModelState>> history;  // of late packets, by which differences are told
 };
 
 class ObservedWorld {
  public:
   /// A text of the stream. Fails for what is none, and where it contradicts what came before.
-  Result<void> take_text(std::string_view text, std::uint32_t after);
+  Result<void> take_text(std::string_view text, Seq after);
   /// The state of packet `seq`.
-  Result<void> take_state(std::uint32_t seq, std::span<const std::byte> state);
+  Result<void> take_state(Seq seq, std::span<const std::byte> state);
 
   bool has_scene() const { return interval_ > 0; }
   const std::string& name() const { return name_; }
@@ -52,12 +52,12 @@ class ObservedWorld {
   geom::Pose pose(std::uint32_t id) const;
 
  private:
-  void keep(ObservedModel& model, std::uint32_t seq, const ModelState& state, std::uint64_t tick);
+  void keep(ObservedModel& model, Seq seq, const ModelState& state, std::uint64_t tick);
 
   std::string name_;
   double interval_ = 0;
   std::uint64_t tick_ = 0;
-  std::uint32_t newest_ = 0;  // packet that told of tick_
+  Seq newest_ = 0;  // packet that told of tick_
   bool paused_ = false;
   std::map<std::uint32_t, ObservedModel> models_;
   std::vector<std::string> notices_;

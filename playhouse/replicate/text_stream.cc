@@ -45,7 +45,7 @@ std::shared_ptr<const PackedText> pack_text(std::string_view text) {
   return made;
 }
 
-void StreamSender::post(std::shared_ptr<const PackedText> text, std::uint32_t after) {
+void StreamSender::post(std::shared_ptr<const PackedText> text, Seq after) {
   auto head = std::make_shared<PackedText>();
   Packer pack(head->bytes);
   pack.u8(text->packed ? 1 : 0);
@@ -154,7 +154,7 @@ Result<std::optional<ReceivedText>> StreamReceiver::next() {
     if (rest.size() >= kTextHeadBytes + 8) return bad("a text has no head");
     return std::optional<ReceivedText>();
   }
-  if (packed > 1 || after > 0xFFFFFFFFu || size > most_) return bad("a text is too long, or none");
+  if (packed > 1 || after > kSeqMost || size > most_) return bad("a text is too long, or none");
   if (in.left() < size) return std::optional<ReceivedText>();
   const auto bytes = rest.subspan(rest.size() - in.left(), static_cast<std::size_t>(size));
   Result<std::string> text = packed == 1
@@ -166,7 +166,7 @@ Result<std::optional<ReceivedText>> StreamReceiver::next() {
     texts_.erase(texts_.begin(), texts_.begin() + static_cast<std::ptrdiff_t>(read_));
     read_ = 0;
   }
-  return std::optional(ReceivedText{static_cast<std::uint32_t>(after), std::move(*text)});
+  return std::optional(ReceivedText{after, std::move(*text)});
 }
 
 }  // namespace playhouse::replicate

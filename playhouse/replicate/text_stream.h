@@ -20,6 +20,10 @@
 
 namespace playhouse::replicate {
 
+/// Number of a packet of one end, from 1 on. Wide enough never to begin anew, at 8,000 packets a second.
+using Seq = std::uint64_t;
+inline constexpr Seq kSeqMost = Seq{1} << 53;
+
 /// A text as it travels, made once for all who get it.
 struct PackedText {
   bool packed = false;  // a zstd frame
@@ -35,7 +39,7 @@ struct Piece {
 class StreamSender {
  public:
   /// Behind all that was posted; `after` as drawn.
-  void post(std::shared_ptr<const PackedText> text, std::uint32_t after);
+  void post(std::shared_ptr<const PackedText> text, Seq after);
 
   /// What goes next, at most so many bytes: what was lost, or else what is new and within the window. Size 0:
   /// nothing.
@@ -66,7 +70,7 @@ class StreamSender {
 };
 
 struct ReceivedText {
-  std::uint32_t after = 0;
+  Seq after = 0;
   std::string text;
 };
 
