@@ -45,7 +45,7 @@ std::optional<RemoteDevice> Passthrough::there(device::DeviceId id) const {
   return found == relayed_.end() ? std::nullopt : std::optional(found->second.there);
 }
 
-// --- what is said here. It goes out in one order, whichever thread said it.
+// --- what is said here. Of one device it goes out in one order, whichever thread said it.
 
 Result<void> Passthrough::start(device::DeviceId id) {
   if (!remote_.is_connected()) return Error{"", remote_.name() + " " + why_lost_};

@@ -303,6 +303,28 @@ TEST_F(Relay, a_server_that_takes_nothing_gets_the_newest_commands_once_it_does)
   EXPECT_EQ(wire::decode<p2d::CmdVel>(commands.back().body)->vel.px, most);
 }
 
+TEST_F(Relay, a_server_that_takes_nothing_is_asked_behind_the_commands_that_came_before) {
+  Script script(network_);
+  ASSERT_EQ(build(kWheels), "");
+  script.greet();
+  TestClient client(network_, kHere);
+  network_.run();
+  script.one->pause();
+  const double most = 20000;
+  for (double speed = 1; speed <= most; ++speed) client.send(drive(speed));
+  client.send(ask(p2d::kReqGetGeom));
+  network_.run();
+  script.one->resume();
+  script.heard.clear();
+  network_.run();
+  const std::vector<Received> messages = server::cut_messages(script.heard);
+  ASSERT_GT(messages.size(), 2u);
+  EXPECT_EQ(messages.back().header.type, MessageType::kReq);
+  EXPECT_EQ(wire::decode<p2d::CmdVel>(messages[messages.size() - 2].body)->vel.px, most);
+  script.one.reset();
+  network_.run();  // what was asked has its answer
+}
+
 TEST_F(Relay, files_that_make_no_sense_are_told_what) {
   const auto wrong = [&](const std::string& fields) {
     return build("driver( name \"passthrough\" " + fields + " )");

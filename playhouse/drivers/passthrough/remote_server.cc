@@ -181,6 +181,7 @@ void RemoteServer::open(RemoteDevice device) {
 }
 
 void RemoteServer::close(RemoteDevice device) {
+  send_held(device);
   request_of_server(player::kReqDev, access_request(device, port_, kClose), {});
 }
 
@@ -194,11 +195,23 @@ void RemoteServer::ask(RemoteDevice device, std::uint8_t subtype, std::span<cons
   ++seq_;
   asked_[{device, subtype}].push_back({seq_, std::move(heard)});
   ++waiting_;
+  send_held(device);
   send(MessageType::kReq, device, subtype, body);
 }
 
 void RemoteServer::command(RemoteDevice device, std::uint8_t subtype, std::span<const std::byte> body) {
   if (greeted_) send(MessageType::kCmd, device, subtype, body);
+}
+
+/// What the device was told before it is asked, or closed.
+void RemoteServer::send_held(RemoteDevice device) {
+  std::vector<net::SharedBytes> parts;
+  std::erase_if(held_, [&](auto& held) {
+    if (held.first.first != device) return false;
+    parts.push_back(std::move(held.second));
+    return true;
+  });
+  if (!parts.empty()) connection_->send(parts);
 }
 
 void RemoteServer::send(MessageType type, RemoteDevice device, std::uint8_t subtype,

@@ -64,7 +64,8 @@ class RemoteServer final : private net::ConnectionEvents {
   // Nothing happens without a connection; what is asked then gets NACK at once.
   void open(RemoteDevice device);
   void close(RemoteDevice device);
-  /// Where the server takes nothing a newer command replaces an older one of its kind.
+  /// Where the server takes nothing a newer command replaces an older one of its kind, unless the device was
+  /// asked something in between: what one device is told and asked goes out in its order.
   void command(RemoteDevice device, std::uint8_t subtype, std::span<const std::byte> body);
   void ask(RemoteDevice device, std::uint8_t subtype, std::span<const std::byte> body, Heard heard);
 
@@ -90,6 +91,7 @@ class RemoteServer final : private net::ConnectionEvents {
   void request_of_server(std::uint8_t subtype, std::span<const std::byte> body, Heard heard);
   void send(wire::MessageType type, RemoteDevice device, std::uint8_t subtype,
             std::span<const std::byte> body);
+  void send_held(RemoteDevice device);
   void fail(const std::string& why);
   std::vector<Heard> forget();
 
