@@ -491,15 +491,8 @@ class WebServer::Impl final : public net::HttpService,
       return post_change([copy, tell = teller(from)](world::World& world) {
         const world::ModelRow model = world.row(copy.model);
         if (!model) return;
-        const std::uint32_t top = world.models.root[model.index];
-        const geom::Pose X_WM{copy.x, copy.y, world.models.X_PM[top].z, copy.a};
-        const auto came =
-            world::spawn(world, world.models.desc[top], X_WM, world::fresh_name(world, world.name({top})));
-        if (!came) return tell(came.error().text);
-        // What models that share a prototype have for themselves. Rows of those that were there stay.
-        const world::ModelRow other = world.row(*came);
-        world::set_color(world, other, world.models.color[top]);
-        world::set_fiducial_return(world, other, world.models.fiducial_return[top]);
+        const auto came = world::spawn_like(world, model, {copy.x, copy.y, 0, copy.a});
+        if (!came) tell(came.error().text);
       });
     });
   }

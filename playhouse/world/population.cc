@@ -419,6 +419,19 @@ Result<ModelId> spawn(World& world, std::uint32_t prototype, const geom::Pose& X
   return top;
 }
 
+Result<ModelId> spawn_like(World& world, ModelRow model, geom::Pose X_WM, std::string name) {
+  const std::uint32_t top = world.models.root[model.index];
+  X_WM.z = world.models.X_PM[top].z;
+  if (name.empty()) name = fresh_name(world, world.name({top}));
+  const Result<ModelId> came = spawn(world, world.models.desc[top], X_WM, std::move(name));
+  if (!came) return came;
+  // What models that share a prototype have for themselves. Rows of those that were there stay.
+  const ModelRow row = world.row(*came);
+  set_color(world, row, world.models.color[top]);
+  set_fiducial_return(world, row, world.models.fiducial_return[top]);
+  return came;
+}
+
 namespace {
 
 /// Rows of top-level models that are to go, ascending.

@@ -25,6 +25,10 @@ Result<ModelId> spawn(World& world, std::uint32_t prototype, const geom::Pose& X
 /// have ("r0~3" for "r0~2").
 std::string fresh_name(const World& world, std::string_view like);
 
+/// Another tree like the one that a model is in, with the color and mark that its top has now; at X_WM, but as
+/// high as that. An empty name stands for a fresh one. Gives and fails as spawn().
+Result<ModelId> spawn_like(World& world, ModelRow model, geom::Pose X_WM, std::string name = {});
+
 /// Takes a top-level model and all its own parts out of the world; what was attached to it stays where it
 /// is. Cost: the population. Fails if there is no such model or it is a part.
 Result<void> despawn(World& world, ModelId model);

@@ -121,17 +121,9 @@ void spawn(Simulation& simulation, const Asked& asked) {
     const std::string_view like = wire::text(asked.request.name);
     const world::ModelRow model = world.find(like);
     if (!model) return asked.nack("there is no model " + in_quotes(like));
-    const std::uint32_t top = world.models.root[model.index];
-    geom::Pose X_WM = at;
-    X_WM.z = world.models.X_PM[top].z;
-    const auto came = world::spawn(world, world.models.desc[top], X_WM,
-                                   name.empty() ? world::fresh_name(world, world.name({top})) : name);
+    const auto came = world::spawn_like(world, model, at, name);
     if (!came) return asked.nack(came.error().text);
-    // What models that share a prototype have for themselves. Rows of those that were there stay.
-    const world::ModelRow row = world.row(*came);
-    world::set_color(world, row, world.models.color[top]);
-    world::set_fiducial_return(world, row, world.models.fiducial_return[top]);
-    asked.ack(wire::c_string(world.name(row)));
+    asked.ack(wire::c_string(world.name(world.row(*came))));
   });
   if (!posted) asked.nack("too many requests are waiting");
 }
