@@ -77,6 +77,10 @@ struct Box {
     if (p.x > x_max) x_max = p.x;
     if (p.y > y_max) y_max = p.y;
   }
+  /// Its edges are in it.
+  constexpr bool contains(Vec2 p) const {
+    return p.x >= x_min && p.x <= x_max && p.y >= y_min && p.y <= y_max;
+  }
   constexpr bool overlaps(const Box& o) const {
     return x_min <= o.x_max && o.x_min <= x_max && y_min <= o.y_max && o.y_min <= y_max;
   }

@@ -11,11 +11,11 @@ class PacketReader {
       : in_(packet), layout_(*replica.layout), replica_(replica) {}
 
   Result<std::uint32_t> read() {
-    if (in_.u8() != 3) return Error{"", "not a viewer packet"};
+    if (in_.u8() != packet::kFirst) return Error{"", "not a viewer packet"};
     const std::uint8_t flags = in_.u8();
     const std::uint64_t frame = in_.varint();
     replica_.tick = in_.varint();
-    replica_.pace.paused = (flags & 1) != 0;
+    replica_.pace.paused = (flags & packet::kPaused) != 0;
     replica_.pace.speed = in_.f32();
     replica_.pace.real_time_factor = in_.f32();
     section([this](std::uint8_t mask, std::uint32_t row) { model(mask, replica_.models[row]); });
@@ -33,7 +33,7 @@ class PacketReader {
   template <typename Item>
   void section(Item item) {
     std::int64_t id = 0;
-    while (const std::uint8_t tag = in_.u8()) {
+    for (std::uint8_t tag = in_.u8(); tag != packet::kEnd; tag = in_.u8()) {
       id += in_.zigzag() % (std::int64_t{1} << 33);
       const bool fits = in_.ok() && id >= 0 && id < world::ModelId::kNone;
       const auto row = fits ? layout_.row({static_cast<std::uint32_t>(id)}) : std::nullopt;
@@ -52,7 +52,7 @@ class PacketReader {
 
   void say(std::uint8_t tag, std::uint32_t model) {
     std::string text = in_.text();
-    if (tag != 1) {
+    if (tag != packet::kFresh) {
       bad_ = true;
     } else if (text.empty()) {
       replica_.says.erase(model);
@@ -63,12 +63,12 @@ class PacketReader {
 
   void scan(std::uint8_t tag, std::uint32_t model) {
     const auto sensor = layout_.sensor(layout_.id[model], in_.varint());
-    if (!sensor || tag > 2) {
+    if (!sensor || tag > packet::kGone) {
       bad_ = true;
       return;
     }
     std::vector<std::uint16_t>& beams = replica_.scans[*sensor];
-    const std::uint32_t count = tag == 2 ? 0 : layout_.sensors[*sensor].beam_count;
+    const std::uint32_t count = tag == packet::kGone ? 0 : layout_.sensors[*sensor].beam_count;
     if (in_.left() < 2 * std::size_t{count}) {
       bad_ = true;
       return;

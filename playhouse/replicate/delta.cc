@@ -10,10 +10,6 @@
 namespace playhouse::replicate {
 namespace {
 
-constexpr std::uint8_t kPacket = 3;
-constexpr std::uint8_t kPaused = 1, kWaiting = 2, kBeamsFull = 4;
-constexpr std::uint8_t kEnd = 0, kFresh = 1, kGone = 2;
-
 /// Writes one packet; every function of a section returns false when the budget is spent.
 class PacketWriter {
  public:
@@ -32,9 +28,9 @@ class PacketWriter {
 
   void head(std::uint32_t frame) {
     const world::Pace& pace = snapshot_.pace;
-    pack_.u8(kPacket);
-    pack_.u8(
-        static_cast<std::uint8_t>((pace.paused ? kPaused : 0) | (snapshot_.beams_full ? kBeamsFull : 0)));
+    pack_.u8(packet::kFirst);
+    pack_.u8(static_cast<std::uint8_t>((pace.paused ? packet::kPaused : 0) |
+                                       (snapshot_.beams_full ? packet::kBeamsFull : 0)));
     pack_.varint(frame);
     pack_.varint(snapshot_.tick);
     pack_.f32(static_cast<float>(pace.speed));
@@ -58,7 +54,7 @@ class PacketWriter {
     bool room = walk(first, stopped, [&](std::uint32_t row) { return in_view(row); });
     if (room) room = walk(first, stopped, [](std::uint32_t) { return true; });
     next = room ? 0 : stopped;
-    pack_.u8(kEnd);
+    pack_.u8(packet::kEnd);
   }
 
   /// Models that say something else than this viewer holds: those in view first, both from `next` on.
@@ -75,7 +71,7 @@ class PacketWriter {
       next = stopped == news.end() ? 0 : stopped->model;
       if (stopped == news.end()) replica_.said = snapshot_.said;
     }
-    pack_.u8(kEnd);
+    pack_.u8(packet::kEnd);
   }
 
   void scans(std::uint32_t& next) {
@@ -95,7 +91,7 @@ class PacketWriter {
     } else {
       next = stopped->sensor;
     }
-    pack_.u8(kEnd);
+    pack_.u8(packet::kEnd);
   }
 
   void views() {
@@ -103,11 +99,11 @@ class PacketWriter {
     for (const Viewed& viewed : snapshot_.viewed)
       if (wanted(viewed)) view(viewed);
     drop_views();
-    pack_.u8(kEnd);
+    pack_.u8(packet::kEnd);
   }
 
   Sent finish() {
-    if (waiting_) out_[1] |= std::byte{kWaiting};
+    if (waiting_) out_[1] |= std::byte{packet::kWaiting};
     return waiting_ ? Sent::kPart : changed_ ? Sent::kAll : Sent::kNothing;
   }
 
@@ -139,11 +135,7 @@ class PacketWriter {
 
   bool selected(std::uint32_t model) const { return selected_ && layout_.root[model] == *selected_; }
 
-  bool in_view(std::uint32_t model) const {
-    const geom::Vec2 at = place_of(snapshot_, model);
-    return at.x >= wish_.view.x_min && at.x <= wish_.view.x_max && at.y >= wish_.view.y_min &&
-           at.y <= wish_.view.y_max;
-  }
+  bool in_view(std::uint32_t model) const { return wish_.view.contains(place_of(snapshot_, model)); }
 
   bool wanted(std::uint32_t model) const { return selected(model) || (wish_.sensors && in_view(model)); }
 
@@ -205,7 +197,7 @@ class PacketWriter {
   /// False: there is no room; some is left for the sensors.
   bool say(const Utterance& utterance) {
     if (full(budget_ / 8 * 7)) return false;
-    item(kFresh, utterance.model);
+    item(packet::kFresh, utterance.model);
     pack_.text(utterance.text);
     if (utterance.text.empty()) {
       replica_.says.erase(utterance.model);
@@ -236,7 +228,7 @@ class PacketWriter {
   void scan(const Scan& scan) {
     const auto beams = beams_of(scan);
     replica_.scans[scan.sensor].assign(beams.begin(), beams.end());
-    scan_item(kFresh, scan.sensor);
+    scan_item(packet::kFresh, scan.sensor);
     for (const std::uint16_t beam : beams) pack_.u16(beam);
   }
 
@@ -249,7 +241,7 @@ class PacketWriter {
       const bool measured = fresh != snapshot_.scans.end() && fresh->sensor == row;
       if (measured && wanted(layout_.sensors[row].model)) continue;
       if (full(budget_)) return;
-      scan_item(kGone, row);
+      scan_item(packet::kGone, row);
       replica_.scans[row].clear();
     }
   }
@@ -265,7 +257,7 @@ class PacketWriter {
     if (held != replica_.views.end() && std::ranges::equal(held->second, values)) return;
     if (full(budget_)) return;
     replica_.views[key].assign(values.begin(), values.end());
-    item(2 * viewed.view + kFresh, viewed.model);
+    item(2 * viewed.view + packet::kFresh, viewed.model);
     const View& what = replicate::views()[viewed.view];
     if (what.list) pack_.varint(values.size() / what.codes.size());
     for (std::size_t k = 0; k < values.size(); ++k) value(what.codes[k % what.codes.size()], values[k]);
@@ -299,7 +291,7 @@ class PacketWriter {
         continue;
       }
       if (full(budget_)) return;
-      item(2 * key.first + kGone, key.second);
+      item(2 * key.first + packet::kGone, key.second);
       it = replica_.views.erase(it);
     }
   }

@@ -5,29 +5,36 @@
 /// viewer's replica is the only baseline there is: what does not fit the byte budget simply still differs
 /// next time, and goes then.
 ///
+// clang-format off
 ///   packet (little-endian; varint: 7 bits a byte, low first, top bit says "more"; zz: zigzag varint)
 ///   +------+-------+--------------+-------------+-----------+-----------+
 ///   | u8 3 | flags | varint frame | varint tick | f32 speed | f32 rtf   |
 ///   +------+-------+--------------+-------------+-----------+-----------+
 ///   | models : (u8 mask, zz id step, changed fields)*      u8 0         |
-///   | says   : (u8 1, zz id step, varint n, n bytes of UTF-8)*  u8 0   |
+///   | says   : (u8 1, zz id step, varint n, n bytes of UTF-8)*  u8 0    |
 ///   | scans  : (u8 1, zz id step, varint nth, u16 beams...)             |
 ///   |          or (u8 2, zz id step, varint nth)           u8 0         |
 ///   | views  : (u8 2v + 1, zz id step, values)                          |
 ///   |          or (u8 2v + 2, zz id step)                  u8 0         |
 ///   +-------------------------------------------------------------------+
-///   flags: 1 paused, 2 rows are waiting, 4 too many beams in view
-///   id step: the model's id - the id of the item before (first: from 0)
-///   nth: which of the model's sensors
-///   v: place in views(); values: of each of its codes in turn, and, where it is a list, varint n and n times
-///   that the second form of scans and views: no data any more, nothing follows model fields, by mask bit: 1
-///   x, 2 y, 4 z (zz difference, mm), 8 heading (zz difference mod 2^16),
-///                              16 u8 state, 32 u32 colour, 64 varint flags that it carries,
-///                              128 u16 tilt x, u16 tilt y
-///   a text of no bytes: it says nothing any more
-///   codes: varint, zz, u16 turn, u32 colour
+///   flags    1 paused, 2 rows are waiting, 4 too many beams in view
+///   mask     which fields of the model follow:
+///              1, 2, 4  x, y, z: zz difference [mm]
+///              8        heading: zz difference mod 2^16
+///              16       u8 state
+///              32       u32 colour
+///              64       varint flags that it carries
+///              128      u16 tilt x, u16 tilt y
+///   id step  the model's id - the id of the item before (first: from 0)
+///   nth      which of the model's sensors
+///   v        place in views()
+///   values   of each code of the view in turn (varint, zz, u16 turn, u32 colour);
+///            where it is a list, varint n and n times that
+///   says     a text of no bytes: it says nothing any more
+///   scans and views, second form: no data any more, nothing follows
 ///
 /// Frames of one viewer count from 1. A scan has as many beams as the scene says its sensor has.
+// clang-format on
 
 #include <cstddef>
 #include <cstdint>
@@ -42,6 +49,13 @@
 #include "playhouse/replicate/snapshot.h"
 
 namespace playhouse::replicate {
+
+/// Numbers of the packet: what it begins with, its flags, and tags of items.
+namespace packet {
+inline constexpr std::uint8_t kFirst = 3;
+inline constexpr std::uint8_t kPaused = 1, kWaiting = 2, kBeamsFull = 4;
+inline constexpr std::uint8_t kEnd = 0, kFresh = 1, kGone = 2;
+}  // namespace packet
 
 /// What one viewer looks at.
 struct Wish {

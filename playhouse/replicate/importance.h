@@ -37,8 +37,7 @@ inline double importance(const Wish& wish, bool is_selected, geom::Vec2 at, doub
 
 /// Whether what stands at `at` is in a view that looks at a part of the world.
 inline bool is_out_of_view(const Wish& wish, geom::Vec2 at) {
-  return !wish.view.empty() && (at.x < wish.view.x_min || at.x > wish.view.x_max || at.y < wish.view.y_min ||
-                                at.y > wish.view.y_max);
+  return !wish.view.empty() && !wish.view.contains(at);
 }
 
 }  // namespace playhouse::replicate

@@ -81,8 +81,7 @@ class Capture {
 
   bool in_view(std::uint32_t model) const {
     const geom::Pose& at = world_.models.X_PM[layout_.root[model]];
-    const geom::Box& view = interest_.view;
-    return at.x >= view.x_min && at.x <= view.x_max && at.y >= view.y_min && at.y <= view.y_max;
+    return interest_.view.contains({at.x, at.y});
   }
 
   std::size_t selected_beams() const {
