@@ -1,5 +1,6 @@
 #include "playhouse/replicate/command.h"
-#include "playhouse/base/in_quotes.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -7,6 +8,7 @@
 #include <cmath>
 #include <string>
 
+#include "playhouse/base/in_quotes.h"
 #include "playhouse/base/limits.h"
 #include "playhouse/base/nearest_word.h"
 
@@ -95,8 +97,8 @@ bool is_name(std::string_view name) {
   const auto fits = [&](unsigned char c) {
     return is_letter(c) || (c >= '0' && c <= '9') || c == '-' || c == '_';
   };
-  return !name.empty() && name.size() <= kNameMost && is_letter(static_cast<unsigned char>(name[0])) &&
-         std::ranges::all_of(name, fits);
+  return !name.empty() && name.size() <= limits::kPersonNameBytes &&
+         is_letter(static_cast<unsigned char>(name[0])) && std::ranges::all_of(name, fits);
 }
 
 /// The place of a Drag, Copy, Add or Join.
@@ -193,7 +195,8 @@ Result<Command> read(const json::object& object) {
 }  // namespace
 
 Result<Command> parse_command(std::string_view text) {
-  if (text.size() > limits::kViewerCommandBytes) return Error{"", "a command of more than 4096 bytes"};
+  if (text.size() > limits::kViewerCommandBytes)
+    return Error{"", fmt::format("a command of more than {} bytes", limits::kViewerCommandBytes)};
   json::parse_options options;
   options.max_depth = 2;
   json::error_code error;

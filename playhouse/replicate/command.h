@@ -92,7 +92,6 @@ using Command = std::variant<Pause, Resume, Step, SetSpeed, Rewind, Drag, Drive,
 inline constexpr double kSpeedMost = 1000;               // times real time
 inline constexpr double kTickMost = 9007199254740992.0;  // whole numbers are exact up to here
 inline constexpr double kPlaceMost = 1e6;                // m, of a coordinate from a viewer
-inline constexpr std::size_t kNameMost = 24;             // letters of a person's name
 inline constexpr double kDriveMost = 100;                // m/s or rad/s, of a velocity from a viewer
 
 Result<Command> parse_command(std::string_view text);

@@ -18,10 +18,12 @@ enum class Observer : std::uint8_t {
   kBumper,    // it presses the switches of a bumper
   kLight,     // light ends there
   kRadio,     // radio waves get weaker there
+  kCount
 };
 
 /// Bits of observers.
 using Observers = std::uint8_t;
+static_assert(static_cast<unsigned>(Observer::kCount) <= 8 * sizeof(Observers), "one more needs wider bits");
 
 constexpr Observers bit(Observer observer) {
   return static_cast<Observers>(1u << static_cast<unsigned>(observer));

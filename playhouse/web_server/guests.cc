@@ -1,5 +1,6 @@
 #include "playhouse/web_server/guests.h"
 
+#include <fmt/format.h>
 #include <sys/random.h>
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 
 #include "playhouse/base/assert.h"
 #include "playhouse/base/in_quotes.h"
+#include "playhouse/base/limits.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/net/fair_share.h"
 
@@ -14,7 +16,6 @@ namespace playhouse::web_server {
 namespace {
 
 constexpr std::array<std::string_view, 4> kRoles = {"observer", "driver", "human", "admin"};
-constexpr std::size_t kLeastToken = 8, kMostToken = 128, kMostName = 24;
 
 bool is_letter(unsigned char c) {
   return (c | 0x20) >= 'a' && (c | 0x20) <= 'z';
@@ -47,13 +48,16 @@ std::string fault_of(const std::vector<std::string_view>& words) {
   if (words.size() > 3) return "more than role, token and name";
   const std::string_view token = words[1];
   if (token != "*" && token != "?" &&
-      (token.size() < kLeastToken || token.size() > kMostToken || !is_word(token)))
-    return "a token has 8 to 128 letters, digits, - and _";
+      (token.size() < limits::kTokenBytesLeast || token.size() > limits::kTokenBytes || !is_word(token)))
+    return fmt::format("a token has {} to {} letters, digits, - and _", limits::kTokenBytesLeast,
+                       limits::kTokenBytes);
   if (words.size() < 3) return {};
   if (token == "*") return "* is for everybody without a token, who cannot all have one name";
   const std::string_view name = words[2];
-  if (name.size() > kMostName || !is_letter(static_cast<unsigned char>(name[0])) || !is_word(name))
-    return "a name has 1 to 24 letters, digits, - and _, the first one a letter";
+  if (name.size() > limits::kPersonNameBytes || !is_letter(static_cast<unsigned char>(name[0])) ||
+      !is_word(name))
+    return fmt::format("a name has 1 to {} letters, digits, - and _, the first one a letter",
+                       limits::kPersonNameBytes);
   return {};
 }
 
