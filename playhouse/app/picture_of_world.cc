@@ -11,15 +11,18 @@
 #include "playhouse/app/prisms.h"
 #include "playhouse/app/shape.h"
 #include "playhouse/base/limits.h"
+#include "playhouse/geom/convex_hull.h"
+#include "playhouse/geom/orientation.h"
 
 namespace playhouse::app {
 namespace {
 
 using geom::Vec2;
 
-constexpr int kRowsOfPixel = 4;   // level lines along which the cover of a pixel is measured
-constexpr double kMargin = 0.03;  // of the longer side
-constexpr double kEmpty = 10;     // m, side of a picture without bodies
+constexpr int kRowsOfPixel = 4;     // level lines along which the cover of a pixel is measured
+constexpr double kMargin = 0.03;    // of the longer side
+constexpr double kStanding = 0.02;  // rad; what is tilted less is drawn upright
+constexpr double kEmpty = 10;       // m, side of a picture without bodies
 constexpr std::uint8_t kFloor[] = {236, 239, 244};  // so that white bodies are seen
 constexpr scene::Color kNose{0, 0, 0, 0.55f};
 
@@ -47,19 +50,41 @@ class Bodies {
 
   /// A triangle on the front half of the body, as high as that.
   static Prism nose_of(const scene::ModelDesc& desc) {
-    const double x = desc.size.x / 2, y = desc.size.y / 2;
-    Prism nose{{{{0.9 * x, 0}, {0.3 * x, 0.5 * y}, {0.3 * x, -0.5 * y}}}, 0, desc.X_MB.z + desc.size.z};
+    const double x = desc.size.x / 2, y = desc.size.y / 2, top = desc.X_MB.z + desc.size.z;
+    Prism nose{{{{0.9 * x, 0}, {0.3 * x, 0.5 * y}, {0.3 * x, -0.5 * y}}}, top, top};
     for (Vec2& p : nose.loops.front()) p = geom::transform(desc.X_MB, p);
     return nose;
   }
 
   Shape placed(const Prism& prism, std::uint32_t row, const scene::Color& color) const {
-    const geom::Pose& X_WM = world_.models.X_WM[row];
+    const geom::SpatialPose X = world::pose_in_world(world_.models, world::ModelRow{row});
+    const bool stands = std::hypot(X.tilt.x, X.tilt.y) < kStanding;
+    return stands ? upright(prism, X.X, color) : tilted(prism, X, color);
+  }
+
+  static Shape upright(const Prism& prism, const geom::Pose& X_WM, const scene::Color& color) {
     const geom::Rotation turn = geom::Rotation::of(X_WM.a);
     Shape shape{prism.loops, X_WM.z + prism.z_max, color};
     for (std::vector<Vec2>& loop : shape.loops)
       for (Vec2& p : loop) p = X_WM.xy() + turn * p;
     return shape;
+  }
+
+  /// What a prism that is not upright covers, or its convex hull does.
+  static Shape tilted(const Prism& prism, const geom::SpatialPose& X_WM, const scene::Color& color) {
+    const geom::Quaternion q = geom::orientation(X_WM.X.a, X_WM.tilt);
+    double top = -1e300;
+    std::vector<Vec2> points;
+    for (const std::vector<Vec2>& loop : prism.loops)
+      for (const Vec2& p : loop)
+        for (const double z : {prism.z_min, prism.z_max}) {
+          const geom::Vec3 turned = q * geom::Vec3{p.x, p.y, z};
+          points.push_back(X_WM.X.xy() + Vec2{turned.x, turned.y});
+          top = std::max(top, X_WM.X.z + turned.z);
+        }
+    std::vector<Vec2> hull = geom::convex_hull(std::move(points));
+    if (hull.size() < 3) return {{}, top, color};
+    return {{std::move(hull)}, top, color};
   }
 
   const world::World& world_;

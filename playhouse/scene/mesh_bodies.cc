@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "playhouse/base/mesh_limits.h"
+#include "playhouse/geom/convex_hull.h"
 #include "playhouse/mesh/fit.h"
 #include "playhouse/mesh/parts.h"
 #include "playhouse/scene/body.h"
@@ -12,24 +13,6 @@ namespace playhouse::scene {
 namespace {
 
 using geom::Vec2;
-
-/// Counter-clockwise; fewer than three points where they are on one line.
-/// Source: Andrew, "Another efficient algorithm for convex hulls in two dimensions", 1979.
-std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
-  std::ranges::sort(points, [](Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
-  std::vector<Vec2> hull;
-  const auto add = [&hull](Vec2 p, std::size_t least) {
-    while (hull.size() >= least + 2 &&
-           geom::cross(hull.back() - hull[hull.size() - 2], p - hull[hull.size() - 2]) <= 0)
-      hull.pop_back();
-    hull.push_back(p);
-  };
-  for (const Vec2 p : points) add(p, 0);
-  const std::size_t lower = hull.size() - 1;
-  for (auto p = points.rbegin(); p != points.rend(); ++p) add(*p, lower);
-  hull.pop_back();
-  return hull;
-}
 
 std::vector<Block> box_of(const mesh::Mesh& mesh) {
   const auto size = body_size({mesh.high.x - mesh.low.x, mesh.high.y - mesh.low.y, mesh.high.z - mesh.low.z});
@@ -50,7 +33,7 @@ std::vector<Block> outlines_of(const mesh::Mesh& mesh) {
   for (const std::vector<geom::Vec3>& part : mesh::parts_of(mesh, limits::kMeshParts)) {
     std::vector<Vec2> points;
     for (const geom::Vec3& p : part) points.push_back({p.x, p.y});
-    Block block{convex_hull(std::move(points)), std::ranges::min(part, {}, &geom::Vec3::z).z,
+    Block block{geom::convex_hull(std::move(points)), std::ranges::min(part, {}, &geom::Vec3::z).z,
                 std::ranges::max(part, {}, &geom::Vec3::z).z};
     if (block.points.size() >= 3) blocks.push_back(std::move(block));
   }
