@@ -18,7 +18,13 @@ int fail_at(const Error& error, Exit code) {
 
 int fail_in_file(const Error& error, const std::vector<Error>& others) {
   log::tell(spdlog::level::err, error);
-  for (const Error& other : others) log::tell(spdlog::level::err, other);
+  for (const Error& other : others) {
+    if (is_warning(other)) {
+      warn(other.where + ": " + other.text.substr(other.text.find(' ') + 1));
+    } else {
+      log::tell(spdlog::level::err, other);
+    }
+  }
   return kUsage;
 }
 

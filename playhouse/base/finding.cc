@@ -2,7 +2,23 @@
 
 namespace playhouse {
 
+namespace {
+
+constexpr std::string_view kWarning = "warning: ";
+
+}  // namespace
+
+Error as_warning(Error finding) {
+  finding.text.insert(0, kWarning);
+  return finding;
+}
+
+bool is_warning(const Error& finding) {
+  return finding.text.starts_with(kWarning);
+}
+
 std::string finding(std::string_view kind, const Error& error) {
+  if (is_warning(error)) return error.line();
   return Error{error.where, std::string(kind) + ": " + error.text}.line();
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "playhouse/base/in_quotes.h"
+#include "playhouse/scene/read_word.h"
 
 namespace playhouse::scene {
 namespace {
@@ -90,6 +91,10 @@ Prism read_block(const Properties& properties) {
                        "the block has " + std::to_string(count) + " points, but " + in_quotes(first_missing) +
                            " is missing; what is missing is [0 0]");
   }
+  warn_of_uncounted(properties, "point", "points", static_cast<std::uint32_t>(std::max(0, count)));
+  if (properties.has("point"))
+    state.warnings.add(Warning::kNoEffect, properties.where("point"),
+                       "\"point\" has no effect without a number: point[0], point[1] ...");
   double z[2] = {};
   properties.tuple("z", "LL", z, "[min max]");
   if (z[1] < z[0]) state.fail(properties.where("z"), "the block ends below its start: z [min max]");

@@ -177,7 +177,9 @@ class CfgLoader {
  private:
   void read_file();
   void add(const Error& fault);
-  Error nothing_to_serve() const;
+  /// A word that may be the reason of an error.
+  void add_slip();
+  Error nothing_to_serve();
   Result<void> read_globals();
   Result<void> add_section(const Section& section);
   Result<void> add_driver(const Instance& instance);
@@ -203,7 +205,10 @@ Result<CfgFile> CfgLoader::load() {
   cfg_.path = cfg_.files.front();
   file_->folder = folder_of(cfg_.path);
   read_file();
-  if (error_) return warnings_.with_slip(*error_);
+  if (error_) {
+    add_slip();
+    return *error_;
+  }
   if (cfg_.drivers.empty()) return nothing_to_serve();
   cfg_.warnings = warnings_.take();
   return std::move(cfg_);
@@ -217,11 +222,16 @@ void CfgLoader::add(const Error& fault) {
   }
 }
 
-Error CfgLoader::nothing_to_serve() const {
+void CfgLoader::add_slip() {
+  if (std::optional<Error> slip = warnings_.slip()) others_.push_back(std::move(*slip));
+}
+
+Error CfgLoader::nothing_to_serve() {
   const std::string path = escaped(cfg_.path);
   if (has_models_)
     return Error{path, "is a world file, not a configuration: playhouse run " + path + " serves its robots"};
-  return warnings_.with_slip({path, "has no driver ( ... ) section, so there is nothing to serve"});
+  add_slip();
+  return {path, "has no driver ( ... ) section, so there is nothing to serve"};
 }
 
 void CfgLoader::read_file() {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "playhouse/base/finding.h"
 #include "playhouse/base/limits.h"
 
 namespace playhouse::scene {
@@ -29,6 +30,17 @@ CfgFile loaded(const std::string& text, std::map<std::string, std::string> other
 std::string error_of(const std::string& text) {
   const Result<CfgFile> cfg = load(text);
   return cfg ? "no error" : cfg.error().line();
+}
+
+/// All findings of a file that does not load, as they are told.
+std::vector<std::string> findings_of(const std::string& text) {
+  MemoryFiles files({});
+  std::vector<Error> others;
+  const Result<CfgFile> cfg = load_cfg_text(text, "dir/t.cfg", files, 6665, &others);
+  EXPECT_FALSE(cfg);
+  std::vector<std::string> lines{finding("error", cfg.error())};
+  for (const Error& other : others) lines.push_back(finding("error", other));
+  return lines;
 }
 
 /// One driver with `fields` after its name and device.
@@ -200,9 +212,11 @@ TEST(Cfg, a_slip_in_a_word_that_must_be_there_is_told_with_the_error) {
   EXPECT_THAT(error_of("driver ( nme \"d\" provides \"gps:0\" )"), HasSubstr("(did you mean \"name\"?)"));
   EXPECT_THAT(error_of("interface ( name \"foo\" cod 128 plugin \"p\" )"),
               HasSubstr("(did you mean \"code\"?)"));
-  EXPECT_THAT(error_of("drivr ( name \"d\" provides \"gps:0\" )"),
-              HasSubstr("; dir/t.cfg:1: section \"drivr\" has no effect (did you mean \"driver\"?)"));
-  EXPECT_THAT(error_of("inclde \"more.inc\""), HasSubstr("(did you mean \"include\"?)"));
+  EXPECT_THAT(
+      findings_of("\ndrivr ( name \"d\" provides \"gps:0\" )"),
+      ElementsAre("dir/t.cfg: error: has no driver ( ... ) section, so there is nothing to serve",
+                  "dir/t.cfg:2: warning: section \"drivr\" has no effect (did you mean \"driver\"?)"));
+  EXPECT_THAT(findings_of("inclde \"more.inc\"").back(), HasSubstr("(did you mean \"include\"?)"));
   EXPECT_THAT(error_of("defin robot driver ( )"), HasSubstr("(did you mean \"define\"?)"));
   EXPECT_THAT(error_of("driver ( name \"d\" provides \"gps:0\" alwayson \"yse\" )"),
               HasSubstr("found \"yse\" (did you mean \"yes\"?)"));

@@ -6,6 +6,7 @@
 
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/limits.h"
+#include "playhouse/scene/read_word.h"
 #include "playhouse/scene/vocabulary.h"
 #include "playhouse/scene/write_word.h"
 
@@ -129,6 +130,7 @@ Section OldWords::rewritten(const Instance& entity, const Kind& kind, const OldT
       now.fields.push_back(*field);
     }
   }
+  for (const Field* field : to.fields.all()) check_places(*field, to);
   for (Field& word : to.own.words)
     if (!to.fields.find(word.key)) now.fields.push_back(std::move(word));
   for (auto& [name, parts] : to.parts) {
@@ -164,11 +166,33 @@ std::optional<Field> OldWords::by_hand(const Field& field, const Rewriting& to) 
   return Field{field.key, {number(1 / first_number(field))}, field.where};
 }
 
+void OldWords::check_places(const Field& count, const Rewriting& of) {
+  const Word* const word = find_word(of.kind, count.key);
+  if (!word || !word->meaning || word->meaning->how != Meaning::How::kCount) return;
+  const auto parts = of.parts.find(word->meaning->part);
+  if (parts == of.parts.end() || !parts->second) return;
+  for (const Word& place : of.kind.words) {
+    const bool is_place = place.meaning && place.meaning->part == word->meaning->part &&
+                          !place.meaning->to.empty() && place.meaning->to.front() == "pose.0";
+    if (!is_place || of.fields.find(place.name)) continue;
+    for (std::size_t i = 0; i < parts->second->size(); ++i) {
+      if (of.fields.find(numbered(place.name, i))) continue;
+      return state_.warnings.add(Warning::kValue, count.where,
+                                 in_quotes(count.key) + " is " + std::to_string(parts->second->size()) +
+                                     ", but " + in_quotes(numbered(place.name, i)) +
+                                     " is missing; what is missing is in the middle");
+    }
+  }
+}
+
 bool OldWords::apply_to_parts(const Field& field, const Meaning& meaning, Rewriting& to) {
   std::optional<std::vector<Entity>>& parts = parts_of(meaning.part, to);
   if (!parts) return false;
   const Key key = key_of(field.key);
   if (meaning.how == Meaning::How::kCount) return true;
+  if (key.index && *key.index >= parts->size())
+    state_.warnings.add(Warning::kNoEffect, field.where,
+                        in_quotes(field.key) + " has no effect: there are " + std::to_string(parts->size()));
   for (std::size_t i = key.index.value_or(0); i < (key.index ? *key.index + std::size_t{1} : parts->size());
        ++i) {
     if (i >= parts->size()) break;

@@ -49,6 +49,8 @@ class OldWords {
   Section rewritten(const Instance& entity, const Kind& kind, const OldType* type);
   /// False: the field is left as it is.
   bool apply(const Field& field, Rewriting& to);
+  /// Warns of parts that `count` counts and that have no place.
+  void check_places(const Field& count, const Rewriting& of);
   bool apply_to_parts(const Field& field, const Meaning& meaning, Rewriting& to);
   void apply_words(const Field& field, const Meaning& meaning, Entity& to);
   /// What a field is now that no table has.

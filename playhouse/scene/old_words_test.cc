@@ -12,9 +12,11 @@ namespace playhouse::scene {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using ::testing::SizeIs;
 
 SceneDesc loaded(const std::string& text) {
@@ -35,7 +37,7 @@ std::string difference_of(const std::string& old, const std::string& now) {
   SceneDesc a = loaded(old);
   const SceneDesc b = loaded(now);
   EXPECT_THAT(b.warnings, IsEmpty()) << now;
-  EXPECT_THAT(a.warnings, ::testing::Not(IsEmpty())) << old;
+  EXPECT_THAT(a.warnings, Not(IsEmpty())) << old;
   return difference(a, b);
 }
 
@@ -67,6 +69,16 @@ TEST(OldWords, with_a_number_are_of_one_sensor_and_without_of_all) {
                           "ranger( sensor( range [0 2] fov 30 ) sensor( range [0 4] fov 10 ) "
                           "sensor( range [0 2] fov 30 ) )"),
             "");
+}
+
+TEST(OldWords, that_are_not_counted_or_missing_are_told) {
+  EXPECT_THAT(loaded("ranger( scount 2 spose[0] [0 0 0] spose[1] [0 0 90]\nspose[5] [0 0 180] )").warnings,
+              Contains("w/t.world:2: \"spose[5]\" has no effect: there are 2"));
+  EXPECT_THAT(loaded("ranger( scount 2 spose[0] [1 0 0] )").warnings,
+              Contains("w/t.world:1: \"scount\" is 2, but \"spose[1]\" is missing; what is missing is in the "
+                       "middle"));
+  EXPECT_THAT(loaded("ranger( scount 2 spose [1 0 0] sview[1] [0 5 15] )").warnings,
+              Not(Contains(HasSubstr("is missing"))));
 }
 
 TEST(OldWords, are_left_alone_where_a_ranger_has_sensors_in_todays_words) {

@@ -41,13 +41,13 @@ SourceLine Properties::where(std::string_view key) const {
   return field ? field->where : where_;
 }
 
-double Properties::scaled(const Field& field, std::size_t element, char scale) const {
+std::optional<double> Properties::scaled(const Field& field, std::size_t element, char scale) const {
   const std::string_view text = field.values[element].text;
   const std::optional<double> value = parse_number(text);
   if (!value || std::abs(*value) > kLargest) {
     state_.fail(field.where, in_quotes(field.key) + " needs a number" + (value ? " of at most 1e9" : "") +
                                  ", found " + in_quotes(text));
-    return 0;
+    return std::nullopt;
   }
   return *value * (scale == 'L' ? state_.units.length : scale == 'A' ? state_.units.angle : 1.0);
 }
@@ -75,7 +75,7 @@ bool Properties::tuple(std::string_view key, std::string_view scales, std::span<
                        std::string_view form) const {
   if (elements(key, scales.size(), form).empty()) return false;
   const Field& field = *fields_.find(key);
-  for (std::size_t i = 0; i < scales.size(); ++i) out[i] = scaled(field, i, scales[i]);
+  for (std::size_t i = 0; i < scales.size(); ++i) out[i] = scaled(field, i, scales[i]).value_or(out[i]);
   return true;
 }
 
@@ -160,6 +160,10 @@ Color Properties::color(Color otherwise, std::size_t row) const {
   if (!has("color")) {
     double v[4] = {otherwise.r, otherwise.g, otherwise.b, otherwise.a};
     tuple("color_rgba", "NNNN", v, "[red green blue alpha] from 0 to 1");
+    if (std::ranges::any_of(v, [](double part) { return part < 0 || part > 1; }))
+      state_.warnings.add(Warning::kValue, where("color_rgba"),
+                          "\"color_rgba\" takes values from 0 to 1; others are cut to that");
+    for (double& part : v) part = std::clamp(part, 0.0, 1.0);
     return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]),
             static_cast<float>(v[3])};
   }

@@ -77,7 +77,8 @@ class Properties {
   Color color(Color otherwise, std::size_t row) const;
 
  private:
-  double scaled(const Field& field, std::size_t element, char scale) const;
+  /// None, and a fault, for what is no number.
+  std::optional<double> scaled(const Field& field, std::size_t element, char scale) const;
 
   LoadState& state_;
   SourceLine where_;

@@ -53,7 +53,8 @@ int at_least_zero(const Properties& properties, std::string_view key, int value,
 
 std::uint32_t read_count(const Properties& properties, std::string_view key, std::uint32_t otherwise,
                          std::uint32_t least, std::uint32_t most) {
-  const std::int64_t value = properties.has(key) ? properties.integer(key, 0) : std::int64_t{otherwise};
+  const std::int64_t value =
+      properties.has(key) ? properties.integer(key, static_cast<int>(otherwise)) : std::int64_t{otherwise};
   const bool good = value >= least && value <= most;
   require(good, properties, key, "must be from " + std::to_string(least) + " to " + std::to_string(most));
   return good ? static_cast<std::uint32_t>(value) : least;
@@ -61,7 +62,7 @@ std::uint32_t read_count(const Properties& properties, std::string_view key, std
 
 double read_milliseconds(const Properties& properties, std::string_view key, double otherwise) {
   if (!properties.has(key)) return otherwise;
-  return std::round(properties.number(key, 0) * 1000) / 1e6;
+  return std::round(properties.number(key, otherwise * 1000) * 1000) / 1e6;
 }
 
 std::size_t read_choice(const Properties& properties, std::string_view key,
@@ -134,9 +135,8 @@ std::string numbered(std::string_view word, std::size_t index) {
   return std::string(word) + "[" + std::to_string(index) + "]";
 }
 
-void check_numbered(const Properties& properties, std::string_view word, std::string_view counted_by,
-                    std::uint32_t count) {
-  const std::string told = in_quotes(counted_by) + " is " + std::to_string(count);
+void warn_of_uncounted(const Properties& properties, std::string_view word, std::string_view counted_by,
+                       std::uint32_t count) {
   const auto is_counted = [&](std::string_view key) {
     std::uint32_t i = count;
     std::from_chars(key.data() + word.size() + 1, key.data() + key.size(), i);
@@ -144,15 +144,22 @@ void check_numbered(const Properties& properties, std::string_view word, std::st
   };
   for (const Field* field : properties.fields().all()) {
     if (field->key == word || without_index(field->key) != word || is_counted(field->key)) continue;
-    properties.state().warnings.add(Warning::kNoEffect, field->where,
-                                    in_quotes(field->key) + " has no effect: " + told);
+    properties.state().warnings.add(
+        Warning::kNoEffect, field->where,
+        in_quotes(field->key) + " has no effect: " + in_quotes(counted_by) + " is " + std::to_string(count));
   }
+}
+
+void check_numbered(const Properties& properties, std::string_view word, std::string_view counted_by,
+                    std::uint32_t count) {
+  warn_of_uncounted(properties, word, counted_by, count);
   if (properties.has(word)) return;
   for (std::uint32_t i = 0; i < count; ++i) {
     if (properties.has(numbered(word, i))) continue;
-    properties.state().warnings.add(
-        Warning::kValue, properties.where(counted_by),
-        told + ", but " + in_quotes(numbered(word, i)) + " is missing; what is missing is as by default");
+    properties.state().warnings.add(Warning::kValue, properties.where(counted_by),
+                                    in_quotes(counted_by) + " is " + std::to_string(count) + ", but " +
+                                        in_quotes(numbered(word, i)) +
+                                        " is missing; what is missing is as by default");
     return;
   }
 }

@@ -65,8 +65,11 @@ void read_bounds(const Properties& properties, std::string_view key, std::string
 /// The key of word[index].
 std::string numbered(std::string_view word, std::size_t index);
 
-/// Warns of word[i] that is not among the first `count`, which the word `counted_by` says, and of the first
-/// that is missing where there is no `word` for all.
+/// Warns of word[i] that is not among the first `count`, which the word `counted_by` says.
+void warn_of_uncounted(const Properties& properties, std::string_view word, std::string_view counted_by,
+                       std::uint32_t count);
+
+/// The same, and warns of the first that is missing where there is no `word` for all.
 void check_numbered(const Properties& properties, std::string_view word, std::string_view counted_by,
                     std::uint32_t count);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "playhouse/base/finding.h"
 #include "playhouse/base/limits.h"
 
 namespace playhouse::scene {
@@ -39,9 +40,9 @@ bool Warnings::has_room(Warning kind) {
   return counts_[static_cast<std::size_t>(kind)]++ < limits::kWarningsOfAKind;
 }
 
-Error Warnings::with_slip(Error error) const {
-  if (!slip_.empty()) error.text += "; " + slip_;
-  return error;
+std::optional<Error> Warnings::slip() const {
+  if (slip_.empty()) return std::nullopt;
+  return as_warning(placed(slip_));
 }
 
 std::vector<std::string> Warnings::take() {

@@ -8,6 +8,7 @@
 #include <concepts>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -48,9 +49,9 @@ class Warnings {
   /// on how many others it is.
   void add_old(const void* what, SourceLine where, std::string text);
 
-  /// `error` and, after it, the first unknown word that resembles a known one: a slip there often is why
-  /// something is missing later, and the warnings are not shown when an error ends the load.
-  Error with_slip(Error error) const;
+  /// The first unknown word that resembles a known one, for those who get the errors of a load: a slip there
+  /// often is why something is missing later, and the warnings are not shown when an error ends the load.
+  std::optional<Error> slip() const;
 
   /// How many warnings came up that the load had not given before, or that are of the line `watched`. Where
   /// there is none, the like of what was read gives none either, wherever it stands.

@@ -199,7 +199,10 @@ Result<SceneDesc> WorldLoader::load() {
     }
   }
   if (!state_.over) load_robot_types();
-  if (state_.error) return state_.warnings.with_slip(*state_.error);
+  if (state_.error) {
+    if (std::optional<Error> slip = state_.warnings.slip()) state_.others.push_back(std::move(*slip));
+    return *state_.error;
+  }
   names_.check_follow_model(follow_where_);
   scene_.warnings = state_.warnings.take();
   return std::move(scene_);
@@ -379,8 +382,9 @@ void WorldLoader::load_window(const Instance& window, const Kind& kind) {
 }
 
 void WorldLoader::fail_unknown_type(const Instance& entity) {
-  // Looking for the nearest word costs: once for a macro, however many instances it has.
-  if (!unknown_types_.emplace(entity.where.file, entity.where.line).second) return;
+  // The type of a macro is wrong where the macro is defined, however many instances it has.
+  const SourceLine where = entity.parts.front()->where;
+  if (!unknown_types_.emplace(where.file, where.line).second) return;
   const auto later =
       std::find_if(document_.statements.begin(), document_.statements.end(),
                    [&](const Statement& s) { return !s.base.empty() && s.section.name == entity.type; });
@@ -388,7 +392,7 @@ void WorldLoader::fail_unknown_type(const Instance& entity) {
     state_.fail(entity.where, "macro " + in_quotes(entity.type) + " is used before its definition at " +
                                   document_.sources.at(later->section.where));
   } else {
-    state_.fail(entity.where,
+    state_.fail(where,
                 "unknown model type " + in_quotes(entity.type) + what_instead(entity.type, macros_.names()));
   }
 }
@@ -410,6 +414,9 @@ void WorldLoader::read_words(const Properties& properties, const Kind& kind, Mod
   model.update_interval = std::max(model.update_interval, scene_.interval);
   read_kind(properties, kind.kind, model);
   if (model.actuator) check_actuator(properties, *model.actuator);
+  if (model.fiducial && model.fiducial->range_min > model.fiducial->range_max)
+    state_.warnings.add(Warning::kValue, properties.where("range_min"),
+                        "\"range_min\" is above \"range_max\": the fiducial sees nothing");
   if (model.camera) {
     check_camera(properties, *model.camera);
     spend(beams_, pixels_of(*model.camera), properties.where("resolution"));
@@ -594,8 +601,10 @@ const MeshBodies::Entry* WorldLoader::load_mesh(const std::string& name, SourceL
 const WorldLoader::TracedBitmap* WorldLoader::load_bitmap(const Properties& properties,
                                                           const geom::Size& size) {
   const std::string name = properties.text("bitmap", "");
-  if (name.empty() || state_.over) return nullptr;
   const SourceLine where = properties.where("bitmap");
+  if (name.empty() && properties.has("bitmap"))
+    state_.warnings.add(Warning::kNoEffect, where, "\"bitmap\" names no file and has no effect");
+  if (name.empty() || state_.over) return nullptr;
   const Result<FoundFile> found = look_for(
       "bitmap", name, where, [&](const std::string& path) { return bitmaps_.contains(path); }, is_image_name);
   if (!found)

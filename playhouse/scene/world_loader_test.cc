@@ -9,6 +9,7 @@
 #include <fstream>
 #include <thread>
 
+#include "playhouse/base/finding.h"
 #include "playhouse/base/testing_folder.h"
 #include "playhouse/scene/charge.h"
 #include "playhouse/scene/kinds.h"
@@ -140,19 +141,69 @@ std::vector<std::string> lines_of(const std::string& text, Files others = {}) {
   return scene ? scene->warnings : std::vector{scene.error().line()};
 }
 
+/// All findings of a world that does not load, as they are told.
+std::vector<std::string> findings_of(const std::string& text) {
+  MemoryFiles files({});
+  std::vector<Error> others;
+  const Result<SceneDesc> scene = load_world_text(text, "w/t.world", files, {}, &others);
+  EXPECT_FALSE(scene);
+  if (scene) return scene->warnings;
+  std::vector<std::string> lines{finding("error", scene.error())};
+  for (const Error& other : others) lines.push_back(finding("error", other));
+  return lines;
+}
+
+TEST(WorldText, an_unknown_type_of_a_macro_is_told_once_where_the_macro_is_defined) {
+  EXPECT_THAT(findings_of("define x modle( size [1 1 1] )\nx( )\nx( )\ndefine y x( )\ny( )"),
+              ElementsAre("w/t.world:1: error: unknown model type \"modle\" (did you mean \"model\"?)"));
+}
+
+TEST(WorldText, a_word_in_capitals_has_a_nearest_one) {
+  EXPECT_THAT(
+      findings_of("POSITION( )"),
+      ElementsAre("w/t.world:1: error: unknown model type \"POSITION\" (did you mean \"position\"?)"));
+}
+
+TEST(WorldText, a_text_where_a_number_is_wanted_is_one_finding) {
+  EXPECT_THAT(findings_of("interval_sim \"fast\""),
+              ElementsAre("w/t.world:1: error: \"interval_sim\" needs a number, found \"fast\""));
+}
+
+TEST(WorldText, what_does_nothing_is_told) {
+  const std::string block = "model( block( points 3 point[0] [0 0] point[1] [1 0] point[2] [1 1] z [0 1] ";
+  const struct {
+    std::string text, told;
+  } cases[] = {
+      {block + "point[3] [0 1] ) )", "\"point[3]\" has no effect: \"points\" is 3"},
+      {block + "point [0 1] ) )", "\"point\" has no effect without a number: point[0], point[1] ..."},
+      {"model( bitmap \"\" )", "\"bitmap\" names no file and has no effect"},
+      {"model( color_rgba [255 0 0 1] )", "\"color_rgba\" takes values from 0 to 1; others are cut to that"},
+      {"fiducial( range_min 5 range_max 2 )",
+       "\"range_min\" is above \"range_max\": the fiducial sees nothing"},
+  };
+  for (const auto& one : cases)
+    EXPECT_THAT(loaded(one.text).warnings, ElementsAre("w/t.world:1: " + one.told)) << one.text;
+  EXPECT_EQ(model_of("model( color_rgba [255 0 0 1] )").color, (Color{1, 0, 0, 1}));
+}
+
 TEST(WorldText, a_slip_in_a_keyword_is_told_also_when_an_error_follows_from_it) {
-  EXPECT_EQ(error_of("inclde \"map.inc\"\nfloorplan( name \"x\" )"),
-            "w/t.world:2: unknown model type \"floorplan\"; w/t.world:1: unknown property \"inclde\" of the "
-            "world (did you mean \"include\"?)");
+  EXPECT_THAT(findings_of("inclde \"map.inc\"\nfloorplan( name \"x\" )"),
+              ElementsAre("w/t.world:2: error: unknown model type \"floorplan\"",
+                          "w/t.world:1: warning: unknown property \"inclde\" of the world (did you mean "
+                          "\"include\"?)"));
+  EXPECT_THAT(
+      findings_of("window( scal 10 )\nposition( pose [1 2] )"),
+      ElementsAre("w/t.world:2: error: \"pose\" needs 4 values [x y z heading], found 2",
+                  "w/t.world:1: warning: unknown property \"scal\" of window (did you mean \"scale\"?)"));
   EXPECT_EQ(error_of("defnie foo position ( )"),
             "w/t.world:1: \"defnie\" needs a value, found the word \"foo\" (did you mean \"define\"?)");
   EXPECT_THAT(
       loaded("inlcude \"map.inc\"\nmodel( includ \"more.inc\" )").warnings,
       ElementsAre(HasSubstr("(did you mean \"include\"?)"), HasSubstr("(did you mean \"include\"?)")));
-  EXPECT_THAT(error_of("model(\nblock( ponits 4 point[0] [0 0] ) )"),
-              testing::AllOf(HasSubstr("a block needs \"points\""),
-                             HasSubstr("; w/t.world:2: unknown property \"ponits\" of block (did you mean "
-                                       "\"points\"?)")));
+  EXPECT_THAT(
+      findings_of("model(\nblock( ponits 4 point[0] [0 0] ) )"),
+      ElementsAre(HasSubstr("a block needs \"points\""),
+                  "w/t.world:2: warning: unknown property \"ponits\" of block (did you mean \"points\"?)"));
   EXPECT_THAT(error_of("unit_length \"metre\""), HasSubstr("found \"metre\" (did you mean \"m\"?)"));
   EXPECT_THAT(error_of("unit_angle \"rad\""), HasSubstr("found \"rad\" (did you mean \"radians\"?)"));
   EXPECT_THAT(error_of("unit_length \"feet\""), testing::EndsWith("found \"feet\""));
