@@ -11,6 +11,7 @@
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/mesh_limits.h"
 #include "playhouse/geom/trig.h"
+#include "playhouse/mesh/trimmed.h"
 
 namespace playhouse::mesh {
 namespace {
@@ -18,12 +19,6 @@ namespace {
 using geom::Vec3;
 
 constexpr double kDegree = geom::kPi / 180;
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlank = " \t\r\n";
-  text.remove_prefix(std::min(text.find_first_not_of(kBlank), text.size()));
-  return text.substr(0, text.find_last_not_of(kBlank) + 1);
-}
 
 /// How deep elements are inside each other.
 class Depth final : public pugi::xml_tree_walker {
@@ -99,7 +94,7 @@ Result<ColladaDocument> ColladaDocument::parse(std::string_view bytes) {
         {},
         fmt::format("cannot be read: it is no good XML: {} at byte {}", parsed.description(), parsed.offset)};
   made.root_ = made.document_->child("COLLADA");
-  if (!made.root_) return Error{{}, "is no COLLADA file"};
+  if (!made.root_) return Error{{}, "cannot be read: it is no COLLADA file"};
   Depth depth;
   if (!made.document_->traverse(depth))
     return Error{{}, fmt::format("has elements more than {} deep", limits::kMeshDepth)};

@@ -2,15 +2,10 @@
 
 #include <algorithm>
 
+#include "playhouse/mesh/trimmed.h"
+
 namespace playhouse::mesh {
 namespace {
-
-constexpr std::string_view kBlank = " \t\v\r";
-
-std::string_view trimmed(std::string_view text) {
-  text.remove_prefix(std::min(text.find_first_not_of(kBlank), text.size()));
-  return text.substr(0, text.find_last_not_of(kBlank) + 1);
-}
 
 /// Calls visit(first word, what follows it) for each line.
 template <typename Visit>
