@@ -252,13 +252,13 @@ class Faulty : public CustomKind {
   Way way_;
 };
 
-/// What the log says during `act`.
+/// What the log says during `act`, behind the place in a file.
 template <typename Act>
 std::string logged(const Act& act) {
   std::ostringstream text;
   const auto before = spdlog::default_logger();
   const auto sink = std::make_shared<spdlog::sinks::ostream_sink_st>(text);
-  sink->set_pattern("%v");
+  sink->set_pattern("%g: %v");
   spdlog::set_default_logger(std::make_shared<spdlog::logger>("test", sink));
   act();
   spdlog::set_default_logger(before);
