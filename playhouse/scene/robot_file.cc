@@ -23,6 +23,7 @@
 
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
+#include "playhouse/scene/kinds.h"
 
 namespace playhouse::scene {
 namespace {
@@ -163,9 +164,18 @@ class Reader {
     const toml::table* const devices = node->as_table();
     if (devices == nullptr)
       return fail(node->source(), "devices are a table of first indices, as {laser = 1}");
+    check_keys(*devices, interfaces_of_models());
     for (const auto& [key, value] : *devices)
       if (const std::optional<int> index = integer(*devices, key.str(), 65535))
         robot.first_index[std::string(key.str())] = *index;
+  }
+
+  static std::vector<std::string_view> interfaces_of_models() {
+    std::vector<std::string_view> names;
+    for (const Kind& kind : kinds())
+      if (kind.entity == EntityForm::kModel || kind.entity == EntityForm::kTrait)
+        for (const KindInterface& interface : kind.interfaces) names.push_back(interface.name);
+    return names;
   }
 
   const std::string& path_;

@@ -70,6 +70,9 @@ TEST(RobotFile, what_is_wrong_is_told_with_its_line_and_the_nearest_word) {
             "my.toml:3: a sensor i");
   EXPECT_EQ(fault("type = \"a\"\npose = [0, 0, 0]\nsensors = [{typ = \"b\"}]\n"),
             "my.toml:3: \"typ\" is unknown (did you mean \"type\"?)");
+  EXPECT_EQ(fault("type = \"a\"\npose = [0, 0, 0]\ndevices = {lazer = 1}\n"),
+            "my.toml:3: \"lazer\" is unknown (did you mean \"laser\"?)");
+  EXPECT_EQ(fault("type = \"a\"\npose = [0, 0, 0]\ndevices = {position2d = 1, power = 0, speech = 2}\n"), "");
   EXPECT_EQ(fault("type = \"a\n").substr(0, 9), "my.toml:1");
 }
 
