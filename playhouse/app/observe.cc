@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <boost/json/serialize.hpp>
 #include <boost/json/string.hpp>
+#include <cstdint>
 #include <cstdio>
 #include <map>
 #include <memory>
@@ -96,9 +97,13 @@ class Observing {
   }
 
   void print_due() {
-    const double now = loop_.now();
-    if (options_.rate > 0 && now < print_due_) return;
-    if (options_.rate > 0) print_due_ = std::max(print_due_ + 1 / options_.rate, now);
+    const double span = loop_.now() - *begun_;
+    if (options_.seconds > 0 && span >= options_.seconds) return;
+    if (options_.rate > 0) {
+      const auto period = static_cast<std::int64_t>(span * options_.rate);
+      if (period < next_period_) return;
+      next_period_ = period + 1;
+    }
     const replicate::ObservedWorld& world = client_->observer().world();
     for (const auto& [id, model] : world.models()) {
       if (!is_wanted(model)) continue;
@@ -170,7 +175,7 @@ class Observing {
   std::unique_ptr<net::Timer> timer_;
   std::optional<double> begun_;  // when the scene had come
   bool names_are_known_ = false, is_over_ = false;
-  double print_due_ = 0;
+  std::int64_t next_period_ = 0;  // of 1 / rate since the scene had come, in which nothing is printed yet
   std::map<std::uint32_t, Printed> printed_;  // by id
   std::optional<Error> failure_;
 };

@@ -145,6 +145,8 @@ class Observe(HouseTest):
         self.assertLess(len(models), 25)
         self.assertGreater(len(models), 5)
         self.assertEqual(figures["budget"], 5000)
+        self.assertEqual([model["name"] for model in self.lines(self.observe("--rate", 2, "--seconds", 0.4))],
+                         ["wall", "r0", "r1"])
         *_, figures = self.lines(self.observe("--seconds", 0.2, "--stats", "--bytes-per-second", 50000))
         self.assertEqual(figures["budget"], 10000)
 
