@@ -1,10 +1,15 @@
 #include "playhouse/app/device_service.h"
 
+#include <arpa/inet.h>
 #include <fmt/format.h>
+#include <ifaddrs.h>
+#include <net/if.h>
+#include <netinet/in.h>
 
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
+#include <optional>
 #include <utility>
 
 #include "playhouse/app/fail.h"
@@ -15,6 +20,26 @@
 #include "playhouse/base/log_output.h"
 
 namespace playhouse::app {
+namespace {
+
+/// The first IPv4 address of this machine that others may reach; none without a network.
+std::optional<std::string> address_for_others() {
+  ifaddrs* all = nullptr;
+  if (getifaddrs(&all) != 0) return std::nullopt;
+  std::optional<std::string> found;
+  for (const ifaddrs* each = all; each != nullptr && !found; each = each->ifa_next) {
+    constexpr unsigned kUp = IFF_UP | IFF_RUNNING;
+    if (each->ifa_addr == nullptr || each->ifa_addr->sa_family != AF_INET) continue;
+    if ((each->ifa_flags & kUp) != kUp || (each->ifa_flags & IFF_LOOPBACK)) continue;
+    char text[INET_ADDRSTRLEN];
+    const auto& address = reinterpret_cast<const sockaddr_in*>(each->ifa_addr)->sin_addr;
+    if (inet_ntop(AF_INET, &address, text, sizeof text) != nullptr) found = text;
+  }
+  freeifaddrs(all);
+  return found;
+}
+
+}  // namespace
 
 DeviceService::DeviceService(const std::string& bind)
     : server_(std::make_unique<server::Server>(loop_, server::ServerOptions{.bind = bind})) {}
@@ -86,8 +111,8 @@ int serve_devices(const scene::CfgFile& file, const std::string& bind, std::uint
 }
 
 std::string shown_host(const std::string& bind) {
-  if (bind == "0.0.0.0" || bind == "localhost") return "127.0.0.1";
-  if (bind == "::") return "[::1]";
+  if (bind == "localhost") return "127.0.0.1";
+  if (bind == "0.0.0.0" || bind == "::") return address_for_others().value_or("127.0.0.1");
   return bind.find(':') == std::string::npos ? bind : "[" + bind + "]";
 }
 

@@ -59,7 +59,8 @@ int serve_devices(const scene::CfgFile& file, const std::string& bind, std::uint
                   const std::string& port_option,
                   const std::function<void(const std::vector<std::uint16_t>&)>& opened = {});
 
-/// An address as people type it into a client; a server on every interface is shown at the loopback one.
+/// An address as people type it into a client, for a server on every interface the first one of this machine
+/// that others may reach.
 std::string shown_host(const std::string& bind);
 
 /// The ports of a configuration file; 0 stands for the default one where an address names none.
