@@ -116,8 +116,13 @@ class ObserverServer::Impl final : public std::enable_shared_from_this<ObserverS
       end(known, "came again");
     }
     if (join.version != replicate::kDatagramVersion) return refuse(from, join.nonce, version_text());
-    const auto guest = options_.guests.admit(join.token.empty() ? "*" : join.token, net::to_text(from));
-    if (!guest) return refuse(from, join.nonce, "--token with the token that you were given is wanted");
+    const std::string token = join.token.empty() ? "*" : join.token;
+    const auto guest = options_.guests.admit(token, net::to_text(from));
+    if (!guest)
+      return refuse(from, join.nonce,
+                    options_.guests.is_sent_out(token, net::to_text(from))
+                        ? web_server::kSentOut
+                        : "--token with the token that you were given is wanted");
     if (observers_.size() >= options_.observers)
       return refuse(from, join.nonce, fmt::format("{} observers are all that may come", observers_.size()));
     welcome(from, join, *guest);

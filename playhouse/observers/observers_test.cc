@@ -122,7 +122,7 @@ TEST_F(Observers, need_the_token_of_a_guest_and_who_was_sent_out_of_the_page_is_
   book.send_out("blue-chair-7", "10.0.0.9:1");
   const auto again = join("10.0.0.5", "blue-chair-7");
   run_for(1);
-  EXPECT_TRUE(again->observer().ended());
+  EXPECT_EQ(again->observer().ended(), web_server::kSentOut);
 }
 
 TEST_F(Observers, are_no_more_than_their_limit_and_get_no_more_than_the_program_gives) {

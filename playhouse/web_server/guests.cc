@@ -109,11 +109,15 @@ GuestBook::GuestBook(std::vector<Guest> guests) : book_(std::make_shared<Book>()
 }
 
 std::optional<Guest> GuestBook::admit(const std::string& token, const std::string& peer) const {
-  if (book_->sent_out.contains(token == "*" ? net::network_of(peer) : token)) return std::nullopt;
+  if (is_sent_out(token, peer)) return std::nullopt;
   if (guests().empty()) return Guest{Role::kAdmin, "*", {}};
   const auto guest = std::ranges::find(guests(), token, &Guest::token);
   if (guest == guests().end()) return std::nullopt;
   return *guest;
+}
+
+bool GuestBook::is_sent_out(const std::string& token, const std::string& peer) const {
+  return book_->sent_out.contains(token == "*" ? net::network_of(peer) : token);
 }
 
 void GuestBook::send_out(const std::string& token, const std::string& peer) {

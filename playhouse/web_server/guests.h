@@ -46,6 +46,8 @@ class GuestBook {
   /// Who comes with this token ("*": with none) from this peer, "address:port"; nobody where they may not.
   /// One who was sent out is not let in again: by the token, or by the address where everybody has the same.
   std::optional<Guest> admit(const std::string& token, const std::string& peer) const;
+  /// Whether that is why nobody is let in.
+  bool is_sent_out(const std::string& token, const std::string& peer) const;
   /// Sends out whoever has this token, or comes from the peer's network where they have none.
   void send_out(const std::string& token, const std::string& peer);
 
@@ -58,6 +60,9 @@ class GuestBook {
   };
   std::shared_ptr<Book> book_;
 };
+
+/// What somebody reads who was sent out, then and when they come again.
+inline constexpr const char* kSentOut = "an admin has sent you out";
 
 /// Longest file of guests.  [B]
 inline constexpr std::size_t kGuestFileBytes = 1 << 20;

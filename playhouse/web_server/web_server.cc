@@ -236,8 +236,9 @@ class WebServer::Impl final : public net::HttpService,
   }
 
   void upgraded(std::unique_ptr<net::WebSocket> socket, const net::HttpRequest& request) override {
-    const std::optional<Guest> guest = guest_of(request, socket->peer());
-    if (!guest) return turn_away(*socket);
+    const std::string token = token_of(request);
+    const std::optional<Guest> guest = options_.guests.admit(token, socket->peer());
+    if (!guest) return turn_away(*socket, token);
     if (viewers_.size() >= options_.viewers && !make_room(net::network_of(socket->peer())))
       return refuse(*socket);
     viewers_.push_back(
@@ -278,18 +279,18 @@ class WebServer::Impl final : public net::HttpService,
     return {};
   }
 
-  /// Who comes with this request; nobody where they may not.
-  std::optional<Guest> guest_of(const net::HttpRequest& request, const std::string& peer) const {
+  /// What somebody comes with; "*": nothing.
+  static std::string token_of(const net::HttpRequest& request) {
     constexpr std::string_view kToken = "token=";
-    const std::string token =
-        request.query.starts_with(kToken) ? request.query.substr(kToken.size()) : std::string("*");
-    return options_.guests.admit(token, peer);
+    return request.query.starts_with(kToken) ? request.query.substr(kToken.size()) : std::string("*");
   }
 
-  void turn_away(net::WebSocket& socket) {
+  void turn_away(net::WebSocket& socket, const std::string& token) {
     if (turned_away_++ == 0)
       log::warn("web: {} turned away: no guest of this run, or sent out (told once)", socket.peer());
-    socket.close("open the page by the link that you were given");
+    socket.close(options_.guests.is_sent_out(token, socket.peer())
+                     ? kSentOut
+                     : "open the page by the link that you were given");
   }
 
   std::string as_whom(const Guest& guest) const {
@@ -354,7 +355,7 @@ class WebServer::Impl final : public net::HttpService,
     // Else it would shut the admin out, too.
     if (out->guest().token != "*" || net::network_of(out->peer()) != net::network_of(from.peer()))
       options_.guests.send_out(out->guest().token, out->peer());
-    out->close("an admin has sent you out");
+    out->close(kSentOut);
     left(*out, "an admin has sent them out");
     return {};
   }

@@ -861,7 +861,7 @@ TEST_F(GuestsTest, who_is_sent_out_does_not_come_again_by_the_same_link) {
   admin.send_text(R"({"do":"kick","viewer":1})");
   ASSERT_TRUE(turn_until([this] { return server_.status().viewers == 1; }));
   again.upgrade_with("somebody-");
-  EXPECT_THAT(again.message(), HasSubstr("open the page by the link that you were given"));
+  EXPECT_THAT(again.message(), HasSubstr("an admin has sent you out"));
   EXPECT_TRUE(observer.upgrade()) << "others may still come";
   observer.message();
   EXPECT_EQ(server_.status().viewers, 2u);
@@ -879,7 +879,7 @@ TEST_F(GuestsTest, an_admin_does_not_shut_out_the_own_address) {
   ASSERT_TRUE(again.upgrade());
   EXPECT_THAT(again.message(), HasSubstr("\"name\":\"small\""));
   ASSERT_TRUE(other.upgrade());
-  EXPECT_THAT(other.message(), HasSubstr("open the page by the link that you were given"));
+  EXPECT_THAT(other.message(), HasSubstr("an admin has sent you out"));
 }
 
 /// Somebody joins, and then the run begins again: their body has gone, and its id is another's.
