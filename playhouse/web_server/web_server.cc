@@ -372,13 +372,16 @@ class WebServer::Impl final : public net::HttpService,
       if (muted_.contains(viewer->number())) person["muted"] = true;
       people.push_back(std::move(person));
     }
+    const bool is_fixed = !control_.why_fixed().empty();
     for (const auto& viewer : viewers_) {
       const Rights rights = viewer->rights();
-      viewer->tell_people(boost::json::serialize(boost::json::object{{"people", people},
-                                                                     {"you", viewer->number()},
-                                                                     {"drives", rights.drives},
-                                                                     {"joins", rights.joins},
-                                                                     {"manages", rights.manages}}));
+      viewer->tell_people(
+          boost::json::serialize(boost::json::object{{"people", people},
+                                                     {"you", viewer->number()},
+                                                     {"drives", rights.drives && !is_fixed},
+                                                     {"joins", rights.joins && !is_fixed},
+                                                     {"manages", rights.manages},
+                                                     {"edits", rights.manages && !is_fixed}}));
     }
   }
 

@@ -31,6 +31,7 @@ constexpr PageFile kPage[] = {
 /// Notes what is asked for; changes wait until the test, as the tick thread, carries them out.
 class Notes final : public world::Control {
  public:
+  std::string why_fixed() const override { return fixed; }
   void pause() override { note("pause"); }
   void resume() override { note("resume"); }
   void step_once() override { note("step"); }
@@ -94,6 +95,7 @@ class Notes final : public world::Control {
 
  public:
   std::atomic<bool> recording = false;
+  std::string fixed;  // why nobody may change the world; before anybody comes
 
  private:
   mutable std::mutex mutex_;
@@ -840,11 +842,11 @@ TEST_F(GuestsTest, everybody_hears_who_is_there_and_what_they_may_do) {
   ASSERT_TRUE(human.upgrade_with("somebody-"));
   EXPECT_TRUE(hears(
       human,
-      R"({"viewer":1,"role":"human","name":"Bob"}],"you":1,"drives":false,"joins":true,"manages":false})"));
+      R"({"viewer":1,"role":"human","name":"Bob"}],"you":1,"drives":false,"joins":true,"manages":false,"edits":false})"));
   ASSERT_TRUE(admin.upgrade_with("the-admin"));
   EXPECT_TRUE(hears(
       admin,
-      R"({"viewer":2,"role":"admin","name":"Ada"}],"you":2,"drives":true,"joins":true,"manages":true})"));
+      R"({"viewer":2,"role":"admin","name":"Ada"}],"you":2,"drives":true,"joins":true,"manages":true,"edits":true})"));
   EXPECT_TRUE(hears(human, R"("name":"Ada")"));
   admin.send_text(R"({"do":"mute","viewer":1,"on":true})");
   EXPECT_TRUE(hears(human, R"("muted":true)"));
@@ -932,6 +934,13 @@ TEST_F(BodiesTest, are_not_mistaken_for_a_robot_that_has_their_id) {
   for (const char* command : {R"({"do":"drive","forward":1,"sideways":0,"turn":0)", R"({"do":"remove")"})
     EXPECT_THAT(answer(guest, command + of_body + "}"), HasSubstr("may not do that")) << command;
   EXPECT_THAT(answer(guest, R"({"do":"say","text":"hi"})"), HasSubstr("only who has joined"));
+}
+
+TEST_F(GuestsTest, who_sees_a_recording_hears_that_nothing_in_it_can_be_changed) {
+  notes_.fixed = "this is a recording";
+  WebClient admin(port_);
+  ASSERT_TRUE(admin.upgrade_with("the-admin"));
+  EXPECT_TRUE(hears(admin, R"("drives":false,"joins":false,"manages":true,"edits":false})"));
 }
 
 TEST_F(GuestsTest, a_wrong_token_opens_nothing_and_the_limit_holds) {

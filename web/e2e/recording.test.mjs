@@ -195,10 +195,13 @@ test('replay shows the run in the page, at any moment of it, and lets nobody cha
     await page.keyboard.press('Home');
     await tickIs(0);
     await page.screenshot({ path: join(results, 'replay.png') });
+    for (const id of ['add', 'save', 'join']) assert.equal(await page.getByTestId(id).isVisible(), false, id);
+    assert.equal(await page.getByTestId('pause').isEnabled(), true);
 
     await page.locator('#robots [data-robot="azure"]').click();
     await page.keyboard.press('Delete');
-    await page.getByText('this is a recording: nothing in it can be changed').first().waitFor();
+    await page.getByText('This is a recording: nothing in it can be changed').first().waitFor();
+    assert.equal(await page.locator('#drive').isVisible(), false);
     assert.ok(await page.evaluate(() => window.playhouse.robots.includes('azure')));
 
     await page.getByTestId('pause').click();

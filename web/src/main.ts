@@ -68,7 +68,7 @@ class Page {
   private physicsAsked = false; // and not come yet
   private physicsOld = false; // who is there has changed since they were asked for
   private flown = 0; // ms, the last picture of a flight
-  private rights: People = { people: [], you: 0, drives: true, joins: true, manages: true };
+  private rights: People = { people: [], you: 0, drives: true, joins: true, manages: true, edits: true };
   private sayings = 0; // of the own body, so far
   private enters = false; // it is not known in the scene yet
   private awaited = 0; // models that were asked for and have not come yet
@@ -112,7 +112,7 @@ class Page {
     join: () => this.join(),
     wave: () => this.wave(),
     fly: () => this.toggleFlight(),
-    save: () => this.manage({ do: 'save' }),
+    save: () => this.edit({ do: 'save' }),
     picture: () => void this.savePicture(),
     help: () => this.help.showModal(),
   });
@@ -143,11 +143,11 @@ class Page {
     this.view.lead = (now) => this.leadOwn(now);
     this.pointer = new Pointer(byId('picture'), this.view, {
       select: (row) => this.select(row),
-      carry: (row, x, y, a) => this.manage({ do: 'drag', model: this.idOf(row), x, y, a }),
+      carry: (row, x, y, a) => this.edit({ do: 'drag', model: this.idOf(row), x, y, a }),
       flies: (speed) => this.showNotice(`flies at ${speed.toPrecision(2)} m/s`),
       looked: () => this.panel.showFollowed(this.view.followed),
       describe: (what) => this.showNotice(what),
-      mayCarry: (row) => (this.live && this.rights.manages && this.scene?.models[row].movable) ?? false,
+      mayCarry: (row) => (this.live && this.rights.edits && this.scene?.models[row].movable) ?? false,
     });
     listenForKeys(this.keys());
     listenForHeldKeys(this.heldKeys, (fast) => {
@@ -300,8 +300,8 @@ class Page {
   private showPeople(people: People): void {
     this.rights = people;
     this.people.show(people);
-    this.toolbar.showManages(people.manages);
-    document.body.classList.toggle('guest', !people.manages);
+    this.toolbar.showRights(people);
+    document.body.classList.toggle('guest', !people.edits);
     this.showJoin();
     this.showWheels();
   }
@@ -314,6 +314,17 @@ class Page {
   private mayManage(): boolean {
     if (!this.rights.manages) this.showNotice('Only an admin may do that in this world.');
     return this.rights.manages;
+  /** The same of what changes who is in the world, which nobody may in a recording. */
+  private edit(command: Command): void {
+    if (this.mayEdit()) this.link.send(command);
+  }
+
+  private mayEdit(): boolean {
+    if (!this.mayManage()) return false;
+    if (!this.rights.edits) this.showNotice('This is a recording: nothing in it can be changed.');
+    return this.rights.edits;
+  }
+
   }
 
   private showNotice(text: string): void {
@@ -523,25 +534,25 @@ class Page {
   /** Another one of the scene's robots, in the middle of the picture. */
   private add(robot: number): void {
     const at = this.middle();
-    if (!this.live || !at || !this.mayManage()) return;
+    if (!this.live || !at || !this.mayEdit()) return;
     ++this.awaited;
-    this.manage({ do: 'add', robot, x: at.x, y: at.y, a: 0 });
+    this.edit({ do: 'add', robot, x: at.x, y: at.y, a: 0 });
   }
 
   /** Another one like the selected robot, beside it. */
   private copy(): void {
     const { selected: row, motion } = this.view;
-    if (row === null || !motion || !this.live || !this.mayManage()) return;
+    if (row === null || !motion || !this.live || !this.mayEdit()) return;
     const { size } = this.scene!.models[row];
     const beside = 1.5 * Math.max(size[0], size[1], 0.1);
     const a = motion.a[row];
     ++this.awaited;
-    this.manage({ do: 'copy', model: this.idOf(row), x: motion.x[row] + Math.sin(a) * beside, y: motion.y[row] - Math.cos(a) * beside, a });
+    this.edit({ do: 'copy', model: this.idOf(row), x: motion.x[row] + Math.sin(a) * beside, y: motion.y[row] - Math.cos(a) * beside, a });
   }
 
   private remove(): void {
     const { selected: row } = this.view;
-    if (row !== null && this.live) this.manage({ do: 'remove', model: this.idOf(row) });
+    if (row !== null && this.live) this.edit({ do: 'remove', model: this.idOf(row) });
   }
 
   private follow(row: number | null): void {

@@ -113,13 +113,16 @@ export interface Person {
   muted?: boolean;
 }
 
-/** Who watches, and what this viewer may do: drive robots, join, change how the world runs and who is in it. */
+/**
+ * Who watches, and what this viewer may do: drive robots, join, change how the world runs, change who is in it and save it.
+ */
 export interface People {
   people: Person[];
   you: number;
   drives: boolean;
   joins: boolean;
   manages: boolean;
+  edits: boolean;
 }
 
 /** What physics takes something for: an upright prism, or the corners of what is convex. [m] */

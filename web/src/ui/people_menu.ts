@@ -14,7 +14,7 @@ export class PeopleMenu {
   readonly sheet = el('div', { class: 'sheet people', hidden: true, 'data-testid': 'people-sheet' });
 
   constructor(private readonly events: PeopleEvents) {
-    this.show({ people: [], you: 0, drives: true, joins: true, manages: true });
+    this.show({ people: [], you: 0, drives: true, joins: true, manages: true, edits: true });
   }
 
   show(people: People): void {

@@ -1,4 +1,5 @@
 import type { LinkState } from '../link';
+import type { People } from '../protocol/scene';
 import type { Layers } from '../view/stage_view';
 import { el, icon, setText } from './dom';
 import type { PeopleMenu } from './people_menu';
@@ -72,7 +73,8 @@ export class Toolbar {
   private readonly tiltButton = el('button', { 'data-testid': 'tilt', title: 'From above or tilted (T)' });
   private paused: boolean | null = null;
   private live = false;
-  private manages = true;
+  private rights: Pick<People, 'manages' | 'edits'> = { manages: true, edits: true };
+  private addable = 0; // sorts of robots
 
   constructor(
     bar: HTMLElement,
@@ -115,15 +117,17 @@ export class Toolbar {
     this.showAllowed();
   }
 
-  /** Whether this viewer may change how the world runs and who is in it. */
-  showManages(manages: boolean): void {
-    this.manages = manages;
+  showRights(rights: People): void {
+    this.rights = rights;
     this.showAllowed();
   }
 
   private showAllowed(): void {
     this.joinButton.disabled = this.waveButton.disabled = !this.live;
-    for (const control of [this.pause, this.stepButton, this.speeds, this.addButton, this.saveButton]) control.disabled = !this.live || !this.manages;
+    for (const control of [this.pause, this.stepButton, this.speeds]) control.disabled = !this.live || !this.rights.manages;
+    for (const control of [this.addButton, this.saveButton]) control.disabled = !this.live;
+    this.addButton.hidden = !this.rights.edits || this.addable === 0;
+    this.saveButton.hidden = !this.rights.edits;
   }
 
   showWorld(name: string): void {
@@ -134,7 +138,8 @@ export class Toolbar {
   }
 
   showAddable(names: string[]): void {
-    this.addButton.hidden = names.length === 0;
+    this.addable = names.length;
+    this.showAllowed();
     this.addSheet.replaceChildren(...names.map((name, robot) => {
       const choice = el('button', { 'data-add': name }, name);
       choice.onclick = () => {
