@@ -35,6 +35,7 @@ after(async () => {
 test('the own body moves in the picture before the program has even heard of it', async () => {
   const { page } = human;
   await page.getByTestId('join').click();
+  assert.equal(await page.getByTestId('answer').inputValue(), 'visitor2', 'a visitor is there already');
   await page.getByTestId('answer').fill('Ada');
   await page.keyboard.press('Enter');
   await page.waitForFunction(() => window.playhouse.eye !== null);

@@ -19,6 +19,7 @@ import { PeopleMenu } from './ui/people_menu';
 import { RobotList } from './ui/robot_list';
 import { SpeedWish, fasterBy } from './ui/speed_wish';
 import { Stick } from './ui/stick';
+import { freeName } from './ui/texts';
 import { Toolbar, worldTitle } from './ui/toolbar';
 import { Pointer } from './view/pointer';
 import type { Margins } from './view/camera_rig';
@@ -31,6 +32,7 @@ const kDrivePeriodMs = 50;
 const kNearScale = 60; // pixels per metre: near enough to see a robot's sensors
 const kSensorScale = 8; // pixels per metre: seen from farther away, fans are a fog
 const kNameKey = 'playhouse.name';
+const kNameLetters = 24; // at most
 const kNoticeMs = 4000;
 const kWaveMs = 2500;
 const kPauseMs = 250;
@@ -447,10 +449,14 @@ class Page {
     }
     const at = this.middle();
     if (!at) return;
-    const known = localStorage.getItem(kNameKey) ?? 'visitor';
-    this.ask.open('Your name in this world', { value: known, pattern: '[A-Za-z][A-Za-z0-9_\\-]*', most: 24 }, (name) => {
-      localStorage.setItem(kNameKey, name);
-      this.link.send({ do: 'join', name, x: at.x, y: at.y, a: 0 });
+    const come = (name: string) => this.link.send({ do: 'join', name, x: at.x, y: at.y, a: 0 });
+    const given = this.rights.people.find(({ viewer }) => viewer === this.rights.you)?.name;
+    if (given !== undefined) return come(given);
+    const taken = new Set(this.scene?.models.map(({ name }) => name));
+    const free = freeName(localStorage.getItem(kNameKey) ?? 'visitor', taken, kNameLetters);
+    this.ask.open('Your name in this world', { value: free, pattern: '[A-Za-z][A-Za-z0-9_\\-]*', most: kNameLetters }, (name) => {
+      if (name !== free) localStorage.setItem(kNameKey, name);
+      come(name);
     });
   }
 

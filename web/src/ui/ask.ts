@@ -2,8 +2,8 @@ import { el } from './dom';
 
 /** A small dialog that asks for one line of text. */
 export class Ask {
-  private readonly input = el('input', { type: 'text', autocomplete: 'off' });
-  private readonly question = el('label', {});
+  private readonly input = el('input', { id: 'answer', type: 'text', autocomplete: 'off' });
+  private readonly question = el('label', { for: 'answer' });
   private done: (text: string) => void = () => {};
 
   constructor(private readonly dialog: HTMLDialogElement) {

@@ -13,6 +13,15 @@ export function shortName(name: string): string {
   return name.slice(name.lastIndexOf('.') + 1);
 }
 
+/** The name, with a number behind where somebody has it; of at most `most` letters. */
+export function freeName(name: string, taken: ReadonlySet<string>, most: number): string {
+  for (let number = 1; ; ++number) {
+    const tail = number === 1 ? '' : String(number);
+    const free = name.slice(0, most - tail.length) + tail;
+    if (!taken.has(free)) return free;
+  }
+}
+
 /** 3723.4 s as "1:02:03.4". */
 export function clockText(seconds: number): string {
   const tenths = Math.round(seconds * 10);
