@@ -362,7 +362,7 @@ class Page {
 
   /** What keys, gamepad and stick want. */
   private hands(): Hands {
-    const pads = document.hasFocus() ? navigator.getGamepads().filter((pad) => pad?.connected) : [];
+    const pads = document.hasFocus() ? (navigator.getGamepads?.() ?? []).filter((pad) => pad?.connected) : []; // some browsers want https for them
     return sum([this.heldKeys.hands(this.hurry), this.stick.hands(), ...pads.map((pad) => handsOfAxes(pad!.axes))]);
   }
 
