@@ -23,6 +23,12 @@ async function fit() {
   await settled();
 }
 
+/** Another size of the window, and a picture of it: what is below the bar moves with it. */
+async function resize(on, width, height) {
+  await on.setViewportSize({ width, height });
+  await on.evaluate(() => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))));
+}
+
 /** What lies over the picture, by its id. */
 function boxes(on) {
   return on.evaluate(() =>
@@ -180,12 +186,48 @@ test('nothing overlaps on a phone, and the selected robot is in sight', async ()
 
 test('nothing overlaps on small windows', async () => {
   await choose('guest');
-  for (const [width, height] of [[1380, 800], [1280, 800], [1120, 800], [1024, 768], [760, 700]]) {
-    await page.setViewportSize({ width, height });
+  for (const [width, height] of [[1380, 800], [1280, 800], [1120, 800], [1024, 768], [900, 700], [760, 700]]) {
+    await resize(page, width, height);
     await nothingOverlaps(page);
   }
   await page.setViewportSize({ width: 1280, height: 800 });
   assert.deepEqual(viewer.errors, []);
+});
+
+/** Buttons of the bar that somebody would click in vain: outside of it, or below something else. */
+function outOfReach(on) {
+  return on.evaluate(() => {
+    const bar = document.getElementById('bar').getBoundingClientRect();
+    const shown = [...document.querySelectorAll('#bar button, #bar select, #bar .brand')].filter((each) => each.offsetWidth > 0);
+    const bad = shown.filter((each) => {
+      const { left, top, right, bottom } = each.getBoundingClientRect();
+      const inside = left >= bar.left && right <= bar.right && top >= bar.top && bottom <= bar.bottom;
+      return !inside || !each.contains(document.elementFromPoint((left + right) / 2, (top + bottom) / 2));
+    });
+    return { count: shown.length, bad: bad.map((each) => each.textContent) };
+  });
+}
+
+test('every button of the bar can be reached, however narrow the window', async () => {
+  const room = await startProgram('worlds/room.world', ['--engine', 'arena']);
+  const other = await watch(browser, room.page);
+  const guest = await watch(browser, room.page);
+  await guest.page.getByTestId('join').click();
+  await guest.page.keyboard.press('Enter');
+  for (const id of ['wave', 'people', 'add', 'save']) await guest.page.getByTestId(id).waitFor();
+  for (const [width, height, least] of [[1280, 800, 15], [1024, 768, 15], [900, 700, 15], [760, 700, 15], [360, 740, 10]]) {
+    await resize(guest.page, width, height);
+    const { count, bad } = await outOfReach(guest.page);
+    assert.deepEqual(bad, [], `at ${width}`);
+    assert.ok(count >= least, `${count} at ${width}`);
+    await nothingOverlaps(guest.page);
+  }
+  await guest.page.getByTestId('layers').click();
+  const sheet = await guest.page.locator('.sheet:not([hidden])').boundingBox();
+  assert.ok(sheet.x >= 0 && sheet.x + sheet.width <= 360, JSON.stringify(sheet));
+  assert.deepEqual([...guest.errors, ...other.errors], []);
+  await Promise.all([guest.page.close(), other.page.close()]);
+  await room.stop();
 });
 
 test('a page without its program looks like one', async () => {

@@ -158,6 +158,7 @@ class Page {
     });
     this.listenForLooks(byId('picture'));
     window.setInterval(() => this.drive(), kDrivePeriodMs);
+    new ResizeObserver(() => showBarHeight()).observe(byId('bar'));
     kDarkPage.addEventListener('change', () => this.view.setTheme());
     this.showLink('connecting');
     requestAnimationFrame((now) => this.frame(now));
@@ -313,9 +314,6 @@ class Page {
     if (this.mayManage()) this.link.send(command);
   }
 
-  private mayManage(): boolean {
-    if (!this.rights.manages) this.showNotice('Only an admin may do that in this world.');
-    return this.rights.manages;
   /** The same of what changes who is in the world, which nobody may in a recording. */
   private edit(command: Command): void {
     if (this.mayEdit()) this.link.send(command);
@@ -327,6 +325,9 @@ class Page {
     return this.rights.edits;
   }
 
+  private mayManage(): boolean {
+    if (!this.rights.manages) this.showNotice('Only an admin may do that in this world.');
+    return this.rights.manages;
   }
 
   private showNotice(text: string): void {
@@ -650,6 +651,11 @@ function cameraOf(scene: Scene, roots: Int32Array, row: number): number | null {
   return camera < 0 ? null : camera;
 }
 
+/** The bar has a second line where the window is narrow; what is below it moves down. */
+function showBarHeight(): void {
+  document.documentElement.style.setProperty('--bar', `${byId('bar').offsetHeight}px`);
+}
+
 /** What lies over the picture at its sides. */
 function margins(): Margins {
   const wide = window.innerWidth > 720;
@@ -658,7 +664,7 @@ function margins(): Margins {
   return {
     left: gap + (wide ? byId('robots').getBoundingClientRect().right : 0),
     right: gap + (wide && !panel.hidden ? window.innerWidth - panel.getBoundingClientRect().left : 0),
-    top: gap + (wide ? 62 : 104),
+    top: gap + byId('bar').getBoundingClientRect().bottom + (wide ? 0 : 46), // the clock, on phones
     bottom: gap + (wide ? 56 : panel.hidden ? 0 : panel.getBoundingClientRect().height),
   };
 }

@@ -38,7 +38,8 @@ const kLayers: [keyof Layers, string, string][] = [
   ['physics', 'Physics shapes', 'X'],
 ];
 
-const kNarrow = window.matchMedia('(max-width: 720px)');
+const kEdge = 8; // px, that a sheet stays away from the edge of the window
+const kNarrow = window.matchMedia('(max-width: 1100px)');
 
 function speedText(speed: number): string {
   if (kNarrow.matches) return speed === 0 ? 'fastest' : `${speed}×`;
@@ -207,6 +208,9 @@ export class Toolbar {
   private menu(button: HTMLElement, sheet: HTMLElement): HTMLElement {
     const show = (open: boolean) => {
       sheet.hidden = !open;
+      sheet.style.right = '';
+      const { left } = sheet.getBoundingClientRect();
+      if (open && left < kEdge) sheet.style.right = `${left - kEdge}px`;
       button.setAttribute('aria-expanded', String(open));
     };
     button.onclick = () => show(sheet.hidden);
