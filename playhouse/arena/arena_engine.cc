@@ -18,7 +18,7 @@ constexpr double kLongestStep = 0.01;  // s, of Physics
 constexpr double kSlow = 0.005;      // m/s
 constexpr double kSlowTurn = 0.02;   // rad/s
 constexpr double kRestAfter = 0.5;   // s
-constexpr double kLeastTilt = 1e-6;  // rad; less is none, so that what stands on the ground stands upright
+constexpr double kLeastTilt = 1e-6;  // rad; tilts below this are set to zero
 constexpr double kStalled = 0.2;     // of the motion that its wheels make; a robot that moves less stalls
 
 BodyState state_of(const world::Models& models, std::uint32_t row) {

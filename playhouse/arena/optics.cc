@@ -16,7 +16,7 @@ Optics optics_of(std::string_view material) {
   return {known.scatters, known.mirrors, known.passes};
 }
 
-/// Luminance of linear light by ITU-R BT.709; colours are stored with a gamma of about 2.
+/// Luminance of linear light by ITU-R BT.709; colors are squared as an approximation of sRGB decoding.
 double scatters(const scene::Color& color) {
   const double r = color.r, g = color.g, b = color.b;
   return std::clamp(0.2126 * r * r + 0.7152 * g * g + 0.0722 * b * b, kDarkest, kBrightest);

@@ -257,9 +257,8 @@ PLAYHOUSE_INLINE Rows::Together unloading_of(const Axle& axle, const Rows& rows)
   return unloading;
 }
 
-/// Such wheels bear a vehicle in more than one way: what both casters take off the axle leaves its motion as
-/// it is. Here they take as little as keeps it from tipping, as sprung casters do; a tall vehicle would spin
-/// its wheels else.
+/// The load split between casters and axle is indeterminate: chooses the least caster load that prevents
+/// tipping, as sprung casters do; a tall vehicle would spin its wheels else.
 PLAYHOUSE_INLINE void unload_casters(const Axle& axle, const Rows::Together& unloading, Rows& rows) {
   const double share = axle.share;
   const double of_first = rows.impulse(axle.casters[0]->normal),

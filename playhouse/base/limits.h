@@ -1,6 +1,7 @@
 #pragma once
 
-/// Every limit of the program that users can meet, by name.
+/// Limits of the wire, the server, viewers, observers, recordings and files, which several modules, tests or
+/// documents name. A limit of one module alone stands in that module.
 
 #include <cstddef>
 #include <cstdint>
@@ -10,122 +11,140 @@ namespace playhouse::limits {
 // Wire (facts of the Player protocol).
 inline constexpr std::size_t kHeaderBytes = 40;
 inline constexpr std::size_t kBannerBytes = 32;
-inline constexpr std::size_t kMessageBytes = 33554432;            // header and body on the wire
+inline constexpr std::size_t kMessageBytes = 33554432;  // header and body on the wire
 inline constexpr std::size_t kBodyBytes = kMessageBytes - kHeaderBytes;
-inline constexpr std::size_t kDevices = 4096;                     // entries of a device list
-inline constexpr std::size_t kDriverNameBytes = 64;               // with the final NUL
+inline constexpr std::size_t kDevices = 4096;        // entries of a device list
+inline constexpr std::size_t kDriverNameBytes = 64;  // with the final NUL
 
 // Server.
 inline constexpr std::size_t kSessions = 4096;
-inline constexpr std::size_t kSessionsOfHost = 1024;              // of one address that is not this machine's: nobody shuts out all others alone
-inline constexpr int kSilentSeconds = 60;                         // a client that has not said anything yet is closed then
-inline constexpr std::size_t kLingering = kSessions;               // connections that wait for their peers to end: over it the first is closed
-inline constexpr std::size_t kSessionQueueMessages = 1024;        // data waiting for one client
-inline constexpr std::size_t kSessionQueueBytes = 64u << 20;      // the same in bytes, headers included
-inline constexpr std::size_t kSessionRules = 256;                 // replace rules of one client
-inline constexpr std::size_t kSessionAnswers = 1024;              // answers one client is owed (docs/server.md); what it says next waits
-inline constexpr std::size_t kSessionAnswerBytes = 1u << 20;      // the same in bytes, of requests that drivers have and of answers
-inline constexpr std::size_t kTurnMessages = 32;                  // of one client, before it is the next one's turn
-inline constexpr std::size_t kTurnWork = 256;                     // messages and clients, before the sockets are looked at again
-inline constexpr std::size_t kTurnDeliveries = 1024;              // data and answers of drivers, the same
-inline constexpr std::size_t kRequestQueue = 16384;               // requests of all clients waiting for a tick
-inline constexpr std::uint32_t kStepTicks = 1u << 20;             // of one step of a world in lock-step
-inline constexpr std::uint32_t kSingleSteps = 1000;               // of one that is not: all that wait
-inline constexpr std::size_t kInputBytes = 128u << 20;            // of messages of all clients that have not come whole
-inline constexpr std::size_t kOutputBytes = 128u << 20;           // of answers and data of all clients that have not been sent
-inline constexpr std::size_t kSessionInputBytes = 128u << 10;     // of these, what each client may have uncounted
-inline constexpr std::size_t kSubscriptions = 8192;               // devices one client may hold open; those that retired unread count
-inline constexpr std::size_t kListedModels = 4096;                // of one answer to "which models are there"
-inline constexpr std::size_t kModelListBytes = 256u << 10;        // of its text; one model is always told
-inline constexpr std::size_t kOutboxBytes = 64u << 20;            // data the io thread has not taken yet
-inline constexpr std::size_t kOutboxMessages = 65536;             // the same in messages
+inline constexpr std::size_t kSessionsOfHost =
+    1024;  // of one address that is not this machine's: nobody shuts out all others alone
+inline constexpr int kSilentSeconds = 60;  // a client that has not said anything yet is closed then
+inline constexpr std::size_t kLingering =
+    kSessions;  // connections that wait for their peers to end: over it the first is closed
+inline constexpr std::size_t kSessionQueueMessages = 1024;    // data waiting for one client
+inline constexpr std::size_t kSessionQueueBytes = 64u << 20;  // the same in bytes, headers included
+inline constexpr std::size_t kSessionRules = 256;             // replace rules of one client
+inline constexpr std::size_t kSessionAnswers =
+    1024;  // answers one client is owed (docs/server.md); what it says next waits
+inline constexpr std::size_t kSessionAnswerBytes =
+    1u << 20;  // the same in bytes, of requests that drivers have and of answers
+inline constexpr std::size_t kTurnMessages = 32;  // of one client, before it is the next one's turn
+inline constexpr std::size_t kTurnWork = 256;  // messages and clients, before the sockets are looked at again
+inline constexpr std::size_t kTurnDeliveries = 1024;    // data and answers of drivers, the same
+inline constexpr std::size_t kRequestQueue = 16384;     // requests of all clients waiting for a tick
+inline constexpr std::uint32_t kStepTicks = 1u << 20;   // of one step of a world in lock-step
+inline constexpr std::uint32_t kSingleSteps = 1000;     // of one that is not: all that wait
+inline constexpr std::size_t kInputBytes = 128u << 20;  // of messages of all clients that have not come whole
+inline constexpr std::size_t kOutputBytes =
+    128u << 20;  // of answers and data of all clients that have not been sent
+inline constexpr std::size_t kSessionInputBytes = 128u
+                                                  << 10;  // of these, what each client may have uncounted
+inline constexpr std::size_t kSubscriptions =
+    8192;  // devices one client may hold open; those that retired unread count
+inline constexpr std::size_t kListedModels = 4096;          // of one answer to "which models are there"
+inline constexpr std::size_t kModelListBytes = 256u << 10;  // of its text; one model is always told
+inline constexpr std::size_t kOutboxBytes = 64u << 20;      // data the io thread has not taken yet
+inline constexpr std::size_t kOutboxMessages = 65536;       // the same in messages
 
 // Viewers: the browser page.
-inline constexpr std::size_t kHttpConnections = 256;              // viewers included; over it the one that waited longest is closed
-inline constexpr std::size_t kHttpConnectionsPerAddress = 128;    // the same of one address; viewers are not counted
-inline constexpr std::size_t kHttpHeaderBytes = 16384;            // of one request
-inline constexpr int kHttpIdleSeconds = 30;                       // without a request; a viewer that answers no ping is closed then
-inline constexpr int kHttpHeadSeconds = 10;                       // from the first byte of a request's head to its last
-inline constexpr int kHttpAnswerSeconds = 30;                     // until a whole answer is taken
+inline constexpr std::size_t kHttpConnections =
+    256;  // viewers included; over it the one that waited longest is closed
+inline constexpr std::size_t kHttpConnectionsPerAddress =
+    128;                                                // the same of one address; viewers are not counted
+inline constexpr std::size_t kHttpHeaderBytes = 16384;  // of one request
+inline constexpr int kHttpIdleSeconds =
+    30;  // without a request; a viewer that answers no ping is closed then
+inline constexpr int kHttpHeadSeconds = 10;    // from the first byte of a request's head to its last
+inline constexpr int kHttpAnswerSeconds = 30;  // until a whole answer is taken
 inline constexpr std::size_t kViewers = 64;
-inline constexpr int kViewerQuietSeconds = 30;                    // without an acknowledgement: gives way to one that comes
-inline constexpr std::size_t kViewerCommandsPerTurn = 64;         // of one page between two pictures; the rest waits
-inline constexpr std::size_t kViewerCommandBytes = 4096;          // of one message from a page
-inline constexpr std::size_t kViewerFaults = 16;                  // messages refused before a viewer is closed
-inline constexpr std::size_t kViewerTextMessages = 32;            // notices waiting for a page
-inline constexpr std::size_t kViewerFrameBytes = 65536;           // the rest of the changes waits for the next frame
-inline constexpr std::uint32_t kViewerFramesInFlight = 4;         // sent and not acknowledged
-inline constexpr double kViewerDriveSeconds = 0.5;                // a velocity from a page holds so long unless renewed
-inline constexpr std::size_t kSnapshotBeams = 1u << 18;           // of all sensors shown to all viewers
+inline constexpr int kViewerQuietSeconds = 30;  // without an acknowledgement: gives way to one that comes
+inline constexpr std::size_t kViewerCommandsPerTurn = 64;  // of one page between two pictures; the rest waits
+inline constexpr std::size_t kViewerCommandBytes = 4096;   // of one message from a page
+inline constexpr std::size_t kViewerFaults = 16;           // messages refused before a viewer is closed
+inline constexpr std::size_t kViewerTextMessages = 32;     // notices waiting for a page
+inline constexpr std::size_t kViewerFrameBytes = 65536;    // the rest of the changes waits for the next frame
+inline constexpr std::uint32_t kViewerFramesInFlight = 4;  // sent and not acknowledged
+inline constexpr double kViewerDriveSeconds = 0.5;  // a velocity from a page holds so long unless renewed
+inline constexpr std::size_t kSnapshotBeams = 1u << 18;  // of all sensors shown to all viewers
 
 // Observers: clients by datagrams (playhouse/observers).
-inline constexpr std::size_t kObservers = 64;                     // at once
-inline constexpr std::size_t kDatagramBytes = 1200;               // of one, which goes through every network in one piece
-inline constexpr std::size_t kDatagramHeadBytes = 28;             // of IPv4 and UDP in front of it, which the budget counts too
-inline constexpr std::uint32_t kObserverBytesPerSecond = 64000;   // to one observer, unless it or the program says otherwise
-inline constexpr std::uint32_t kObserverBytesLeast = 4000;        // a second; less is not asked for
-inline constexpr std::uint32_t kObserverBytesMost = 10000000;     // a second
-inline constexpr std::uint32_t kObserverFrames = 30;              // a second, at most
-inline constexpr int kObserverQuietSeconds = 10;                  // an observer, or a program, that is not heard of for so long is gone
-inline constexpr std::size_t kStreamWindowBytes = 65536;          // of texts sent to one observer and not acknowledged
-inline constexpr std::size_t kStreamTextBytes = 256u << 20;       // of one text to an observer, unpacked
-inline constexpr std::size_t kObserverCommandBytes = 4096;        // of one text from an observer
-inline constexpr std::size_t kTokenBytes = 128;                   // of a guest's token
-inline constexpr std::size_t kTokenBytesLeast = 8;                // of one that a file of guests gives
-inline constexpr std::size_t kPersonNameBytes = 24;               // of a guest's name, and of one who joins
+inline constexpr std::size_t kObservers = 64;        // at once
+inline constexpr std::size_t kDatagramBytes = 1200;  // of one, which goes through every network in one piece
+inline constexpr std::size_t kDatagramHeadBytes =
+    28;  // of IPv4 and UDP in front of it, which the budget counts too
+inline constexpr std::uint32_t kObserverBytesPerSecond =
+    64000;  // to one observer, unless it or the program says otherwise
+inline constexpr std::uint32_t kObserverBytesLeast = 4000;     // a second; less is not asked for
+inline constexpr std::uint32_t kObserverBytesMost = 10000000;  // a second
+inline constexpr std::uint32_t kObserverFrames = 30;           // a second, at most
+inline constexpr int kObserverQuietSeconds =
+    10;  // an observer, or a program, that is not heard of for so long is gone
+inline constexpr std::size_t kStreamWindowBytes =
+    65536;  // of texts sent to one observer and not acknowledged
+inline constexpr std::size_t kStreamTextBytes = 256u << 20;  // of one text to an observer, unpacked
+inline constexpr std::size_t kObserverCommandBytes = 4096;   // of one text from an observer
+inline constexpr std::size_t kTokenBytes = 128;              // of a guest's token
+inline constexpr std::size_t kTokenBytesLeast = 8;           // of one that a file of guests gives
+inline constexpr std::size_t kPersonNameBytes = 24;          // of a guest's name, and of one who joins
 
 // The last minutes of a run that somebody watches (drivers/simulated/history.h).
-inline constexpr double kHistorySeconds = 600;                    // simulated, back from the newest instant
-inline constexpr double kHistoryPeriodSeconds = 1;                // simulated, from one instant to the next
-inline constexpr std::size_t kHistoryBytes = 128u << 20;          // of all states
+inline constexpr double kHistorySeconds = 600;            // simulated, back from the newest instant
+inline constexpr double kHistoryPeriodSeconds = 1;        // simulated, from one instant to the next
+inline constexpr std::size_t kHistoryBytes = 128u << 20;  // of all states
 
 // Recordings (playhouse/record).
-inline constexpr std::size_t kRecordChunkBytes = 1u << 20;        // a chunk that has so many is written, else twice a second
-inline constexpr std::size_t kRecordQueueBytes = 64u << 20;       // waiting for the disk; the run waits then
-inline constexpr std::size_t kRecordChannels = 65535;             // of a file; the rest is left out
-inline constexpr std::size_t kReadChunkBytes = 256u << 20;        // of a chunk that is read, unpacked
-inline constexpr std::size_t kReadRecordBytes = 1u << 30;         // of any other record that is read
+inline constexpr std::size_t kRecordChunkBytes =
+    1u << 20;  // a chunk that has so many is written, else twice a second
+inline constexpr std::size_t kRecordQueueBytes = 64u << 20;  // waiting for the disk; the run waits then
+inline constexpr std::size_t kRecordChannels = 65535;        // of a file; the rest is left out
+inline constexpr std::size_t kReadChunkBytes = 256u << 20;   // of a chunk that is read, unpacked
+inline constexpr std::size_t kReadRecordBytes = 1u << 30;    // of any other record that is read
 
 // Stage engine.
-inline constexpr unsigned kMotionSteps = 1024;                    // collision tests along one robot's way in one tick
+inline constexpr unsigned kMotionSteps = 1024;  // collision tests along one robot's way in one tick
 
 // Models.
-inline constexpr std::size_t kSayBytes = 1024;                    // of what a model says; the rest is cut off
-inline constexpr std::size_t kUtterances = 1024;                  // kept for who listens; a tick with more loses the oldest
-inline constexpr std::size_t kCustomNumbers = 4096;               // commands, state or readings of a custom model
+inline constexpr std::size_t kSayBytes = 1024;    // of what a model says; the rest is cut off
+inline constexpr std::size_t kUtterances = 1024;  // kept for who listens; a tick with more loses the oldest
+inline constexpr std::size_t kCustomNumbers = 4096;  // commands, state or readings of a custom model
 
 // Messages between radios.
-inline constexpr std::size_t kRadioMessageBytes = 2304;           // of one, as of a frame of IEEE 802.11
-inline constexpr std::size_t kRadioSends = 64;                    // messages that one radio sends in a tick
-inline constexpr std::size_t kRadioReceives = 256;                // messages that one radio receives in a tick
+inline constexpr std::size_t kRadioMessageBytes = 2304;  // of one, as of a frame of IEEE 802.11
+inline constexpr std::size_t kRadioSends = 64;           // messages that one radio sends in a tick
+inline constexpr std::size_t kRadioReceives = 256;       // messages that one radio receives in a tick
 
 // Files.
 inline constexpr std::size_t kFileBytes = 64u << 20;
 inline constexpr int kIncludeDepth = 32;
-inline constexpr std::size_t kIncludes = 1u << 16;                // of all include statements, each as often as it is met
-inline constexpr std::size_t kWarningsOfAKind = 20;               // of one file; the others are counted
+inline constexpr std::size_t kIncludes = 1u << 16;   // of all include statements, each as often as it is met
+inline constexpr std::size_t kWarningsOfAKind = 20;  // of one file; the others are counted
 inline constexpr int kEntityDepth = 64;
-inline constexpr std::size_t kEntities = 1u << 20;                // after macro expansion; of a world, those that are like no other
-inline constexpr std::size_t kSceneModels = 1u << 21;             // of a world file, however many are alike
-inline constexpr std::size_t kModels = 1u << 22;                  // alive at a time, with those that came during the run
-inline constexpr int kTreeDepth = 128;                            // models inside and attached to each other
-inline constexpr std::size_t kExpandedFields = 1u << 27;          // properties of all entities, macros' included
-inline constexpr std::size_t kBitmapPixels = 1u << 28;            // of all bitmaps of a world
-inline constexpr std::size_t kBitmapBytes = 64u << 20;            // of their files
-inline constexpr std::size_t kCorners = 1u << 22;                 // of all bodies of a world, bitmaps' contours included
-inline constexpr std::size_t kTextBytes = 1u << 27;               // names and texts of all models
-inline constexpr std::size_t kSensors = 1u << 24;                 // of all rangers of a world
-inline constexpr std::size_t kOldParts = 1u << 18;                // of rangers and bodies, that worlds of Stage 2 tell of by numbered words
-inline constexpr std::size_t kOldPartsOfOne = 1024;               // the same of one model
-inline constexpr std::size_t kGlbBytes = 1u << 30;                // of a world as glTF
-inline constexpr std::size_t kPicturePixels = 1u << 26;           // of a world from above
-inline constexpr std::size_t kFilmBytes = 1u << 30;               // of a film that is an animated PNG
-inline constexpr std::size_t kBrowserMessage = 1u << 29;          // from a browser that draws: a picture is one
-inline constexpr int kRangerSamples = 1 << 16;                    // beams of one sensor
-inline constexpr std::size_t kBeams = 1u << 26;                   // of all sensors of a world, and pixels of its cameras
+inline constexpr std::size_t kEntities =
+    1u << 20;  // after macro expansion; of a world, those that are like no other
+inline constexpr std::size_t kSceneModels = 1u << 21;  // of a world file, however many are alike
+inline constexpr std::size_t kModels = 1u << 22;       // alive at a time, with those that came during the run
+inline constexpr int kTreeDepth = 128;                 // models inside and attached to each other
+inline constexpr std::size_t kExpandedFields = 1u << 27;  // properties of all entities, macros' included
+inline constexpr std::size_t kBitmapPixels = 1u << 28;    // of all bitmaps of a world
+inline constexpr std::size_t kBitmapBytes = 64u << 20;    // of their files
+inline constexpr std::size_t kCorners = 1u << 22;    // of all bodies of a world, bitmaps' contours included
+inline constexpr std::size_t kTextBytes = 1u << 27;  // names and texts of all models
+inline constexpr std::size_t kSensors = 1u << 24;    // of all rangers of a world
+inline constexpr std::size_t kOldParts =
+    1u << 18;  // of rangers and bodies, that worlds of Stage 2 tell of by numbered words
+inline constexpr std::size_t kOldPartsOfOne = 1024;       // the same of one model
+inline constexpr std::size_t kGlbBytes = 1u << 30;        // of a world as glTF
+inline constexpr std::size_t kPicturePixels = 1u << 26;   // of a world from above
+inline constexpr std::size_t kFilmBytes = 1u << 30;       // of a film that is an animated PNG
+inline constexpr std::size_t kBrowserMessage = 1u << 29;  // from a browser that draws: a picture is one
+inline constexpr int kRangerSamples = 1 << 16;            // beams of one sensor
+inline constexpr std::size_t kBeams = 1u << 26;  // of all sensors of a world, and pixels of its cameras
 
 static_assert(kBodyBytes + kHeaderBytes == kMessageBytes);
-static_assert(kViewers + kHttpConnectionsPerAddress <= kHttpConnections, "viewers alone must not fill the server");
+static_assert(kViewers + kHttpConnectionsPerAddress <= kHttpConnections,
+              "viewers alone must not fill the server");
 static_assert(kViewers * kViewerCommandsPerTurn * 2 <= kRequestQueue / 2,
               "viewers alone must not fill the queue of all; a command is two entries at most");
 static_assert(kSessionAnswers * 8 <= kRequestQueue, "one client alone must not fill the queue of all");

@@ -1,6 +1,6 @@
 #pragma once
 
-/// DeviceTable: who answers at which address, and how many have it open. Holds the devices that are there
+/// DeviceTable: maps addresses to drivers and counts opens. Holds the devices that are there
 /// now: they may come and go at any time. The first open of a device starts it, the last close stops it. Io
 /// thread only.
 

@@ -35,7 +35,7 @@ class Outlet {
   virtual void answer(std::uint64_t ticket, bool ack, std::vector<std::byte> body) = 0;
 };
 
-/// The one right to answer a request. Destroyed unused it answers NACK, so no request stays silent.
+/// One-shot reply handle. Destroyed unused it answers NACK, so no request stays silent.
 /// Move-only.
 class Replier {
  public:

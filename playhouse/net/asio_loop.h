@@ -26,7 +26,7 @@ struct IoLoop::Impl {
   /// The entry stays until leave(), which `end` calls too. Over limits::kLingering the first one is ended.
   Lingering::iterator linger(std::function<void()> end);
   void leave(Lingering::iterator place);
-  /// Ends all: somebody needs their descriptors.
+  /// Closes all lingering connections to free file descriptors.
   void end_lingering();
   void end_first();
 

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Who gives way when every place of a server is taken: of the network that holds the most places, the holder
-/// that has been quiet for the longest time. So a network can take places from itself, and never the last
+/// Eviction policy when every place of a server is taken: the longest idle connection of the network that
+/// holds the most. So a network can take places from itself, and never the last
 /// ones of others.
 
 #include <chrono>
@@ -17,8 +17,7 @@ struct Holder {
   std::chrono::steady_clock::time_point quiet_since;
 };
 
-/// "10.0.0.7" of "10.0.0.7:4242". Of an IPv6 address the first 64 bits: everybody has all that begin with
-/// theirs.
+/// "10.0.0.7" of "10.0.0.7:4242". Of an IPv6 address the /64 prefix, which one user typically owns.
 std::string network_of(std::string_view peer);
 
 /// Whether "127.0.0.1:4242" is a peer on this machine.

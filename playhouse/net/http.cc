@@ -25,7 +25,7 @@ using Response = http::response<http::span_body<const char>>;
 
 constexpr std::chrono::seconds kLingerTime{2};  // of reading on behind the last answer, so that it arrives
 
-/// Of every answer: it is what it says, belongs to this site alone, and tells other sites nothing.
+/// Of every answer: its type is not guessed, and its page sends no referrer and may not be embedded.
 constexpr std::pair<const char*, const char*> kFixedFields[] = {
     {"X-Content-Type-Options", "nosniff"},
     {"X-Frame-Options", "DENY"},
@@ -138,8 +138,8 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
                       });
   }
 
-  /// Says that nothing follows and reads on to the peer's end: closing over bytes that nobody read would make
-  /// the system take back the answer.
+  /// Says that nothing follows and reads on to the peer's end: closing over bytes that nobody read would
+  /// send RST, which discards what the peer has not read of the answer.
   void finish() {
     error_code ignored;
     stream_.socket().shutdown(asio::ip::tcp::socket::shutdown_send, ignored);

@@ -15,7 +15,7 @@
 namespace playhouse::net {
 
 struct HttpRequest {
-  std::string path;    // decoded nowhere: as the client wrote it, without the query
+  std::string path;    // not percent-decoded; without the query
   std::string query;   // what is behind the ?, as the client wrote it
   std::string host;    // of the Host header, with the port
   std::string origin;  // of the Origin header; empty when there is none (not a browser, or the same site)
@@ -31,7 +31,7 @@ struct HttpReply {
   std::string_view etag;              // quoted; empty: none
   std::string_view cache_control = "no-cache";
   bool varies = false;  // with what encodings the client accepts
-  /// What a page may load and who may show it in a frame; a text that is no page may nothing.
+  /// What a page may load and who may show it in a frame; non-page responses may load nothing.
   std::string_view content_security_policy = "default-src 'none'; frame-ancestors 'none'";
   std::shared_ptr<const std::string> text;  // the body, or
   std::string_view constant;                // a body that outlives the server

@@ -1,9 +1,9 @@
 #pragma once
 
-/// What the server side needs of a network: listeners, connections, datagrams, tasks and timers on one io thread.
-/// IoLoop is the real one (TCP and UDP), SimulatedNetwork the one of the tests. Knows bytes, never messages.
-/// Everything runs on the io thread (the thread in IoLoop::run, or before it runs); only post() is for any
-/// thread.
+/// What the server side needs of a network: listeners, connections, datagrams, tasks and timers on one io
+/// thread. IoLoop is the real one (TCP and UDP), SimulatedNetwork the one of the tests. Knows bytes, never
+/// messages. Everything runs on the io thread (the thread in IoLoop::run, or before it runs); only post() is
+/// for any thread.
 
 #include <cstddef>
 #include <cstdint>
@@ -56,12 +56,11 @@ class Connection {
   /// all the same, closed() does not.
   virtual void pause() = 0;
   virtual void resume() = 0;
-  /// Lets what is in flight go out in the background (for a few seconds at most), says that nothing follows,
-  /// and closes when the peer has ended as well: it has a second for that, so that one that still sends gets
-  /// what it has not read. No more events.
+  /// In the background: flushes for up to 5 s, half-closes, then waits up to 1 s for the peer's close, so
+  /// that one that still sends gets what it has not read. No more events.
   virtual void close_after_flush() = 0;
   /// From now on a peer that takes nothing of what is sent, or answers no probe, for kAliveSeconds is
-  /// lost: its cable was cut, or it stands still. Without it one that has much to read may take a quarter of
+  /// lost: unreachable or hung. Without it one that has much to read may take a quarter of
   /// an hour, and one that reads slowly is never lost.
   virtual void expect_alive() {}
   /// The other end as "address:port", for log lines.
@@ -75,8 +74,8 @@ class Listener {
   virtual std::uint16_t port() const = 0;
 };
 
-/// An open port for datagrams: each may come once, more than once, late, or never. Destroying it closes the port;
-/// destroying it inside its receiver is allowed.
+/// An open port for datagrams: each may come once, more than once, late, or never. Destroying it closes the
+/// port; destroying it inside its receiver is allowed.
 class DatagramSocket {
  public:
   /// `bytes` is valid for the call.

@@ -173,7 +173,7 @@ class TcpStream : public std::enable_shared_from_this<TcpStream> {
     if (events_) events_->drained();
   }
 
-  // What the peer sent before it went away may still wait to be read.
+  // Data received before the reset may still be unread.
   void lose_peer() {
     if (std::exchange(peer_lost_, true)) return;
     queued_.clear();
@@ -182,8 +182,8 @@ class TcpStream : public std::enable_shared_from_this<TcpStream> {
     if (events_) events_->lost();
   }
 
-  // Says that nothing follows and reads on to the peer's end: closing over bytes that nobody read would make
-  // the system take back what was sent.
+  // Says that nothing follows and reads on to the peer's end: closing over bytes that nobody read would
+  // send RST, which discards what the peer has not read.
   void end_of_output() {
     if (read_to_end_) return close();
     error_code ignored;

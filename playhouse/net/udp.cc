@@ -15,7 +15,7 @@ using boost::system::error_code;
 
 /// Datagrams that are taken in one turn, before others of the loop have theirs.
 constexpr int kDatagramsPerTurn = 64;
-/// A burst to many clients, and theirs, wait with the system.
+/// Kernel buffer size, large enough for a burst to all clients.
 constexpr int kSystemBytes = 1 << 20;
 
 udp::endpoint to_asio(const Endpoint& endpoint, bool as_v4) {

@@ -1,7 +1,8 @@
 #pragma once
 
-/// Cookies: what an address has to send back before it gets more than it sent, so that nobody has us send to
-/// others. Nothing is kept of who asked: a cookie is a hash of the address, of what it said and of the time.
+/// Stateless address validation (as DTLS cookies), against spoofed-source amplification: what an address has
+/// to send back before it gets more than it sent. A cookie is a hash of the address, of what it said and of
+/// the time.
 
 #include <cstdint>
 

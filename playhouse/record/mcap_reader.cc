@@ -148,7 +148,7 @@ Result<void> McapReader::take_chunk(std::span<const std::byte> content, const Li
   Bytes unpacked;
   std::span<const std::byte> records = packed;
   if (compression == "zstd") {
-    // What it claims is believed only once so much has come out.
+    // The sizes that the chunk and its zstd frame state must agree before so much memory is taken.
     const unsigned long long stated = ZSTD_getFrameContentSize(packed.data(), packed.size());
     if (stated != ZSTD_CONTENTSIZE_UNKNOWN && stated != size) return damaged("does not unpack");
     unpacked.resize(static_cast<std::size_t>(size));

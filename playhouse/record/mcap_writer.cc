@@ -74,7 +74,7 @@ Result<void> McapWriter::write(std::span<const std::byte> bytes) {
     if (count <= 0) {
       const int code = count < 0 ? errno : ENOSPC;
       failed_ = true;
-      // Half a record helps nobody; where it cannot be taken back, readers stop before it.
+      // Truncates the partial record; if that fails, readers stop before it.
       [[maybe_unused]] const int whole = ftruncate(file_, static_cast<off_t>(size_));
       return fault(code);
     }

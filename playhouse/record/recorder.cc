@@ -142,7 +142,7 @@ void Recorder::look_around(const world::World& world) {
     const auto found = watched_.find(model);
     return found != watched_.end() && found->second == control_.life(model);
   });
-  // A queue that is full is not for long; who comes next has them looked at again.
+  // Retries at the next tick if the queue is full.
   if (!all_watched && !control_.post([this](world::World& changing) { watch_all(changing); })) known_ = false;
 }
 

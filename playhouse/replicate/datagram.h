@@ -1,7 +1,7 @@
 #pragma once
 
-/// Datagrams between the program and its observers: how two ends that know nothing of each other come to an
-/// agreement, and the packets that follow. What texts say is in docs/viewer-protocol.md.
+/// Handshake and packet format of the observer protocol, by datagrams. What texts say is in
+/// docs/viewer-protocol.md.
 ///
 ///   datagram, at most limits::kDatagramBytes (little-endian; varint and zz as in delta.h; text: varint n,
 ///                                             n bytes)

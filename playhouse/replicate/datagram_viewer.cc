@@ -136,7 +136,7 @@ void DatagramViewer::settle(double now) {
   sent_rows_.erase(sent_rows_.begin(), sent_rows_.lower_bound(channel_.oldest()));
 }
 
-/// Tells of another population, once what was told before is nearly through: the changes of a while are one.
+/// Sends the population difference once earlier text is nearly delivered; changes meanwhile are merged.
 void DatagramViewer::follow(const Snapshot& snapshot, ChangesTexts& changes) {
   if (told_ == snapshot.layout || channel_.texts().waiting() >= kFewWaiting) return;
   const auto text = changes.text(told_, snapshot.layout);
@@ -257,7 +257,7 @@ void DatagramViewer::write_rows(const Snapshot& snapshot, double now, Seq seq, s
   sent_rows_[seq] = std::move(sent);
 }
 
-/// False: it has no room. What is written is as long as it may become between any others.
+/// Returns false if the row does not fit. The size is an upper bound, because rows are sorted later.
 bool DatagramViewer::add_row(const Snapshot& snapshot, Seq seq, std::uint32_t told, std::size_t& room) {
   const Row& row = rows_[told];
   const ModelState& to = snapshot.models[now_row_[told]];

@@ -1,7 +1,7 @@
 #pragma once
 
-/// How much a row matters to a viewer that has no room for all. A row that waits gathers this in every frame,
-/// and whoever has gathered most goes first: so the important ones go more often, and each goes in the end.
+/// Priority accumulator, for a viewer that has no room for all rows: deferred rows gain weight every frame,
+/// so none starves, and the important ones go more often.
 
 #include <algorithm>
 #include <cmath>

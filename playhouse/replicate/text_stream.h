@@ -38,7 +38,7 @@ struct Piece {
 
 class StreamSender {
  public:
-  /// Behind all that was posted; `after` as drawn.
+  /// Behind all that was posted. `after`: see the stream format in datagram.h.
   void post(std::shared_ptr<const PackedText> text, Seq after);
 
   /// What goes next, at most so many bytes: what was lost, or else what is new and within the window. Size 0:

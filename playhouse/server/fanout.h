@@ -15,7 +15,7 @@
 
 namespace playhouse::server {
 
-/// Where data goes.
+/// Receives published data of devices.
 class Reader {
  public:
   virtual ~Reader() = default;

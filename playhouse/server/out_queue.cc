@@ -63,7 +63,7 @@ void OutQueue::drop_one() {
   count_lost(1);
 }
 
-// The wire's number ends somewhere.
+// Saturates: the wire field is 32 bit.
 void OutQueue::count_lost(std::uint64_t messages) {
   dropped_ += messages;
   constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
@@ -178,7 +178,7 @@ bool OutQueue::round_is_over() const {
   return !answer_left && !data_left && !notice_left;
 }
 
-// What came first of what may go.
+// The oldest entry that may be sent now.
 Frame OutQueue::pop() {
   constexpr std::uint64_t kNone = std::numeric_limits<std::uint64_t>::max();
   const std::uint64_t answer = answers_.empty() ? kNone : answers_.front().number;

@@ -54,7 +54,7 @@ class OutQueue {
 
   /// take() would give something.
   bool has_output() const { return may_send() || round_is_over(); }
-  /// So many messages for this client were lost before they came here.
+  /// Adds messages dropped upstream to the loss count.
   void lose(std::uint64_t messages) { count_lost(messages); }
   /// Drops all data, as over a limit.
   void drop_data();

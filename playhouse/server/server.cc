@@ -197,7 +197,7 @@ void Server::Impl::Client::received(std::span<const std::byte> bytes) {
 }
 
 void Server::Impl::Client::drained() {
-  if (end_ && !lost_) begin_end();  // it reads, so it may read on
+  if (end_ && !lost_) begin_end();  // it still reads: restart the timeout
   session_.mark_due();
   server_.schedule();
 }
@@ -248,7 +248,7 @@ std::size_t Server::Impl::Client::advance() {
   return worked;
 }
 
-// Whoever still reads gets the answers it waits for.
+// Closes only after all pending replies are sent, unless the peer is lost.
 bool Server::Impl::Client::at_end() const {
   if (lost_) return true;
   return !session_.waits_for_answers() && !session_.has_output() && connection_->in_flight_bytes() == 0;
@@ -307,7 +307,7 @@ void Server::Impl::accept(std::uint32_t robot, std::unique_ptr<net::Connection> 
   clients_.emplace(serial, std::move(client));
 }
 
-// Told when it begins: a flood of connections must not become one of log lines.
+// Logged once per episode, to avoid flooding the log.
 bool Server::Impl::has_room_for(const net::Connection& connection) {
   const std::string network = host_of(connection);
   if (const auto found = hosts_.find(network); found != hosts_.end()) {
@@ -369,7 +369,7 @@ void Server::Impl::schedule() {
   });
 }
 
-// Who has much to do does a portion and goes to the end of the list. After a while the loop sees to the
+// Round robin: a busy session goes to the end of the queue. After limits::kTurnWork the loop sees to the
 // sockets, and the next turn goes on.
 void Server::Impl::turn() {
   scheduled_ = false;
@@ -467,7 +467,7 @@ std::size_t Server::Impl::device_rows() const {
   return rows;
 }
 
-// A message of an honest client takes moments, however long it is, so the one begun first has to go.
+// Evicts the oldest incomplete message, with its client: a legitimate one takes moments.
 void Server::Impl::make_room() {
   while (board_.input_bytes > options_.input_bytes) {
     longest_unfinished()->session().give_up(fmt::format(
@@ -513,7 +513,7 @@ void Server::Impl::end() {
   std::exchange(done_, {})();
 }
 
-// Data gives way before a client does.
+// Drops data before it disconnects clients.
 void Server::Impl::make_output_room() {
   const auto is_full = [this] { return *board_.frame_bytes > options_.output_bytes; };
   if (!is_full()) return;

@@ -26,7 +26,8 @@ std::string describe(const wire::Header& header) {
   return fmt::format("{} {} to {}", wire::name(header.type), header.subtype, device);
 }
 
-/// True for requests that leave the device as it is, by the names of their messages.
+/// True for requests that leave the device as it is. Decided by message name: get_*, capabilities, and the
+/// exceptions below.
 bool only_reads(const wire::MessageDef& def) {
   constexpr std::array<std::string_view, 7> kReadersByOtherNames = {"ptz.req.geom",
                                                                     "ptz.req.status",
@@ -41,7 +42,7 @@ bool only_reads(const wire::MessageDef& def) {
              kReadersByOtherNames.end();
 }
 
-/// True also for one that is longer than it may be, of which the rest is not waited for.
+/// Also true if the claimed size exceeds the limit; the rest is then not awaited.
 bool begins_with_message(std::span<const std::byte> input) {
   if (input.size() < limits::kHeaderBytes) return false;
   const std::uint32_t size = wire::decode_header(input.first<limits::kHeaderBytes>()).size;
@@ -139,8 +140,7 @@ bool Session::has_message() const {
   return begins_with_message(input_);
 }
 
-// A long buffer goes back once what is left of it is short, so that who sent one long message does not keep
-// its memory.
+// Shrinks a large buffer once little of it is used.
 void Session::forget_input(std::size_t count) {
   input_.erase(input_.begin(), input_.begin() + static_cast<std::ptrdiff_t>(count));
   const bool is_long = input_.capacity() > limits::kSessionInputBytes;
@@ -165,7 +165,7 @@ bool Session::is_held_back() const {
          waits_for_turn(wire::decode_header(std::span(input_).first<limits::kHeaderBytes>()));
 }
 
-/// What only asks, opens and closes passes at any time: nobody else's run depends on when.
+/// Reads, opens and closes are never delayed: no run depends on their timing.
 bool Session::waits_for_turn(const wire::Header& header) const {
   if (board_.turns == nullptr || header.interf == wire::player::kCode || !matters_without_peer(header))
     return false;
@@ -277,7 +277,7 @@ device::Address Session::address_of(const wire::Header& header) const {
   return {robot_, header.interf, header.index};
 }
 
-/// Another device has its address.
+/// True if the client has not yet been told that the device at this address was removed.
 bool Session::means_one_that_retired(const wire::Header& header) const {
   return queue_.has_notice(header.interf, header.index);
 }

@@ -1,14 +1,13 @@
 #pragma once
 
-/// Session: one client's half of the conversation, from its bytes to calls of drivers and to the frames it is
-/// owed. Knows no sockets: Server feeds it what arrives and sends what it gives. One connection, one session;
-/// io thread.
+/// One client session: decodes its messages, calls drivers, queues its replies. Knows no sockets: Server
+/// feeds it what arrives and sends what it gives. One connection, one session; io thread.
 ///
-/// Work comes in portions: work() does at most limits::kTurnMessages messages, and the server goes round all
-/// sessions that have something to do: those that put themselves on its list (Switchboard::due). A session
-/// stops working on its input while it owes limits::kSessionAnswers answers, those of drivers that have yet
-/// to open, close or carry out what it told them included, so a client that asks without reading, or faster
-/// than the world turns, holds up itself and nobody else.
+/// work() handles at most limits::kTurnMessages messages per call, and the server goes round all sessions
+/// that have something to do: those that put themselves on its list (Switchboard::due). A session stops
+/// working on its input while it owes limits::kSessionAnswers answers, those of drivers that have yet to
+/// open, close or carry out what it told them included, so a client that asks without reading, or faster than
+/// the world turns, holds up itself and nobody else.
 
 #include <cstddef>
 #include <cstdint>
@@ -51,8 +50,8 @@ class Session final : public Reader {
   bool can_work() const {
     return has_message() && owed_answers() < limits::kSessionAnswers && !is_held_back();
   }
-  /// Nobody hears answers or data any more. What the client sent before still counts if it changes something:
-  /// commands, requests that set, devices opened and closed. What only asks is passed over.
+  /// The peer can no longer receive: only messages that change state are still processed (commands, requests
+  /// that set, devices opened and closed).
   void lose_peer();
   /// Closes every device the session has open.
   void leave();
@@ -78,7 +77,7 @@ class Session final : public Reader {
   /// From now on the session is broken().
   void give_up(std::string why);
 
-  /// A driver's answer to the request or the barrier with this number (the low half of its ticket).
+  /// A driver's answer to the request or the barrier with this number (the low 32 bits of its ticket).
   void answer(std::uint32_t number, bool ack, std::span<const std::byte> body);
   void deliver(const Frame& frame) override;
   void lose(std::uint64_t messages) override { queue_.lose(messages); }

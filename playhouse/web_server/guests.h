@@ -36,7 +36,7 @@ struct Guest {
 };
 
 /// Who may come to a run, and who was sent out of it. A handle: copies speak of the same book, so that who
-/// was sent out of the page does not come back by another door. Thread: one.
+/// was sent out of the page does not come back through another transport. Thread: one.
 class GuestBook {
  public:
   /// No guests: everybody may come, as an admin.

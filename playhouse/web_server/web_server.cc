@@ -36,7 +36,7 @@
 namespace playhouse::web_server {
 namespace {
 
-/// Pages hear no more often which instants there are.
+/// Minimum interval between history updates.
 constexpr std::chrono::seconds kPastPeriod{1};
 
 constexpr std::string_view kNoPage =
@@ -82,7 +82,7 @@ std::string machine_name() {
   return gethostname(name, sizeof name - 1) == 0 ? name : "";
 }
 
-/// Sensors that a selection lets measure: those that did when it was made, so that each is let go again.
+/// Subscriptions taken for a selection, so that exactly these are released.
 using Measuring = std::vector<world::Use>;
 
 void watch_sensors(world::World& world, const world::Control& control, world::ModelId robot,
@@ -436,8 +436,8 @@ class WebServer::Impl final : public net::HttpService,
     socket.close("there are as many viewers as this program serves");
   }
 
-  /// Does `then(row)` for the row of a model that a viewer names; nothing if it has gone meanwhile, which is
-  /// nobody's fault. Fails for one that never was.
+  /// Does `then(row)` for the row of a model that a viewer names, and succeeds silently if it has been
+  /// removed. Fails for one that never was.
   template <typename Then>
   Result<void> with_row(world::ModelId model, const Then& then) const {
     if (model.value >= ids_given_) return Error{"", "no such model"};
@@ -478,8 +478,8 @@ class WebServer::Impl final : public net::HttpService,
     });
   }
 
-  /// From which tick on the command counts: who predicts what it makes of their body knows then how late it
-  /// came. Where the queue is full they hear of the next one.
+  /// Reports from which tick the input took effect, so that the page's prediction can estimate latency. Where
+  /// the queue is full the next input is reported.
   void tell_when_driven(const replicate::Drive& drive, const WebViewer& from) {
     const auto tell = [input = drive.input, reach = reacher(from)](const world::World& world) {
       reach([input, tick = world.tick()](WebViewer& viewer) { viewer.driven(input, tick); });

@@ -51,8 +51,8 @@ class Control {
   /// The world becomes that of the kept instant nearest to the tick, earlier or later than now, and goes on
   /// from there: a kReload in its changes. Does nothing while no state is kept.
   virtual void rewind(std::uint64_t tick) = 0;
-  /// Another number whenever the model came back by rewind(): who used it before does so no more. Tick
-  /// thread.
+  /// Incarnation count, incremented when rewind() re-creates the model: who used it before does so no more.
+  /// Tick thread.
   virtual std::uint64_t life(ModelId model) const = 0;
 };
 

@@ -195,7 +195,7 @@ void place(Models& models, ModelRow model);
 /// with gps believe follows.
 void place_tree(World& world, ModelRow model);
 
-/// Bodies that were still may not stay so: something else was put elsewhere, or went.
+/// Resets rest counters after a placement or removal.
 inline void wake(Models& models) {
   models.still.clear();
 }

@@ -111,8 +111,8 @@ void AutoDevices::remember(const world::World& world, std::span<const MappedDevi
   }
 }
 
-/// Now and then, so that a model costs the same however many there were. A run can be taken back to instants
-/// that are kept, and who was gone at the first of them is in none of those that follow.
+/// Amortised cleanup of entries that no kept instant can restore: of models that were gone at the first of
+/// them.
 void AutoDevices::forget_who_cannot_come_back() {
   constexpr std::size_t kLeast = 1024;
   if (given_.size() < std::max(kLeast, forget_at_)) return;

@@ -10,7 +10,7 @@
 namespace playhouse::drivers {
 namespace {
 
-/// Wall time from one state to the next, in times of what the taking took.
+/// Minimum pause between two snapshots in wall time, as a multiple of the time one takes.
 constexpr double kRest = 100;
 
 }  // namespace

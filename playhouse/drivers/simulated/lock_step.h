@@ -25,7 +25,7 @@ class LockStep final : public device::Turns {
     std::set<std::string> names;  // if not empty: theirs, and nobody else's
     double timeout = 0;  // s that the others wait for a silent one, which is dropped then; 0: for ever
   };
-  /// A member, by an address that is its own.
+  /// Opaque member identity, compared only.
   using Who = const void*;
   /// Called once: the ticks are done and their data published (nothing), or why they never will be.
   using Done = std::function<void(std::optional<std::string> why_not)>;

@@ -40,8 +40,8 @@ class Simulation final : public world::Control {
     std::function<double()> clock = {};  // s; steady, called on the tick thread; by default, the system's
     std::optional<LockStep::Options> lock_step = {};  // none: time goes on by itself
   };
-  /// Called after every tick, when its data are out, after changes made between ticks, and ten times a second
-  /// while paused, on the tick thread, which waits for it.
+  /// Called after every tick, when its data are out, after changes between ticks, and at 10 Hz while paused;
+  /// on the tick thread, which waits for it.
   using Listener = std::function<void(const world::World&, const world::Pace&)>;
 
   /// Who copies something of the world on those occasions, and changes nothing.

@@ -72,7 +72,7 @@ device::Taken SimulationDevice::command(const device::Message& message) {
   return device::Taken::kLatest;
 }
 
-/// One that a newer one follows before it is carried out would be for nothing, and it is dear.
+/// Superseded resets are skipped, because a reset is expensive.
 device::Taken SimulationDevice::reset() {
   const std::uint64_t number = newest_reset_ + 1;
   const bool posted = simulation().post_to_all([=, this](world::World& world) {
