@@ -303,7 +303,8 @@ TEST_F(PhysicsTest, casters_give_way_at_the_foot_of_a_ramp) {
 
 TEST_F(PhysicsTest, seven_boxes_stand_on_each_other) {
   std::vector<std::uint32_t> boxes;
-  for (int i = 0; i < 7; ++i) {
+  constexpr int kBoxes = 7;
+  for (int i = 0; i < kBoxes; ++i) {
     BodyDesc box_desc;
     box_desc.hulls = {box(0.4, 0.4, 0, 0.4)};
     box_desc.mass = 10;
@@ -313,8 +314,8 @@ TEST_F(PhysicsTest, seven_boxes_stand_on_each_other) {
     physics_.put(boxes.back(), {.p = {0, 0, 0.4 * i}}, false);
   }
   run(15);
-  for (std::size_t i = 0; i < boxes.size(); ++i)
-    EXPECT_NEAR(physics_.state(boxes[i]).p.z, 0.4 * i, 0.02) << i;
+  for (int i = 0; i < kBoxes; ++i)
+    EXPECT_NEAR(physics_.state(boxes[static_cast<std::size_t>(i)]).p.z, 0.4 * i, 0.02) << i;
 }
 
 TEST_F(PhysicsTest, a_vehicle_that_is_woken_from_above_goes_on_whatever_was_before) {
