@@ -18,7 +18,7 @@ model( name "post" pose [0 2 0 0] size [0.2 0.2 1] gui_move 0 )
 
 struct Lying {
   Result<scene::SceneDesc> scene = scene::load_world_text(kBoard, "board.world", files);
-  std::unique_ptr<world::Engine> engine = std::move(*arena::make_engine(*scene, {.seed = 1, .workers = 1}));
+  std::unique_ptr<world::Engine> engine = *arena::make_engine(*scene, {.seed = 1, .workers = 1});
 
   Lying() {
     const geom::Tilt tilt{0, 0.5 * geom::kPi};
