@@ -20,7 +20,7 @@ using ::testing::Not;
 using ::testing::SizeIs;
 
 SceneDesc loaded(const std::string& text) {
-  MemoryFiles files({{"w/plan", "P1 4 3 1111 1001 1101"}});
+  MemoryFiles files({{"w/plan", std::string("P1 4 3 1111 1001 1101")}});
   auto scene = load_world_text(text, "w/t.world", files);
   EXPECT_TRUE(scene) << scene.error().line();
   return scene ? std::move(*scene) : SceneDesc();

@@ -39,7 +39,7 @@ std::string rgba_png(std::uint32_t width, std::uint32_t height, const std::strin
 
 /// The box about all corners of the walls of a world, in the world.
 geom::Box walls_of(const std::string& world, const char* image = kRoom) {
-  MemoryFiles files({{"room.pbm", image}});
+  MemoryFiles files({{"room.pbm", std::string(image)}});
   const auto scene = load_world_text(world, "w.world", files);
   EXPECT_TRUE(scene) << scene.error().line();
   geom::Box all;
@@ -74,7 +74,7 @@ TEST(Plan, has_pixels_that_a_world_file_can_tell) {
 TEST(Plan, puts_the_robot_where_it_has_room) {
   const auto plan = plan_of_image(kRoom, "room", 0.5);
   const auto world = world_of_plan(*plan, "room.pbm", 1);
-  MemoryFiles files({{"room.pbm", kRoom}});
+  MemoryFiles files({{"room.pbm", std::string(kRoom)}});
   const auto scene = load_world_text(*world, "w.world", files);
   ASSERT_TRUE(scene);
   const ModelDesc& robot = scene->models.at(1);
