@@ -14,8 +14,7 @@ namespace {
 
 constexpr double kMargin = 1e-3;    // m by which Bullet rounds convex solids
 constexpr double kWheelDrop = 0.1;  // m below a wheel to where the ground is looked for
-constexpr double kOverlap =
-    0.01;  // m by which it climbs more than its body leaves free: no step is in between
+constexpr double kOverlap = 0.01;   // m that it climbs beyond its body: no step is in between
 constexpr double kForesight = 0.1;  // s between two calls of forget(), about
 constexpr double kUpright = 0.3;    // cosine of the steepest slope that bears a wheel
 
@@ -156,14 +155,14 @@ class WheelConstraint final : public btTypedConstraint {
       : btTypedConstraint(MAX_CONSTRAINT_TYPE, vehicle, support), p_(p), target_(target), impulse_(impulse) {}
 
   void getInfo1(btConstraintInfo1* info) override {
-    info->m_numConstraintRows = target_.grip_along > 0 || target_.grip_left > 0 ? 3 : 1;
+    info->m_numConstraintRows = target_.is_gripped() ? 3 : 1;
     info->nub = 0;
   }
   void getInfo2(btConstraintInfo2* info) override {
     put(info, 0, target_.normal, target_.v_normal);
     info->m_lowerLimit[0] = -impulse_.normal;
     info->m_upperLimit[0] = SIMD_INFINITY;
-    if (target_.grip_along <= 0 && target_.grip_left <= 0) return;
+    if (!target_.is_gripped()) return;
     put(info, 1, target_.along, target_.v_along);
     limit(info, 1, target_.grip_along * impulse_.normal, impulse_.along);
     put(info, 2, target_.left, target_.v_left);
@@ -427,9 +426,7 @@ void Physics::Impl::find_footings(std::uint32_t number) {
   const auto moves = [this](std::uint32_t below) { return !bodies[below]->rests; };
   if (moving.rests && std::ranges::none_of(moving.below, moves)) return moving.below.clear();
   for (std::size_t i = 0; i < moving.footings.size(); ++i) find_footing(moving, i);
-  if (const double travel = caster_travel(moving.desc, moving.footings); travel > 0)
-    for (std::size_t i = 0; i < moving.footings.size(); ++i)
-      if (moving.desc.wheels[i].along <= 0) moving.footings[i].gap += travel;
+  let_casters_give_way(moving.desc, moving.footings);
 }
 
 void Physics::Impl::find_supports() {

@@ -28,6 +28,7 @@ struct Wheel {
   Vec3 p_B;                      // m
   double along = 0, across = 0;  // coefficients of friction in its direction, which is that of x, and across
   double rise = 0.03;            // m above it that the ground may be: what it climbs
+  constexpr bool is_caster() const { return along <= 0 && across <= 0; }
 };
 
 struct BodyDesc {

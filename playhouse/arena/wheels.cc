@@ -336,19 +336,21 @@ WheelTarget wheel_target(const Wheel& wheel, const Footing& footing, const Quate
   return target_of(wheel, footing, q * Vec3{1, 0, 0}, velocity, dt);
 }
 
-double caster_travel(const BodyDesc& desc, std::span<const Footing> footings) {
+void let_casters_give_way(const BodyDesc& desc, std::span<Footing> footings) {
   // wheels_of() has the driven wheels of an axle first, then its casters.
-  if (desc.wheels.size() != 4) return 0;
-  const auto is_caster = [&](std::size_t i) { return desc.wheels[i].along <= 0; };
-  if (is_caster(0) || is_caster(1) || !is_caster(2) || !is_caster(3)) return 0;
+  const std::vector<Wheel>& wheels = desc.wheels;
+  if (wheels.size() != 4 || wheels[0].is_caster() || wheels[1].is_caster() || !wheels[2].is_caster() ||
+      !wheels[3].is_caster())
+    return;
   for (const Footing& footing : footings)
-    if (!footing.is_near) return 0;
-  const double first = desc.wheels[2].p_B.x, apart = desc.wheels[3].p_B.x - first;
-  if (apart == 0) return 0;
-  const double share = (desc.wheels[0].p_B.x - first) / apart;
+    if (!footing.is_near) return;
+  const double first = wheels[2].p_B.x, apart = wheels[3].p_B.x - first;
+  if (apart == 0) return;
+  const double share = (wheels[0].p_B.x - first) / apart;
   const double casters = (1 - share) * footings[2].gap + share * footings[3].gap;
   const double hollow = 0.5 * (footings[0].gap + footings[1].gap) - casters;
-  return hollow < kEven ? 0 : std::min(hollow, kTravel);
+  if (hollow < kEven) return;
+  for (Footing& footing : footings.subspan(2)) footing.gap += std::min(hollow, kTravel);
 }
 
 void solve_wheels(const BodyDesc& desc, const Inertia& inertia, const geom::Twist& velocity, double dt,

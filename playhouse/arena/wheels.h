@@ -46,15 +46,16 @@ struct WheelImpulse {
 struct WheelTarget {
   Vec3 normal, along, left;                      // unit vectors, in W
   double v_normal = 0, v_along = 0, v_left = 0;  // m/s: what the load is for; what friction is for
-  double grip_along = 0, grip_left = 0;          // times the load; 0: a caster
+  double grip_along = 0, grip_left = 0;          // times the load
+  constexpr bool is_gripped() const { return grip_along > 0 || grip_left > 0; }
 };
 WheelTarget wheel_target(const Wheel& wheel, const Footing& footing, const Quaternion& q,
                          const geom::Twist& velocity, double dt);
 
-/// How far the casters of a vehicle with two driven wheels give way, as sprung ones do: as much as keeps its
-/// wheels on the ground in a hollow, such as the foot of a ramp; 0 on even ground and on a crest. To be added
-/// to their gaps.  [m]
-double caster_travel(const BodyDesc& desc, std::span<const Footing> footings);
+/// Casters of a vehicle with two driven wheels give way, as sprung ones do, by as much as keeps its wheels on
+/// the ground in a hollow, such as the foot of a ramp: that is added to their gaps. Nothing on even ground
+/// and on a crest.
+void let_casters_give_way(const BodyDesc& desc, std::span<Footing> footings);
 
 /// How heavy a vehicle is, and how its centre of mass moves. Frame: W, but for the moments.
 struct Inertia {

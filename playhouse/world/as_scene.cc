@@ -17,6 +17,18 @@
 namespace playhouse::world {
 namespace {
 
+/// What a world file cannot say of where models are.
+std::vector<std::string> left_out(const World& world) {
+  std::size_t tilted = 0;
+  for (std::uint32_t row = 0; row < world.models.size(); ++row)
+    if (world.models.tilt_PM[row] != geom::Tilt{}) ++tilted;
+  if (tilted == 0) return {};
+  return {
+      fmt::format("{} that {} tilted {} written upright; a saved run (--save-at SECONDS FILE.run) keeps how",
+                  tilted == 1 ? "a model" : fmt::format("{} models", tilted), tilted == 1 ? "is" : "are",
+                  tilted == 1 ? "is" : "are")};
+}
+
 class StandingScene {
  public:
   explicit StandingScene(const World& world) : world_(world), from_(world.scene()) {}
@@ -57,7 +69,7 @@ scene::SceneDesc StandingScene::make() {
   scene_ = from_;
   scene_.trees.clear();
   scene_.renamed.clear();
-  scene_.warnings.clear();
+  scene_.warnings = left_out(world_);
   find_attached();
   for (std::uint32_t row = 0; row < world_.models.size(); ++row)
     if (!ModelRow{world_.models.parent[row]}) add_tree(row);
@@ -171,26 +183,8 @@ void StandingScene::note_renamed(std::uint32_t row, std::uint32_t size) {
 
 }  // namespace
 
-namespace {
-
-/// What a world file cannot say of where models are.
-std::vector<std::string> left_out(const World& world) {
-  std::size_t tilted = 0;
-  for (std::uint32_t row = 0; row < world.models.size(); ++row)
-    if (world.models.tilt_PM[row] != geom::Tilt{}) ++tilted;
-  if (tilted == 0) return {};
-  return {
-      fmt::format("{} that {} tilted {} written upright; a saved run (--save-at SECONDS FILE.run) keeps how",
-                  tilted == 1 ? "a model" : fmt::format("{} models", tilted), tilted == 1 ? "is" : "are",
-                  tilted == 1 ? "is" : "are")};
-}
-
-}  // namespace
-
 scene::SceneDesc as_scene(const World& world) {
-  scene::SceneDesc standing = StandingScene(world).make();
-  standing.warnings = left_out(world);
-  return standing;
+  return StandingScene(world).make();
 }
 
 Result<std::string> world_file(const scene::SceneDesc& standing, double time, const std::string& path) {
