@@ -359,7 +359,7 @@ struct Physics::Impl {
   void hold_wheels(Moving& moving, double dt);
   void let_wheels_go();
 
-  std::vector<std::unique_ptr<WheelConstraint>> held;  // in a step
+  std::vector<WheelConstraint> held;  // in a step; Bullet has their addresses until then
   Supports supports;
   std::vector<Box> boxes;  // scratch
 };
@@ -483,6 +483,10 @@ void Physics::Impl::push_supports(double dt) {
       support.body->applyImpulse(bullet(-1 * moving->impulses[i].total), bullet(p - center));
     }
   }
+  std::size_t wheels = 0;
+  for (const auto& moving : bodies)
+    if (moving->is_held) wheels += moving->footings.size();
+  held.reserve(wheels);
   for (const auto& moving : bodies)
     if (std::exchange(moving->is_held, false)) hold_wheels(*moving, dt);
   world.getSolverInfo().m_numIterations = held.empty() ? kIterations : kHeldIterations;
@@ -503,14 +507,14 @@ void Physics::Impl::hold_wheels(Moving& moving, double dt) {
       target.v_along += dot(target.along, footing.v);
       target.v_left += dot(target.left, footing.v);
     }
-    held.push_back(std::make_unique<WheelConstraint>(
-        *moving.body, below, moving.state.p + moving.state.q * wheel.p_B, target, moving.impulses[i]));
-    world.addConstraint(held.back().get());
+    held.emplace_back(*moving.body, below, moving.state.p + moving.state.q * wheel.p_B, target,
+                      moving.impulses[i]);
+    world.addConstraint(&held.back());
   }
 }
 
 void Physics::Impl::let_wheels_go() {
-  for (const auto& constraint : held) world.removeConstraint(constraint.get());
+  for (WheelConstraint& constraint : held) world.removeConstraint(&constraint);
   held.clear();
 }
 
