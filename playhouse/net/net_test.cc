@@ -104,6 +104,19 @@ template <typename Condition>
   return done() ? ::testing::AssertionSuccess() : ::testing::AssertionFailure() << "did not happen in 5 s";
 }
 
+/// A client whose connection was accepted.
+class AcceptedTcp : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(serve_until(loop, [this] { return log.connection != nullptr; }));
+  }
+
+  IoLoop loop;
+  Log log;
+  Result<std::unique_ptr<Listener>> listener = loop.listen("127.0.0.1", 0, into(log));
+  Client client{(*listener)->port()};
+};
+
 TEST(IoLoop, runs_posted_tasks_in_the_order_of_the_calls) {
   IoLoop loop;
   std::string order;
@@ -226,12 +239,7 @@ TEST(Tcp, says_when_a_peer_that_finished_sending_has_read_everything_and_when_it
   EXPECT_EQ(log.connection->in_flight_bytes(), 0u);
 }
 
-TEST(Tcp, delivers_what_was_sent_before_a_reset_even_when_writing_fails_first) {
-  IoLoop loop;
-  Log log;
-  auto listener = loop.listen("127.0.0.1", 0, into(log));
-  Client client((*listener)->port());
-  ASSERT_TRUE(serve_until(loop, [&] { return log.connection != nullptr; }));
+TEST_F(AcceptedTcp, delivers_what_was_sent_before_a_reset_even_when_writing_fails_first) {
   log.connection->pause();
   client.send("stop the robot");
   client.reset();
@@ -243,12 +251,7 @@ TEST(Tcp, delivers_what_was_sent_before_a_reset_even_when_writing_fails_first) {
   EXPECT_EQ(log.bytes, "stop the robot");
 }
 
-TEST(Tcp, tells_of_a_lost_peer_during_a_pause_and_then_reads_it_to_its_end) {
-  IoLoop loop;
-  Log log;
-  auto listener = loop.listen("127.0.0.1", 0, into(log));
-  Client client((*listener)->port());
-  ASSERT_TRUE(serve_until(loop, [&] { return log.connection != nullptr; }));
+TEST_F(AcceptedTcp, tells_of_a_lost_peer_during_a_pause_and_then_reads_it_to_its_end) {
   log.connection->pause();
   client.send(std::string(200000, 'x'));
   client.reset();
@@ -260,12 +263,7 @@ TEST(Tcp, tells_of_a_lost_peer_during_a_pause_and_then_reads_it_to_its_end) {
   EXPECT_EQ(log.losses, 1);
 }
 
-TEST(Tcp, tells_of_a_lost_peer_during_a_pause_although_nothing_is_sent) {
-  IoLoop loop;
-  Log log;
-  auto listener = loop.listen("127.0.0.1", 0, into(log));
-  Client client((*listener)->port());
-  ASSERT_TRUE(serve_until(loop, [&] { return log.connection != nullptr; }));
+TEST_F(AcceptedTcp, tells_of_a_lost_peer_during_a_pause_although_nothing_is_sent) {
   client.send("stop the robot");
   log.on_received = [&] { log.connection->pause(); };
   ASSERT_TRUE(serve_until(loop, [&] { return log.bytes == "stop the robot"; }));
@@ -281,12 +279,7 @@ TEST(Tcp, tells_of_a_lost_peer_during_a_pause_although_nothing_is_sent) {
   EXPECT_EQ(log.losses, 1);
 }
 
-TEST(Tcp, a_peer_that_finished_sending_is_not_lost_during_a_pause) {
-  IoLoop loop;
-  Log log;
-  auto listener = loop.listen("127.0.0.1", 0, into(log));
-  Client client((*listener)->port());
-  ASSERT_TRUE(serve_until(loop, [&] { return log.connection != nullptr; }));
+TEST_F(AcceptedTcp, a_peer_that_finished_sending_is_not_lost_during_a_pause) {
   log.connection->pause();
   client.send("that was all");
   client.finish();
@@ -326,12 +319,7 @@ TEST(Tcp, goes_on_accepting_once_there_are_descriptors_again) {
   EXPECT_TRUE(serve_until(loop, [&] { return log.bytes == "servedpatient"; }));
 }
 
-TEST(Tcp, keeps_what_a_stalled_peer_does_not_read_in_flight) {
-  IoLoop loop;
-  Log log;
-  auto listener = loop.listen("127.0.0.1", 0, into(log));
-  Client client((*listener)->port());
-  ASSERT_TRUE(serve_until(loop, [&] { return log.connection != nullptr; }));
+TEST_F(AcceptedTcp, keeps_what_a_stalled_peer_does_not_read_in_flight) {
   const std::string big(32u << 20, 'x');
   log.connection->send(std::vector{shared(big)});
   loop.poll();
@@ -367,12 +355,7 @@ void say_and_close(Log& log, const std::string& words) {
   log.connection.reset();
 }
 
-TEST(Tcp, a_peer_that_sends_all_the_time_and_reads_late_gets_everything) {
-  IoLoop loop;
-  Log log;
-  auto listener = loop.listen("127.0.0.1", 0, into(log));
-  Client client((*listener)->port());
-  ASSERT_TRUE(serve_until(loop, [&] { return log.connection != nullptr; }));
+TEST_F(AcceptedTcp, a_peer_that_sends_all_the_time_and_reads_late_gets_everything) {
   client.send(std::string(100000, 'c'));
   say_and_close(log, "the end of the run");
   for (int i = 0; i < 100; ++i) {
@@ -396,12 +379,7 @@ TEST(Tcp, does_not_wait_for_a_peer_that_has_ended) {
   EXPECT_EQ(loop.lingering(), 0u);
 }
 
-TEST(Tcp, waits_no_longer_than_it_may_for_a_peer_that_never_ends) {
-  IoLoop loop;
-  Log log;
-  auto listener = loop.listen("127.0.0.1", 0, into(log));
-  Client client((*listener)->port());
-  ASSERT_TRUE(serve_until(loop, [&] { return log.connection != nullptr; }));
+TEST_F(AcceptedTcp, waits_no_longer_than_it_may_for_a_peer_that_never_ends) {
   say_and_close(log, "bye");
   EXPECT_TRUE(serve_until(loop, [&] { return loop.lingering() == 1; }));
   EXPECT_TRUE(serve_until(loop, [&] { return loop.lingering() == 0; }));
