@@ -284,43 +284,44 @@ TEST_F(Relay, answers_without_the_number_of_their_request_are_taken_in_order) {
   EXPECT_TRUE(client.read().empty());
 }
 
-TEST_F(Relay, a_server_that_takes_nothing_gets_the_newest_commands_once_it_does) {
-  Script script(network_);
-  ASSERT_EQ(build(kWheels), "");
-  script.greet();
-  TestClient client(network_, kHere);
-  network_.run();
-  script.one->pause();
-  const double most = 20000;  // of 68 bytes each: more than is under way
-  for (double speed = 1; speed <= most; ++speed) client.send(drive(speed));
-  network_.run();
-  script.one->resume();
-  script.heard.clear();
-  network_.run();
-  const std::vector<Received> commands = server::cut_messages(script.heard);
+/// A server that takes nothing while a client drives.
+class PausedRelay : public Relay {
+ protected:
+  void SetUp() override {
+    ASSERT_EQ(build(kWheels), "");
+    script.greet();
+    client = std::make_unique<TestClient>(network_, kHere);
+    network_.run();
+    script.one->pause();
+    for (double speed = 1; speed <= kMost; ++speed) client->send(drive(speed));
+  }
+  /// What it gets once it takes something.
+  std::vector<Received> heard() {
+    network_.run();
+    script.one->resume();
+    script.heard.clear();
+    network_.run();
+    return server::cut_messages(script.heard);
+  }
+
+  static constexpr double kMost = 20000;  // commands of 68 bytes each: more than is under way
+  Script script{network_};
+  std::unique_ptr<TestClient> client;
+};
+
+TEST_F(PausedRelay, gets_the_newest_commands_once_it_takes_some) {
+  const std::vector<Received> commands = heard();
   ASSERT_FALSE(commands.empty());
   EXPECT_LT(commands.size(), 16000u);
-  EXPECT_EQ(wire::decode<p2d::CmdVel>(commands.back().body)->vel.px, most);
+  EXPECT_EQ(wire::decode<p2d::CmdVel>(commands.back().body)->vel.px, kMost);
 }
 
-TEST_F(Relay, a_server_that_takes_nothing_is_asked_behind_the_commands_that_came_before) {
-  Script script(network_);
-  ASSERT_EQ(build(kWheels), "");
-  script.greet();
-  TestClient client(network_, kHere);
-  network_.run();
-  script.one->pause();
-  const double most = 20000;
-  for (double speed = 1; speed <= most; ++speed) client.send(drive(speed));
-  client.send(ask(p2d::kReqGetGeom));
-  network_.run();
-  script.one->resume();
-  script.heard.clear();
-  network_.run();
-  const std::vector<Received> messages = server::cut_messages(script.heard);
+TEST_F(PausedRelay, is_asked_behind_the_commands_that_came_before) {
+  client->send(ask(p2d::kReqGetGeom));
+  const std::vector<Received> messages = heard();
   ASSERT_GT(messages.size(), 2u);
   EXPECT_EQ(messages.back().header.type, MessageType::kReq);
-  EXPECT_EQ(wire::decode<p2d::CmdVel>(messages[messages.size() - 2].body)->vel.px, most);
+  EXPECT_EQ(wire::decode<p2d::CmdVel>(messages[messages.size() - 2].body)->vel.px, kMost);
   script.one.reset();
   network_.run();  // what was asked has its answer
 }
