@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "playhouse/app/options.h"
+
 namespace playhouse::app {
 namespace {
 
@@ -23,7 +25,7 @@ T parsed(std::vector<const char*> words) {
   const Result<CommandLine> line = parse(std::move(words));
   EXPECT_TRUE(line) << (line ? "" : line.error().text);
   if (!line) return {};
-  const T* options = std::get_if<T>(&*line);
+  const T* options = line->get_if<T>();
   EXPECT_NE(options, nullptr);
   return options == nullptr ? T{} : *options;
 }
@@ -249,7 +251,7 @@ TEST(CommandLine, a_letter_has_no_nearest_option_and_two_dashes_end_the_options)
 TEST(CommandLine, help_has_examples_and_version_has_the_number) {
   EXPECT_THAT(parsed<Answer>({"--help"}).text, HasSubstr("playhouse run worlds/cave.world"));
   EXPECT_THAT(parsed<Answer>({"run", "--help"}).text, HasSubstr("--duration"));
-  EXPECT_THAT(parsed<Answer>({"run", "--help"}).text, HasSubstr("playhouse run [OPTIONS] WORLD"));
+  EXPECT_THAT(parsed<Answer>({"run", "--help"}).text, HasSubstr("playhouse run [OPTIONS] [WORLD]"));
   EXPECT_THAT(parsed<Answer>({"--version"}).text, HasSubstr(PLAYHOUSE_VERSION));
   EXPECT_EQ(parsed<Answer>({"-V"}).text, parsed<Answer>({"--version"}).text);
 }

@@ -11,7 +11,6 @@
 #include <string_view>
 
 #include "playhouse/app/command_line.h"
-#include "playhouse/app/commands.h"
 #include "playhouse/app/descriptor_limit.h"
 #include "playhouse/app/fail.h"
 #include "playhouse/app/interrupt.h"
@@ -23,30 +22,6 @@
 
 namespace playhouse::app {
 namespace {
-
-struct Dispatch {
-  int operator()(const Answer& answer) const {
-    fmt::print("{}", answer.text);
-    return kDone;
-  }
-  int operator()(const RunOptions& options) const { return run(options); }
-  int operator()(const ReplayOptions& options) const { return replay(options); }
-  int operator()(const ExportOptions& options) const { return export_tables(options); }
-  int operator()(const ServeOptions& options) const { return serve(options); }
-  int operator()(const GymOptions& options) const { return gym(options); }
-  int operator()(const VerifyOptions& options) const { return verify(options); }
-  int operator()(const RobotOptions& options) const { return robot(options); }
-  int operator()(const DevicesOptions& options) const { return devices(options); }
-  int operator()(const WatchOptions& options) const { return watch(options); }
-  int operator()(const ObserveOptions& options) const { return observe(options); }
-  int operator()(const DriveOptions& options) const { return drive(options); }
-  int operator()(const CheckOptions& options) const { return check(options); }
-  int operator()(const ConvertOptions& options) const { return convert(options); }
-  int operator()(const PictureOptions& options) const { return picture(options); }
-  int operator()(const FilmOptions& options) const { return film(options); }
-  int operator()(const KindsOptions& options) const { return kinds(options); }
-  int operator()(const BenchOptions& options) const { return bench(options); }
-};
 
 bool called_player(std::string_view program) {
   return program.substr(program.rfind('/') + 1) == "player";
@@ -83,7 +58,7 @@ int start(int argc, const char* const* argv) {
   if (argc > 0 && called_player(argv[0])) return player_link(words);
   const Result<CommandLine> line = parse_command_line(words);
   if (!line) return fail(line.error(), kUsage);
-  return std::visit(Dispatch{}, *line);
+  return line->execute();
 }
 
 }  // namespace

@@ -1,0 +1,149 @@
+#include "playhouse/app/option_texts.h"
+
+#include <arpa/inet.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <set>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "playhouse/app/sensor_shapes.h"
+#include "playhouse/base/nearest_word.h"
+#include "playhouse/record/selection.h"
+
+namespace playhouse::app {
+namespace {
+
+constexpr double kFarthest = 1e6;  // m from the origin that somebody may look
+
+std::optional<double> number_in(std::string_view text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+std::vector<std::string> split(const std::string& text) {
+  std::vector<std::string> words;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    words.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return words;
+}
+
+/// The names between commas; nothing where one is none, or there twice.
+std::optional<std::set<std::string>> names_in(const std::string& text) {
+  std::set<std::string> names;
+  for (const std::string& name : split(text)) {
+    const bool good = !name.empty() && name[0] != '-' && std::ranges::all_of(name, [](unsigned char letter) {
+      return std::isalnum(letter) || letter == '-' || letter == '_';
+    });
+    if (!good || !names.insert(name).second) return std::nullopt;
+  }
+  return names;
+}
+
+std::optional<ViewSquare> view_in(const std::string& text) {
+  std::vector<double> numbers;
+  for (const std::string& word : split(text)) {
+    const std::optional<double> value = number_in(word);
+    if (!value || std::fabs(*value) > kFarthest) return std::nullopt;
+    numbers.push_back(*value);
+  }
+  if (numbers.size() != 3 || numbers[2] <= 0) return std::nullopt;
+  return ViewSquare{numbers[0], numbers[1], numbers[2]};
+}
+
+}  // namespace
+
+std::string check_port(const std::string& text) {
+  return is_whole<std::uint16_t>(text) ? "" : "a port from 0 to 65535 is wanted, not " + in_quotes(text);
+}
+
+std::string check_bind(const std::string& text) {
+  in6_addr address;
+  const bool good = text == "localhost" || inet_pton(AF_INET, text.c_str(), &address) == 1 ||
+                    inet_pton(AF_INET6, text.substr(0, text.find('%')).c_str(), &address) == 1;
+  return good ? "" : "an IPv4 or IPv6 address is wanted, without a port, not " + in_quotes(text);
+}
+
+std::string check_web_host(const std::string& text) {
+  const bool good = !text.empty() && std::ranges::all_of(text, [](unsigned char letter) {
+    return std::isalnum(letter) || letter == '-' || letter == '.' || letter == '_';
+  });
+  return good ? "" : "the name of a host is wanted, without http:// and port, not " + in_quotes(text);
+}
+
+std::string check_workers(const std::string& text) {
+  return is_whole<unsigned>(text, 1, 1024) ? "" : "a number from 1 to 1024 is wanted, not " + in_quotes(text);
+}
+
+std::string check_not_negative(const std::string& text) {
+  const std::optional<double> value = number_in(text);
+  if (value && *value >= 0) return {};
+  return "a number that is not negative is wanted, not " + in_quotes(text);
+}
+
+std::string check_positive(const std::string& text) {
+  const std::optional<double> value = number_in(text);
+  if (value && *value > 0) return {};
+  return "a number above 0 is wanted, not " + in_quotes(text);
+}
+
+std::string check_token(const std::string& text) {
+  const bool good = !text.empty() && text.size() <= limits::kTokenBytes;
+  return good ? "" : fmt::format("a token of 1 to {} letters is wanted", limits::kTokenBytes);
+}
+
+std::string check_selection(const std::string& text) {
+  const Result<record::Selection> selection = record::Selection::parse(text);
+  return selection ? "" : selection.error().text;
+}
+
+std::string check_show(const std::string& text) {
+  const Result<SensorShapes> shown = SensorShapes::parse(text);
+  return shown ? "" : shown.error().text;
+}
+
+std::string check_renderer(const std::string& text) {
+  constexpr std::string_view kNames[] = {kChromium, kPlayhouse};
+  if (std::ranges::find(kNames, text) != std::end(kNames)) return "";
+  return fmt::format("{} or {} is wanted, not {}{}", kChromium, kPlayhouse, in_quotes(text),
+                     did_you_mean(text, kNames));
+}
+
+std::string check_engine(const std::string& text) {
+  if (std::ranges::find(kEngines, text) != std::end(kEngines)) return "";
+  return fmt::format("{} is wanted, not {}{}", fmt::join(kEngines, " or "), in_quotes(text),
+                     did_you_mean(text, kEngines));
+}
+
+Result<std::optional<std::uint16_t>> parse_web(const std::string& text) {
+  if (text == "off") return std::optional<std::uint16_t>();
+  if (is_whole<std::uint16_t>(text)) return std::optional(static_cast<std::uint16_t>(std::stoi(text)));
+  return Error{"", "a port or \"off\" is wanted, not " + in_quotes(text)};
+}
+
+Result<ViewSquare> parse_view(const std::string& text) {
+  const std::optional<ViewSquare> view = view_in(text);
+  if (view) return *view;
+  return Error{"", "X,Y,RADIUS in metres is wanted, the radius above 0, not " + in_quotes(text)};
+}
+
+Result<LockStepping> parse_lock_step(const std::string& text) {
+  if (text.empty()) return LockStepping{};
+  if (is_whole<std::uint32_t>(text, 1, limits::kSessions)) return LockStepping{std::stoul(text), {}};
+  const bool begins_as_number = std::isdigit(static_cast<unsigned char>(text[0])) != 0;
+  if (std::optional<std::set<std::string>> names = names_in(text); names && !begins_as_number)
+    return LockStepping{names->size(), std::move(*names)};
+  return Error{"", fmt::format("a number of clients from 1 to {}, or names of letters and digits between "
+                               "commas, is wanted, not {}",
+                               limits::kSessions, in_quotes(text))};
+}
+
+}  // namespace playhouse::app

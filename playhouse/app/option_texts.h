@@ -1,0 +1,61 @@
+#pragma once
+
+/// What the texts of the command line may be, and what they mean. A check returns what is wanted in place of
+/// a text, as CLI11 asks for it, or nothing; a parser the value, or an error that says the same.
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "playhouse/app/options.h"
+#include "playhouse/base/in_quotes.h"
+#include "playhouse/base/limits.h"
+#include "playhouse/base/result.h"
+
+namespace playhouse::app {
+
+/// Whether `text` is a whole number that fits: CLI11 takes -1 for the largest number, and cuts off larger
+/// ones.
+template <typename Number>
+bool is_whole(const std::string& text, Number least = 0, Number most = std::numeric_limits<Number>::max()) {
+  Number value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size() && value >= least && value <= most;
+}
+
+template <typename Number, Number least = 0, Number most = std::numeric_limits<Number>::max()>
+std::string check_count(const std::string& text) {
+  if (is_whole<Number>(text, least, most)) return {};
+  return fmt::format("a whole number from {} to {} is wanted, not {}", least, most, in_quotes(text));
+}
+
+std::string check_port(const std::string& text);
+/// As net's listen() takes it: an address, which may name its interface (fe80::1%eth0).
+std::string check_bind(const std::string& text);
+/// As a browser writes it: no address, which needs no telling, no port, no scheme.
+std::string check_web_host(const std::string& text);
+std::string check_workers(const std::string& text);
+std::string check_not_negative(const std::string& text);
+std::string check_positive(const std::string& text);
+inline constexpr auto check_observer_bytes =
+    check_count<std::uint32_t, limits::kObserverBytesLeast, limits::kObserverBytesMost>;
+std::string check_token(const std::string& text);
+/// A record::Selection.
+std::string check_selection(const std::string& text);
+/// SensorShapes.
+std::string check_show(const std::string& text);
+std::string check_renderer(const std::string& text);
+std::string check_engine(const std::string& text);
+
+/// A port, or "off": none.
+Result<std::optional<std::uint16_t>> parse_web(const std::string& text);
+/// "X,Y,RADIUS".
+Result<ViewSquare> parse_view(const std::string& text);
+/// A number of clients, or names between commas; "": one client.
+Result<LockStepping> parse_lock_step(const std::string& text);
+
+}  // namespace playhouse::app

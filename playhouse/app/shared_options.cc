@@ -1,0 +1,125 @@
+#include "playhouse/app/shared_options.h"
+
+#include "playhouse/base/limits.h"
+
+namespace playhouse::app {
+namespace {
+
+void add_lock_step(CLI::App& app, Running& running) {
+  auto* lock_step = add_parsed(app, "--lock-step", parse_lock_step, running.lock_step,
+                               "go on only when a client asks for a step; with a number or names: each of so "
+                               "many, or of these, clients (docs/lock-step.md)")
+                        ->type_name("[N | NAME,NAME,...]")
+                        ->expected(0, 1);
+  app.add_option("--lock-step-timeout", running.lock_step_timeout,
+                 "seconds that a client may be silent before the others go on without it (for ever)")
+      ->check(check_positive)
+      ->needs(lock_step);
+}
+
+}  // namespace
+
+void add_engine(CLI::App& app, std::string& engine) {
+  app.add_option("--engine", engine,
+                 "what moves the robots: stage, in the plane, or arena, bodies with mass (docs/arena.md)")
+      ->type_name("NAME")
+      ->check(check_engine)
+      ->capture_default_str();
+}
+
+void add_seed(CLI::App& app, std::uint64_t& seed, const std::string& help) {
+  app.add_option("--seed", seed, help)->check(check_count<std::uint64_t>)->capture_default_str();
+}
+
+void add_workers(CLI::App& app, unsigned& workers, const std::string& help) {
+  app.add_option("--workers", workers, help)->check(check_workers)->capture_default_str();
+}
+
+void add_allowed_libraries(CLI::App& app, Running& running) {
+  app.add_option("--allow-library", running.allowed_libraries,
+                 "a library that a world may load from elsewhere; may be given again")
+      ->type_name("FILE.so")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void add_bind(CLI::App& app, std::string& address) {
+  app.add_option("--bind", address, "address to listen on; 0.0.0.0: everybody's")
+      ->check(check_bind)
+      ->capture_default_str();
+}
+
+void add_hosts(CLI::App& app, Serving& serving) {
+  add_bind(app, serving.bind);
+  app.add_option("--web-host", serving.web_hosts,
+                 "a further name of this host that the page may be opened under (once for each)")
+      ->check(check_web_host)
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  app.add_option("--guests", serving.guests,
+                 "who may open the page, as observer, driver, human or admin (docs/guests.md)")
+      ->type_name("FILE");
+  app.add_option("--viewers", serving.viewers, "pages at once, and observers")
+      ->check(check_count<std::size_t, 1, limits::kViewers>)
+      ->capture_default_str();
+  auto* observers =
+      app.add_option("--observers", serving.observers,
+                     "UDP port of playhouse observe; 0: any free one, printed (none; docs/observers.md)")
+          ->type_name("PORT")
+          ->check(check_port);
+  app.add_option("--observer-bytes", serving.observer_bytes, "a second, to each observer at most")
+      ->type_name("N")
+      ->check(check_observer_bytes)
+      ->capture_default_str()
+      ->needs(observers);
+}
+
+void add_serving(CLI::App& app, Serving& serving) {
+  app.add_option("--port", serving.port, "port for Player clients; 0: any free one, printed")
+      ->check(check_port)
+      ->capture_default_str();
+  add_parsed(app, "--web", parse_web, serving.web,
+             "port of the web page, or off; 0: any free one, printed (8080)");
+  add_hosts(app, serving);
+  // CLI11 calls in the order of the options here: it counts also where --web is given.
+  app.add_flag_callback(
+      "--headless", [&serving] { serving.web.reset(); }, "no web page, as --web off");
+}
+
+void add_recording(CLI::App& app, Running& running) {
+  auto* record =
+      app.add_option("--record", running.record, "record the run into an MCAP file (docs/recording.md)")
+          ->type_name("FILE.mcap");
+  app.add_option(
+         "--record-only", running.record_only,
+         "what is recorded besides poses: kinds, @NAMES, or KIND@NAME, between commas; poses: nothing "
+         "(everything)")
+      ->type_name("WHAT,...")
+      ->check(check_selection)
+      ->needs(record);
+}
+
+void add_running(CLI::App& app, Running& running) {
+  add_engine(app, running.engine);
+  auto* fast = app.add_flag_callback(
+      "--fast", [&running] { running.speed = 0; }, "as fast as possible instead of real time");
+  app.add_option("--speed", running.speed, "times real time; 0: as fast as possible (the file's speedup)")
+      ->check(check_not_negative)
+      ->excludes(fast);
+  app.add_option("--duration", running.duration, "simulated seconds, then end (run: the file's quit_time)")
+      ->check(check_not_negative);
+  add_seed(app, running.seed);
+  add_workers(app, running.workers, kWorkersOfARun);
+  add_allowed_libraries(app, running);
+  app.add_option("--save-world", running.save_world,
+                 "the file into which clients may save the world as it stands (SAVE of simulation)")
+      ->type_name("FILE.world");
+  add_recording(app, running);
+  add_lock_step(app, running);
+  app.add_flag("--paused", running.paused, "wait to be resumed by a viewer or a client");
+  app.add_flag("--json", running.json, "print the result as the last line of standard output");
+}
+
+}  // namespace playhouse::app
