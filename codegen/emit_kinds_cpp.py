@@ -1,6 +1,6 @@
 """C++ for what world files can hold: playhouse/scene/generated/.
 
-kind_descs.h has the descriptions, one struct per kind with members; read_kinds.h/.cc read them from properties, with
+kind_forms.h has what a table of kinds tells of each, as enumerations; kind_descs.h has the descriptions, one struct per kind with members; read_kinds.h/.cc read them from properties, with
 their errors; write_kinds.h/.cc write them as files have them; kind_tables.cc has what playhouse/scene/kinds.h gives to
 everybody: types, words, interfaces.
 """
@@ -12,7 +12,7 @@ import textwrap
 from codegen.emit_kinds_text import default_text, doc_text, form_text, limits_text, unit_text
 from codegen.kind_old import OldType, OldWord
 from codegen.kind_words import RATES, Word
-from codegen.kinds import BASE, Kind, Kinds, Served
+from codegen.kinds import BASE, ENTITIES, INDICES, NEEDS, Kind, Kinds, Served
 
 FOLDER = "playhouse/scene/generated"
 WIDTH = 110
@@ -31,6 +31,7 @@ READERS = {"flag": "flag", "integer": "integer", "number": "number", "length": "
 def emit(kinds: Kinds) -> dict[str, str]:
     """Path from the root of the tree -> content."""
     return {
+        f"{FOLDER}/kind_forms.h": _forms(),
         f"{FOLDER}/kind_descs.h": _descs(kinds),
         f"{FOLDER}/read_kinds.h": _readers_header(kinds),
         f"{FOLDER}/read_kinds.cc": _readers(kinds),
@@ -55,6 +56,34 @@ def _comment(text: str, indent: str = "") -> list[str]:
 
 def _text(text: str) -> str:
     return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'
+
+
+# --- what tables of kinds tell -------------------------------------------------------------------------------------
+
+
+FORMS = [
+    ("EntityForm", "Where an entity stands.", ENTITIES),
+    ("Index", "How the indices of an interface count in the automatic map.", INDICES),
+    ("Need", "What a model must have for an interface.", NEEDS),
+]
+
+
+def _forms() -> str:
+    lines = [BANNER + "#pragma once", "", "/// What the table of kinds tells of each, under the names that kinds/*.toml has.", "",
+             "#include <cstddef>", "#include <cstdint>", "#include <string_view>", "", "namespace playhouse::scene {"]
+    for enum, doc, values in FORMS:
+        lines += ["", f"/// {doc}", f"enum class {enum} : std::uint8_t {{"]
+        for name, meaning in values.items():
+            lines += [*_comment(meaning, "  "), f"  {_form(name)},"]
+        names = ", ".join(_text(name) for name in values)
+        lines += ["};", f"constexpr std::string_view name_of({enum} value) {{",
+                  f"  constexpr std::string_view kNames[] = {{{names}}};",
+                  "  return kNames[static_cast<std::size_t>(value)];", "}"]
+    return "\n".join([*lines, "", "}  // namespace playhouse::scene", ""])
+
+
+def _form(name: str) -> str:
+    return enumerator((name or "nothing").replace(" ", "_"))
 
 
 # --- descriptions --------------------------------------------------------------------------------------------------
@@ -500,14 +529,10 @@ def _old_type(old: OldType) -> str:
     return f"    {{{', '.join(fields)}}},"
 
 
-def _need(need: str) -> str:
-    return "Need::k" + "".join(part.title() for part in (need or "nothing").split())
-
-
 def _interface(served: Served) -> str:
     listed = served.listed_when or served.when
-    return (f'    {{"{served.name}", {served.code}, Index::{enumerator(served.index)}, {_need(served.when)}, '
-            f"{_need(listed)}, {'true' if served.shared else 'false'}}},")
+    return (f'    {{"{served.name}", {served.code}, Index::{_form(served.index)}, Need::{_form(served.when)}, '
+            f"Need::{_form(listed)}, {'true' if served.shared else 'false'}}},")
 
 
 def _interfaces(kind: Kind) -> list[str]:
@@ -518,7 +543,7 @@ def _interfaces(kind: Kind) -> list[str]:
 
 
 def _row(kind: Kind) -> list[str]:
-    fields = [f".name = {_text(kind.name)}", f".doc = {_text(kind.doc)}", f".entity = EntityForm::{enumerator(kind.entity)}"]
+    fields = [f".name = {_text(kind.name)}", f".doc = {_text(kind.doc)}", f".entity = EntityForm::{_form(kind.entity)}"]
     if kind.inside:
         fields.append(f".inside = {_text(kind.inside)}")
     if kind.table:

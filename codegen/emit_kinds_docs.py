@@ -5,15 +5,9 @@ from __future__ import annotations
 from codegen.emit_kinds_text import default_text, doc_text, form_text, limits_text, unit_text
 from codegen.kind_old import OldType
 from codegen.kind_words import Word
-from codegen.kinds import BASE, Kind, Kinds, Served
+from codegen.kinds import BASE, INDICES, NEEDS, Kind, Kinds, Served
 
 FOLDER = "docs/kinds"
-INDICES = {
-    "one": "0, there is one",
-    "robot": "that of the robot; of further ones, and where no robot carries it, from behind all robots on",
-    "count": "all are counted, over all robots",
-}
-NEEDS = {"scanner": "a sensor with several samples", "several sensors": "several sensors", "rings": "a sensor with several rings", "robot": "a model at the top level that drives"}
 VALUES = {
     "flag": "0 or 1", "integer": "a whole number; a fraction is cut off", "count": "a whole number that is not negative",
     "number": "a number, in the unit that is told whatever the file's", "length": "a number, in the file's unit of length",

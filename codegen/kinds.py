@@ -18,14 +18,30 @@ from codegen.kind_state import State, state
 from codegen.kind_words import WORD, Word, check_together, word
 from codegen.model import Schema
 
-ENTITIES = ("model", "part", "trait", "window", "world")
+# Where an entity stands.
+ENTITIES = {
+    "model": "at the top level, or inside another model",
+    "part": "inside a model of the type `inside`; of any, where that is \"model\"",
+    "trait": "nowhere: words of a model of any type give it one",
+    "window": "at the top level",
+    "world": "it is the file",
+}
 BASE = "model"  # the type whose words every model has
 
-# How the indices of an interface count in the automatic map: there is one; it is that of the robot, whose further
-# devices, and those of models that no robot carries, come behind all robots; all are counted, over all robots.
-INDICES = ("one", "robot", "count")
+# How the indices of an interface count in the automatic map.
+INDICES = {
+    "one": "0, there is one",
+    "robot": "that of the robot; of further ones, and where no robot carries it, from behind all robots on",
+    "count": "all are counted, over all robots",
+}
 # What a model must have for an interface.
-NEEDS = ("scanner", "several sensors", "robot", "rings")
+NEEDS = {
+    "": "nothing",
+    "scanner": "a sensor with several samples",
+    "several sensors": "several sensors",
+    "robot": "a model at the top level that drives",
+    "rings": "a sensor with several rings",
+}
 
 KEY_TYPES = {key: str for key in ("name", "entity", "doc", "kind", "inside", "table", "not_in_stage", "index", "when", "listed_when", "form")}
 KEY_TYPES |= {"number": int, "watts": (int, float), "body": dict, "old": dict, "old_types": dict, "silent_why": dict, "size": list, "color": list, "solid": bool, "shared": bool, "watchable": bool}
@@ -162,7 +178,7 @@ def build_kinds(parsed: list[tuple[str, dict]], schema: Schema) -> Kinds:
     if base is None or base["entity"] != "model" or base.get("number") != 0:
         raise SchemaError(f'kinds/: a model named "{BASE}" with number 0 is wanted, whose words all models have')
     kinds = [_kind(source, table, schema) for source, table in parsed]
-    kinds.sort(key=lambda k: (ENTITIES.index(k.entity), k.number is None, k.number, k.name))
+    kinds.sort(key=lambda k: (list(ENTITIES).index(k.entity), k.number is None, k.number, k.name))
     out = Kinds(kinds)
     unique("kinds/", "name", [k.name for k in kinds])
     unique("kinds/", "number", [k.number for k in out.simulated()])

@@ -17,15 +17,10 @@ using scene::Kind;
 using scene::KindInterface;
 using scene::Word;
 
-// By enumerator.
-constexpr std::array<std::string_view, 5> kForms = {"model", "part", "trait", "window", "world"};
 constexpr std::array<std::string_view, 4> kUses = {"read", "silent", "later", "old"};
-constexpr std::array<std::string_view, 3> kIndices = {"one", "robot", "count"};
-constexpr std::array<std::string_view, 5> kNeeds = {"", "scanner", "several sensors", "robot", "rings"};
 
-template <typename Enum, std::size_t kCount>
-std::string_view name_of(const std::array<std::string_view, kCount>& names, Enum value) {
-  return names.at(static_cast<std::size_t>(value));
+std::string_view name_of(scene::Use use) {
+  return kUses.at(static_cast<std::size_t>(use));
 }
 
 /// Null for what there is nothing to say of.
@@ -46,15 +41,15 @@ std::string list(const Range& items, Write write) {
 std::string json_of(const Word& word) {
   return fmt::format(
       R"({{"name":{},"use":{},"type":{},"form":{},"unit":{},"default":{},"default_told":{},"limits":{},"doc":{},"instead":{}}})",
-      in_json(word.name), in_json(name_of(kUses, word.use)), in_json(word.type), in_json(word.form),
+      in_json(word.name), in_json(name_of(word.use)), in_json(word.type), in_json(word.form),
       in_json(word.unit), in_json(word.otherwise), in_json(word.told), in_json(word.limits),
       in_json(word.doc), in_json(word.instead));
 }
 
 std::string json_of(const KindInterface& interf) {
   return fmt::format(R"({{"name":{},"index":{},"when":{},"listed_when":{}}})", in_json(interf.name),
-                     in_json(name_of(kIndices, interf.index)), in_json(name_of(kNeeds, interf.when)),
-                     in_json(name_of(kNeeds, interf.listed)));
+                     in_json(name_of(interf.index)), in_json(name_of(interf.when)),
+                     in_json(name_of(interf.listed)));
 }
 
 /// The size, colour and solidity of a model without words of its own.
@@ -68,7 +63,7 @@ void print_json(const Kind& kind) {
   fmt::print(
       R"({{"name":{},"entity":{},"inside":{},"simulated":{},"doc":{},"body":{},"interfaces":{},"words":{}}})"
       "\n",
-      in_json(kind.name), in_json(name_of(kForms, kind.entity)), in_json(kind.inside), kind.simulated,
+      in_json(kind.name), in_json(name_of(kind.entity)), in_json(kind.inside), kind.simulated,
       in_json(kind.doc), body_of(kind), list(kind.interfaces, [](const auto& i) { return json_of(i); }),
       list(kind.words, [](const auto& w) { return json_of(w); }));
 }

@@ -1,13 +1,14 @@
 #pragma once
 
 /// What a world file can hold, as kinds/*.toml defines it, in tables. What one model says about itself is in
-/// generated/kind_descs.h.
+/// generated/kind_descs.h, and EntityForm, Index and Need in generated/kind_forms.h.
 
 #include <cstdint>
 #include <span>
 #include <string_view>
 
 #include "playhouse/scene/generated/kind_descs.h"
+#include "playhouse/scene/generated/kind_forms.h"
 
 namespace playhouse::scene {
 
@@ -58,17 +59,6 @@ struct Word {
   const Meaning* meaning = nullptr;  // of old words that are read
 };
 
-/// How the indices of an interface count in the automatic map.
-enum class Index : std::uint8_t {
-  kOne,    // there is one, 0
-  kRobot,  // that of the robot; of its further devices, and of those that no robot carries, from behind all
-           // robots on
-  kCount,  // all are counted, over all robots
-};
-
-/// What a model must have for an interface.
-enum class Need : std::uint8_t { kNothing, kScanner, kSeveralSensors, kRobot, kRings };
-
 /// An interface of Player through which models of a kind are seen; those of "model" are of every kind.
 struct KindInterface {
   std::string_view name;
@@ -77,15 +67,6 @@ struct KindInterface {
   Need when = Need::kNothing;    // that there can be such a device
   Need listed = Need::kNothing;  // that the automatic map has one
   bool shared = false;           // several devices of a configuration file may be of one model
-};
-
-/// Where an entity stands.
-enum class EntityForm : std::uint8_t {
-  kModel,   // at the top level, or inside another model
-  kPart,    // inside a model of the type `inside`; of any, where that is "model"
-  kTrait,   // nowhere: words of a model of any type give it one
-  kWindow,  // at the top level
-  kWorld,   // it is the file
 };
 
 /// What a world file can hold. `solid`, `size` and `color` are those of models.
