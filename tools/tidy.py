@@ -37,6 +37,8 @@ UNREPRODUCIBLE = re.compile(
 EMPTY_NAME = re.compile(r"\b(?:class|struct|enum class)\s+(\w*(?:Manager|Handler|Helper|Util|Utils|Data|Info))\b")
 # What the build defines for tests and the program.
 BUILD = [f'-D{name}=""' for name in ("PLAYHOUSE_VERSION", "PLAYHOUSE_SOURCE_DIR", "EXAMPLE_CONTROLLERS")]
+# Of libraries whose headers are in a folder of their own.
+BUILD += subprocess.run(["pkg-config", "--cflags", "bullet"], capture_output=True, text=True, check=True).stdout.split()
 CLIENT = ROOT / "clients/cpp/include"  # which the command line is made of
 INCLUDE = re.compile(r'#include "playhouse/(\w+)/')
 FIRST_INCLUDE = re.compile(r"^#include (\S+)", re.MULTILINE)

@@ -20,6 +20,17 @@ constexpr double kSlowTurn = 0.02;   // rad/s
 constexpr double kRestAfter = 0.5;   // s
 constexpr double kLeastTilt = 1e-6;  // rad; tilts below this are set to zero
 constexpr double kStalled = 0.2;     // of the motion that its wheels make; a robot that moves less stalls
+// A part stalls that is deeper within something than this, and than what gives way lags behind it.
+constexpr double kPressed = 0.01;  // m
+constexpr double kLeft = 0.8;      // of a depth, which contacts leave after a step
+constexpr double kCare = 1.5;      // times that lag
+
+/// How far what gives way is behind a part that comes nearer by 1 in each tick of so many steps.
+double lag_after(unsigned steps) {
+  double left = 1;
+  for (unsigned step = 0; step < steps; ++step) left *= kLeft;
+  return left / (1 - left);
+}
 
 BodyState state_of(const world::Models& models, std::uint32_t row) {
   const Pose& X = models.X_PM[row];
@@ -33,6 +44,12 @@ double length(const Vec3& v) {
 
 bool is_moving(const world::World& world, const stage::Mover& mover) {
   return stage::with_move(mover.kind, [&](auto move) { return move.is_moving(world, mover.part); });
+}
+
+/// Whether a model is `carrier` or on it.
+bool carries(const world::Models& models, std::uint32_t carrier, std::uint32_t model) {
+  while (model != carrier && model != models.root[model]) model = models.parent[model];
+  return model == carrier;
 }
 
 Pose moved_by(const world::World& world, const stage::Mover& mover) {
@@ -58,7 +75,11 @@ void ArenaEngine::populated(bool fixed) {
   if (fixed) physics_.set_fixed(fixed_solids(world_, solids_));
   physics_.clear();
   bodies_.clear();
-  for (std::uint32_t tree = 0; tree < trees_.size(); ++tree) bodies_.push_back(make_body(tree));
+  tree_of_.clear();
+  for (std::uint32_t tree = 0; tree < trees_.size(); ++tree) {
+    bodies_.push_back(make_body(tree));
+    if (bodies_.back().number != Body::kNone) tree_of_.push_back(tree);
+  }
 }
 
 ArenaEngine::Body ArenaEngine::make_body(std::uint32_t tree) {
@@ -66,13 +87,14 @@ ArenaEngine::Body ArenaEngine::make_body(std::uint32_t tree) {
   body.part = part_of(world_, trees_, solids_, tree);
   for (const stage::Mover& mover : movers_of(tree))
     body.has_joints = body.has_joints || mover.model != trees_.root[tree];
-  std::vector<Hull> hulls = hulls_of(world_, trees_, solids_, tree, body.part, mesh_hulls_);
+  auto [hulls, models] = hulls_of(world_, trees_, solids_, tree, body.part, mesh_hulls_);
   if (hulls.empty()) {
     body.part = Part::kGuided;  // an outline that encloses nothing
     return body;
   }
   for (const Hull& hull : hulls)
     for (const Vec3& p : hull) body.radius = std::max(body.radius, std::sqrt(p.x * p.x + p.y * p.y));
+  body.models = std::move(models);
   body.number = physics_.add(plan_body(world_, trees_, tree, body.part, std::move(hulls)));
   for (const stage::Mover& mover : movers_of(tree)) body.joints.push_back(world_.models.X_PM[mover.model]);
   return body;
@@ -85,8 +107,9 @@ world::PhysicsShapes ArenaEngine::physics_shapes() const {
     if (!solid.hull.empty()) shapes.fixed.push_back(std::move(solid.hull));
   for (std::uint32_t tree = 0; tree < trees_.size(); ++tree)
     if (bodies_[tree].number != Body::kNone)
-      shapes.bodies.push_back({world_.id({trees_.root[tree]}),
-                               hulls_of(world_, trees_, solids_, tree, bodies_[tree].part, mesh_hulls_)});
+      shapes.bodies.push_back(
+          {world_.id({trees_.root[tree]}),
+           hulls_of(world_, trees_, solids_, tree, bodies_[tree].part, mesh_hulls_).hulls});
   return shapes;
 }
 
@@ -111,6 +134,7 @@ void ArenaEngine::move() {
   for (std::uint32_t tree = 0; tree < trees; ++tree) load(tree);
   physics_.forget();
   for (unsigned step = 0; step < steps; ++step) physics_.step(dt / steps, workers_);
+  find_blocked(steps);
   for (std::uint32_t tree = 0; tree < trees; ++tree) store(tree);
   index();
 }
@@ -157,8 +181,42 @@ void ArenaEngine::bend(std::uint32_t tree) {
     is_bent = true;
   }
   if (!is_bent) return;
-  const std::vector<Hull> hulls = hulls_of(world_, trees_, solids_, tree, body.part, mesh_hulls_);
-  if (!hulls.empty()) physics_.set_hulls(body.number, hulls);
+  TreeHulls now = hulls_of(world_, trees_, solids_, tree, body.part, mesh_hulls_);
+  if (now.hulls.empty()) return;
+  body.models = std::move(now.models);
+  physics_.set_hulls(body.number, now.hulls);
+}
+
+/// Parts that move by themselves, are deep within what has not given way, and would go deeper.
+void ArenaEngine::find_blocked(unsigned steps) {
+  blocked_.assign(trees_.movers.size(), 0);
+  const auto trees = static_cast<std::uint32_t>(trees_.size());
+  bool has_parts = false;
+  for (std::uint32_t tree = 0; tree < trees && !has_parts; ++tree) has_parts = !parts_of(tree).empty();
+  if (!has_parts) return;
+  const double lag = lag_after(steps);
+  for (const Press& press : physics_.presses(kPressed)) {
+    const std::uint32_t tree = tree_of_[press.body];
+    for (const stage::Mover& mover : parts_of(tree)) {
+      if (!is_moving(world_, mover) || !carries(world_.models, mover.model, bodies_[tree].models[press.hull]))
+        continue;
+      const double closing = dot(way_of(press.p, mover), press.out);
+      if (closing > 0 && press.depth > kPressed + kCare * lag * closing)
+        blocked_[&mover - trees_.movers.data()] = 1;
+    }
+  }
+}
+
+/// How far a point goes in a tick with what moves by itself.  [m, both in W]
+Vec3 ArenaEngine::way_of(const Vec3& p, const stage::Mover& mover) const {
+  const world::Models& models = world_.models;
+  const Pose& now = models.X_WM[mover.model];
+  Pose then = moved_by(world_, mover);
+  if (mover.model != models.root[mover.model])
+    then = geom::compose(models.X_WM[models.parent[mover.model]], then);
+  const geom::Vec2 p_M = geom::Rotation::of(now.a).inverse(geom::Vec2{p.x, p.y} - now.xy());
+  const geom::Vec2 q = then.xy() + geom::Rotation::of(then.a) * p_M;
+  return {q.x - p.x, q.y - p.y, then.z - now.z};
 }
 
 void ArenaEngine::store(std::uint32_t tree) {
@@ -175,8 +233,8 @@ void ArenaEngine::store(std::uint32_t tree) {
   if (body.part == Part::kVehicle) store_drive(tree, before);
   for (const stage::Mover& mover : parts_of(tree))
     stage::with_move(mover.kind, [&](auto move) {
-      move.stall(world_, mover.part, false);
-      if (move.is_moving(world_, mover.part)) move.arrive(world_, mover.part);
+      move.stall(world_, mover.part, is_blocked(mover));
+      if (move.is_moving(world_, mover.part) && !is_blocked(mover)) move.arrive(world_, mover.part);
     });
 }
 
@@ -226,7 +284,7 @@ void ArenaEngine::store_drive(std::uint32_t tree, const Pose& before) {
 bool ArenaEngine::store_parts(std::uint32_t tree) {
   bool moved = false;
   for (const stage::Mover& mover : parts_of(tree)) {
-    if (!is_moving(world_, mover)) continue;
+    if (!is_moving(world_, mover) || is_blocked(mover)) continue;
     world_.models.X_PM.own(mover.model) = moved_by(world_, mover);
     moved = true;
   }

@@ -25,10 +25,11 @@ class ArenaEngine final : public stage::BodyEngine {
   struct Body {
     static constexpr std::uint32_t kNone = world::ModelRow::kNone;
     Part part = Part::kGuided;
-    std::uint32_t number = kNone;    // of Physics; none: it is no obstacle
-    double radius = 0;               // m, of what it is driven about
-    bool has_joints = false;         // parts of it move by themselves
-    std::vector<geom::Pose> joints;  // X_PM of those parts as Physics has them
+    std::uint32_t number = kNone;       // of Physics; none: it is no obstacle
+    double radius = 0;                  // m, of what it is driven about
+    bool has_joints = false;            // parts of it move by themselves
+    std::vector<geom::Pose> joints;     // X_PM of those parts as Physics has them
+    std::vector<std::uint32_t> models;  // (hulls) rows of whose each is
   };
 
   void move() override;
@@ -42,6 +43,9 @@ class ArenaEngine final : public stage::BodyEngine {
   void load(std::uint32_t tree);
   void load_guided(std::uint32_t tree);
   void bend(std::uint32_t tree);
+  void find_blocked(unsigned steps);
+  geom::Vec3 way_of(const geom::Vec3& p, const stage::Mover& mover) const;
+  bool is_blocked(const stage::Mover& mover) const { return blocked_[&mover - trees_.movers.data()] != 0; }
   void store(std::uint32_t tree);
   bool store_state(std::uint32_t tree);
   void store_drive(std::uint32_t tree, const geom::Pose& before);
@@ -50,7 +54,9 @@ class ArenaEngine final : public stage::BodyEngine {
 
   Physics physics_;
   mutable MeshHulls mesh_hulls_;
-  std::vector<Body> bodies_;  // (trees)
+  std::vector<Body> bodies_;            // (trees)
+  std::vector<std::uint32_t> tree_of_;  // (bodies of Physics)
+  std::vector<std::uint8_t> blocked_;   // (trees_.movers) in this tick
 };
 
 }  // namespace playhouse::arena

@@ -141,7 +141,46 @@ TEST_F(ArenaTest, ticks_that_nothing_would_interrupt_are_refused) {
             "w.world: interval_sim 20000 is too long for physics, which takes at most 10000");
 }
 
-TEST_F(ArenaTest, actuators_move_whatever_is_in_the_way) {
+TEST_F(ArenaTest, actuators_stall_at_what_cannot_give_way_and_go_back) {
+  start(R"(
+model( name "wall" pose [1.6 0 0 0] size [0.2 4 1] )
+model( name "frame" pose [0 0 0 0] size [0.2 0.2 1]
+  actuator( name "door" type "linear" axis [1 0 0] min_position 0 max_position 1.5 max_speed 0.5
+            pose [0.3 0 -1 0] size [0.4 1 0.8] ) )
+model( name "box" pose [0.8 0 0 0] size [0.3 0.3 0.3] gripper_return 1 mass 1 )
+model( name "roof" pose [0 5 2 0] size [1 1 0.2] )
+model( name "shaft" pose [0 5 0 0] size [0.1 0.1 0.1]
+  actuator( name "lift" type "linear" axis [0 0 1] min_position 0 max_position 3 max_speed 0.3
+            pose [0 0 0 0] size [1 1 0.1] ) )
+model( name "crate" pose [0 5 0.2 0] size [0.5 0.5 0.5] gripper_return 1 mass 40 )
+)");
+  const auto row_of = [this](const char* name) {
+    const world::ModelRow model = world().find(name);
+    world::subscribe(world(), model);
+    return world::ActuatorRow{world().models.part[model.index]};
+  };
+  const world::ActuatorRow door = row_of("frame.door"), lift = row_of("shaft.lift");
+  const auto go = [&](double door_to, double lift_to) {
+    ASSERT_TRUE(world::command_joint_position(world(), door, door_to));
+    ASSERT_TRUE(world::command_joint_position(world(), lift, lift_to));
+    run(10);
+  };
+  go(1.5, 3);
+  constexpr double kWay = 0.05;  // of the door in a tick: so deep it may press before it stalls, on both sides
+  EXPECT_NEAR(pose("box").x, 1.5 - 0.15, kWay + 0.02) << "at the wall, not beyond it";
+  EXPECT_NEAR(pose("frame.door").x, 1.5 - 0.3 - 0.2, 2 * kWay + 0.02);
+  EXPECT_NEAR(world().actuators.position[door.index], pose("frame.door").x - 0.3, 1e-9);
+  EXPECT_EQ(world().actuators.stall[door.index], 1);
+  EXPECT_NEAR(pose("crate").z, 2 - 0.5, 0.05) << "below the roof";
+  EXPECT_EQ(world().actuators.stall[lift.index], 1);
+  go(0, 0);
+  EXPECT_NEAR(pose("frame.door").x, 0.3, 0.01);
+  EXPECT_EQ(world().actuators.stall[door.index], 0);
+  EXPECT_NEAR(pose("crate").z, pose("shaft.lift").z + 0.1, 0.01);
+  EXPECT_EQ(world().actuators.stall[lift.index], 0);
+}
+
+TEST_F(ArenaTest, actuators_push_what_is_in_the_way) {
   start(R"(
 model( name "wall" pose [0 0 0 0] size [0.2 0.2 1]
   actuator( name "door" type "linear" axis [1 0 0] min_position 0 max_position 1 max_speed 0.5

@@ -93,12 +93,16 @@ std::map<std::uint32_t, Pose> poses_in_top(const world::Models& models, const st
 }
 
 /// Cuts off what is below `z`.
-void lift(std::vector<Hull>& hulls, double z) {
-  std::erase_if(hulls, [z](const Hull& hull) {
-    return std::ranges::all_of(hull, [z](const Vec3& p) { return p.z <= z; });
-  });
-  for (Hull& hull : hulls)
+TreeHulls above(const TreeHulls& all, double z) {
+  TreeHulls above;
+  for (std::size_t i = 0; i < all.hulls.size(); ++i) {
+    Hull hull = all.hulls[i];
+    if (std::ranges::all_of(hull, [z](const Vec3& p) { return p.z <= z; })) continue;
     for (Vec3& p : hull) p.z = std::max(p.z, z);
+    above.hulls.push_back(std::move(hull));
+    above.models.push_back(all.models[i]);
+  }
+  return above;
 }
 
 /// Of a body with the same density everywhere.
@@ -191,26 +195,27 @@ Part part_of(const world::World& world, const stage::Trees& trees, const stage::
   return world.models.mobility[top] == world::Mobility::kLoose ? Part::kLoose : Part::kGuided;
 }
 
-std::vector<Hull> hulls_of(const world::World& world, const stage::Trees& trees, const stage::Solids& solids,
-                           std::uint32_t tree, Part part, MeshHulls& meshes) {
+TreeHulls hulls_of(const world::World& world, const stage::Trees& trees, const stage::Solids& solids,
+                   std::uint32_t tree, Part part, MeshHulls& meshes) {
   const std::map<std::uint32_t, Pose> X_BM = poses_in_top(world.models, trees, tree);
-  std::vector<Hull> hulls;
+  TreeHulls all;
   std::uint32_t latest = world::ModelRow::kNone;  // of which there is the mesh
   each_body(solids, trees.first_solid[tree], trees.first_solid[tree + 1], stage::Observer::kMotion,
             [&](std::size_t begin, std::size_t end) {
               const std::uint32_t model = solids.model[begin];
               const Pose& X_TM = X_BM.at(model);
               const mesh::Mesh* mesh = mesh_of(world, model);
-              if (mesh == nullptr) return add_body(hulls, solids, begin, end, X_TM);
-              if (std::exchange(latest, model) != model)  // its outlines are for the plane
-                add_hulls(hulls, meshes.of(*mesh), body_in(world, model, X_TM));
+              if (mesh == nullptr)
+                add_body(all.hulls, solids, begin, end, X_TM);
+              else if (std::exchange(latest, model) != model)  // its outlines are for the plane
+                add_hulls(all.hulls, meshes.of(*mesh), body_in(world, model, X_TM));
+              all.models.resize(all.hulls.size(), model);
             });
-  if (part != Part::kVehicle) return hulls;
-  const Extent extent = extent_of(hulls);
+  if (part != Part::kVehicle) return all;
+  const Extent extent = extent_of(all.hulls);
   const bool walks = world.desc({trees.root[tree]}).position->drive == scene::Drive::kWalk;
-  lift(hulls,
-       std::min(walks ? kStep : kClearance, extent.low.z + kClearanceShare * (extent.high.z - extent.low.z)));
-  return hulls;
+  return above(all, std::min(walks ? kStep : kClearance,
+                             extent.low.z + kClearanceShare * (extent.high.z - extent.low.z)));
 }
 
 BodyDesc plan_body(const world::World& world, const stage::Trees& trees, std::uint32_t tree, Part part,

@@ -16,17 +16,23 @@ namespace playhouse::arena {
 enum class Part : std::uint8_t {
   kVehicle,  // a robot with wheels on the ground
   kLoose,    // falls, slides, is pushed
-  kGuided,   // as its actuators, library or the plane say, whatever is in the way
+  kGuided,   // as its actuators or library say; what is in the way is pushed
 };
 
 /// Of tree `tree`.
 Part part_of(const world::World& world, const stage::Trees& trees, const stage::Solids& solids,
              std::uint32_t tree);
 
-/// The obstacles of a tree as convex hulls in B, where its joints have them; of a vehicle above the clearance
-/// of its wheels. Models with a mesh have those of the mesh.
-std::vector<Hull> hulls_of(const world::World& world, const stage::Trees& trees, const stage::Solids& solids,
-                           std::uint32_t tree, Part part, MeshHulls& meshes);
+/// Hulls in B, and the row of the model that each is of.
+struct TreeHulls {
+  std::vector<Hull> hulls;
+  std::vector<std::uint32_t> models;
+};
+
+/// The obstacles of a tree as convex hulls, where its joints have them; of a vehicle above the clearance of
+/// its wheels. Models with a mesh have those of the mesh.
+TreeHulls hulls_of(const world::World& world, const stage::Trees& trees, const stage::Solids& solids,
+                   std::uint32_t tree, Part part, MeshHulls& meshes);
 
 /// The body of a tree of which hulls_of() are not empty.
 BodyDesc plan_body(const world::World& world, const stage::Trees& trees, std::uint32_t tree, Part part,

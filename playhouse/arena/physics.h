@@ -24,6 +24,15 @@ struct FixedSolid {
   Triangles triangles{};  // in W
 };
 
+/// Where a body is within another one.
+struct Press {
+  std::uint32_t body = 0;
+  std::size_t hull = 0;  // of the body
+  Vec3 p;                // in W
+  Vec3 out;              // unit vector out of the body, in W
+  double depth = 0;      // m
+};
+
 class Physics {
  public:
   /// `gravity` in m/s^2, downwards.
@@ -53,6 +62,9 @@ class Physics {
   void forget();
   /// `dt` seconds of motion. The result does not depend on the number of workers.
   void step(double dt, world::Workers& workers);
+  /// After a step: where bodies are deeper than `depth` within others. Of two that nothing pushes neither is
+  /// told.
+  std::vector<Press> presses(double depth) const;
 
  private:
   struct Impl;
