@@ -1,4 +1,4 @@
-"""python3 -m codegen            writes everything that is generated from interfaces/ and kinds/
+"""python3 -m codegen            writes everything that is generated from interfaces/, kinds/ and viewer/
 python3 -m codegen --check    changes nothing; fails if what is checked in is not what would be written
 """
 
@@ -7,9 +7,10 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from codegen import (emit_cpp, emit_cpp_fields, emit_docs, emit_kind_lists, emit_kinds_cpp, emit_kinds_docs, emit_python, emit_stage_words,
+from codegen import (emit_commands, emit_cpp, emit_cpp_fields, emit_docs, emit_kind_lists, emit_kinds_cpp, emit_kinds_docs, emit_python, emit_stage_words,
                      emit_tables, emit_views)
 from codegen.checks import SchemaError
+from codegen.commands import load_commands
 from codegen.kinds import load_kinds
 from codegen.model import load
 
@@ -29,7 +30,7 @@ def wanted() -> dict[str, str]:
     kinds = load_kinds(ROOT / "kinds", schema)
     for emitter in KIND_EMITTERS:
         files |= emitter.emit(kinds)
-    return files
+    return files | emit_commands.emit(load_commands(ROOT / "viewer" / "commands.toml"))
 
 
 def left_over(files: dict[str, str]) -> list[str]:

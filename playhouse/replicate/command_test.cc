@@ -20,7 +20,7 @@ TEST(Command, every_command_is_read) {
   const auto drive =
       std::get<Drive>(*parse_command(R"({"do":"drive","model":3,"forward":0.4,"sideways":-0.1,"turn":1.5})"));
   EXPECT_EQ(drive.model.value, 3u);
-  EXPECT_EQ(drive.velocity, (geom::Twist{0.4, -0.1, 0, 1.5}));
+  EXPECT_EQ(velocity_of(drive), (geom::Twist{0.4, -0.1, 0, 1.5}));
   EXPECT_EQ(drive.input, 0u);
   EXPECT_EQ(
       std::get<Drive>(
@@ -44,7 +44,7 @@ TEST(Command, every_command_is_read) {
   EXPECT_TRUE(std::holds_alternative<Save>(*parse_command(R"({"do":"save"})")));
   const auto look = std::get<Look>(
       *parse_command(R"({"do":"look","x_min":-1,"y_min":-2,"x_max":3,"y_max":4,"sensors":true})"));
-  EXPECT_EQ(look.view.y_max, 4);
+  EXPECT_EQ(look.y_max, 4);
   EXPECT_TRUE(look.sensors);
   EXPECT_EQ(std::get<Acknowledge>(*parse_command(R"({"do":"ack","frame":17})")).frame, 17u);
 }

@@ -70,7 +70,7 @@ Result<void> DatagramViewer::obey(const std::string& text) {
   const Result<Command> command = parse_command(text);
   if (!command) return command.error();
   if (const auto* look = std::get_if<Look>(&*command)) {
-    wish_.view = look->view;
+    wish_.view = view_of(*look);
     return {};
   }
   if (const auto* select = std::get_if<Select>(&*command)) {

@@ -16,7 +16,7 @@ std::shared_ptr<const std::string> ChangesTexts::text(const std::shared_ptr<cons
 }
 
 void Viewer::look(const Look& look) {
-  wish_.view = look.view;
+  wish_.view = view_of(look);
   wish_.sensors = look.sensors;
 }
 

@@ -6,7 +6,8 @@ namespace playhouse::web_server {
 
 void DrivenRobots::drive(const replicate::Drive& drive, Driver driver) {
   const world::ModelId robot = drive.model;
-  if (drive.velocity == geom::Twist{}) {
+  const geom::Twist velocity = velocity_of(drive);
+  if (velocity == geom::Twist{}) {
     if (held_.contains(robot)) let_go(robot);
     return;
   }
@@ -19,7 +20,7 @@ void DrivenRobots::drive(const replicate::Drive& drive, Driver driver) {
     };
     if (control_.post(open, robot)) held.use = std::move(use);
   }
-  control_.drive(robot, drive.velocity);
+  control_.drive(robot, velocity);
   hold_until_deadline(robot, held);
 }
 

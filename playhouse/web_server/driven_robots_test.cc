@@ -44,7 +44,7 @@ class AtOnce final : public world::Control {
 class DrivenRobotsTest : public testing::Test {
  protected:
   void drive(int robot, double forward, const int& driver = kAlice) {
-    driven_.drive({SmallWorld::id(robot), {forward, 0, 0, 0}}, &driver);
+    driven_.drive({SmallWorld::id(robot), forward, 0, 0, 0}, &driver);
   }
   double speed(int robot) const { return small_.world.positions.command[std::size_t(robot)].x; }
   std::uint32_t open(int robot) const { return small_.world.models.subscribers[SmallWorld::robot(robot)]; }

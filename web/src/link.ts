@@ -1,4 +1,4 @@
-import type { Command } from './protocol/commands';
+import type { Command } from './protocol/generated/commands';
 import { Replica } from './protocol/replica';
 import { parseText, withChanges, type Changes, type Driven, type History, type Joined, type People, type PhysicsShapes, type Scene, type WorldFile } from './protocol/scene';
 

@@ -4,7 +4,7 @@ import { Eyes } from './drive/eyes';
 import { HeldKeys, handsOfAxes, sum, velocityOf, type Hands, type Velocity } from './drive/hands';
 import { Link, type LinkState } from './link';
 import { PicturePage } from './picture_page';
-import type { Command } from './protocol/commands';
+import { type Command, kNameLetters } from './protocol/generated/commands';
 import type { Replica } from './protocol/replica';
 import { wheelsOf, type Joined, type People, type PhysicsShapes, type Scene } from './protocol/scene';
 import { Ask } from './ui/ask';
@@ -32,7 +32,6 @@ const kDrivePeriodMs = 50;
 const kNearScale = 60; // pixels per metre: near enough to see a robot's sensors
 const kSensorScale = 8; // pixels per metre: seen from farther away, fans are a fog
 const kNameKey = 'playhouse.name';
-const kNameLetters = 24; // at most
 const kNoticeMs = 4000;
 const kWaveMs = 2500;
 const kPauseMs = 250;

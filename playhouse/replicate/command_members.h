@@ -1,0 +1,122 @@
+#pragma once
+
+/// The members of a command as a page sends it, read strictly (generated/read_commands.cc).
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/json.hpp>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "playhouse/base/in_quotes.h"
+#include "playhouse/base/limits.h"
+#include "playhouse/base/result.h"
+#include "playhouse/replicate/generated/commands.h"
+
+namespace playhouse::replicate {
+
+inline constexpr double kWholeMost = 9007199254740992.0;  // whole numbers are exact up to here
+
+inline bool is_person_name(std::string_view name) {
+  const auto is_letter = [](unsigned char c) { return (c | 0x20) >= 'a' && (c | 0x20) <= 'z'; };
+  const auto fits = [&](unsigned char c) {
+    return is_letter(c) || (c >= '0' && c <= '9') || c == '-' || c == '_';
+  };
+  return !name.empty() && name.size() <= limits::kPersonNameBytes &&
+         is_letter(static_cast<unsigned char>(name[0])) && std::ranges::all_of(name, fits);
+}
+
+/// Reads the members of one object; the first fault sticks. Done with nothing left over.
+class Members {
+ public:
+  explicit Members(const boost::json::object& object) : object_(object) {}
+
+  std::string_view word(std::string_view key) {
+    const boost::json::value* value = find(key);
+    if (value && value->is_string()) return value->get_string();
+    fault(in_quotes(key) + " must be a string");
+    return {};
+  }
+
+  std::string text(std::string_view key) { return std::string(word(key)); }
+
+  /// What a person may be called: a word that names of models and clients can have.
+  std::string person(std::string_view key) {
+    std::string name = text(key);
+    if (!is_person_name(name))
+      fault(fmt::format("{} must be 1 to {} letters, digits, - and _, the first one a letter", in_quotes(key),
+                        limits::kPersonNameBytes));
+    return name;
+  }
+
+  double within(std::string_view key, double most) { return number(key, -most, most); }
+  double up_to(std::string_view key, double most) { return number(key, 0, most); }
+
+
+  std::uint32_t count(std::string_view key) { return static_cast<std::uint32_t>(whole(key, 4294967294.0)); }
+
+  std::uint32_t count_or_none(std::string_view key) { return object_.contains(key) ? count(key) : 0; }
+
+  std::uint64_t tick(std::string_view key) { return static_cast<std::uint64_t>(whole(key, kWholeMost)); }
+
+  world::ModelId model(std::string_view key) { return {count(key)}; }
+
+  std::optional<world::ModelId> model_or_null(std::string_view key) {
+    const boost::json::value* value = object_.if_contains(key);
+    if (!value || !value->is_null()) return model(key);
+    ++read_;
+    return std::nullopt;
+  }
+
+  bool truth(std::string_view key) {
+    const boost::json::value* value = find(key);
+    if (value && value->is_bool()) return value->get_bool();
+    fault(in_quotes(key) + " must be true or false");
+    return false;
+  }
+
+  void fault(std::string text) {
+    if (fault_.empty()) fault_ = std::move(text);
+  }
+
+  Result<Command> finish(Command command) {
+    if (fault_.empty() && read_ != object_.size()) fault("a key that \"do\" has no use for");
+    if (!fault_.empty()) return Error{"", fault_};
+    return command;
+  }
+
+ private:
+  double number(std::string_view key, double least, double most) {
+    const boost::json::value* value = find(key);
+    const double number = value && value->is_number() ? value->to_number<double>() : std::nan("");
+    if (number >= least && number <= most) return number;
+    fault(in_quotes(key) + " must be a number within its range");
+    return 0;
+  }
+
+  double whole(std::string_view key, double most) {
+    const double value = number(key, 0, most);
+    if (value != std::floor(value)) fault(in_quotes(key) + " must be a whole number");
+    return value;
+  }
+
+  const boost::json::value* find(std::string_view key) {
+    const boost::json::value* value = object_.if_contains(key);
+    if (value) ++read_;
+    return value;
+  }
+
+  const boost::json::object& object_;
+  std::size_t read_ = 0;
+  std::string fault_;
+};
+
+/// By the word of "do"; faults are kept in `in`.
+Command read_command(Members& in);
+
+}  // namespace playhouse::replicate
