@@ -1,19 +1,14 @@
 #include "playhouse/web_server/web_server.h"
 
-#include <arpa/inet.h>
-#include <unistd.h>
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <boost/json/array.hpp>
 #include <boost/json/object.hpp>
 #include <boost/json/serialize.hpp>
-#include <cctype>
 #include <chrono>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -27,8 +22,12 @@
 #include "playhouse/net/http.h"
 #include "playhouse/replicate/physics_text.h"
 #include "playhouse/replicate/snapshot_feed.h"
+#include "playhouse/web_server/bodies.h"
 #include "playhouse/web_server/driven_robots.h"
+#include "playhouse/web_server/host_names.h"
 #include "playhouse/web_server/mesh_files.h"
+#include "playhouse/web_server/page_reply.h"
+#include "playhouse/web_server/watched_sensors.h"
 #include "playhouse/web_server/web_viewer.h"
 #include "playhouse/world/as_scene.h"
 #include "playhouse/world/population.h"
@@ -39,60 +38,18 @@ namespace {
 /// Minimum interval between history updates.
 constexpr std::chrono::seconds kPastPeriod{1};
 
-constexpr std::string_view kNoPage =
-    "This program was built without its web page. Build it (cd web && npm ci && npm run build), then build "
-    "the "
-    "program again.\n";
-
-/// The page loads its own files alone (textures of meshes are in files that it has, which is "blob:"), talks
-/// to this server alone, and is shown in nobody's frame, where a click meant for another site could drive a
-/// robot.
-constexpr std::string_view kPagePolicy =
-    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; connect-src 'self' "
-    "blob:; "
-    "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
-
-/// "host:port" or "host" to "host"; the brackets of an IPv6 address stay.
-std::string_view without_port(std::string_view authority) {
-  const std::size_t bracket = authority.find(']');
-  return authority.substr(0, authority.find(':', bracket == std::string_view::npos ? 0 : bracket));
-}
-
-bool is_address(std::string_view host) {
-  in6_addr address;
-  if (host.starts_with('[') && host.ends_with(']'))
-    return inet_pton(AF_INET6, std::string(host.substr(1, host.size() - 2)).c_str(), &address) == 1;
-  return inet_pton(AF_INET, std::string(host).c_str(), &address) == 1;
-}
-
-bool same_letters(std::string_view a, std::string_view b) {
-  return std::ranges::equal(
-      a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
-}
-
-/// True for "robo", "robo.local" and the whole name where the machine calls itself "robo.lab.example".
-bool is_name_of(std::string_view machine, std::string_view host) {
-  if (machine.empty()) return false;
-  const std::string first(machine.substr(0, machine.find('.')));
-  return same_letters(host, machine) || same_letters(host, first) || same_letters(host, first + ".local");
-}
-
-std::string machine_name() {
-  char name[256] = {};
-  return gethostname(name, sizeof name - 1) == 0 ? name : "";
-}
-
-/// Subscriptions taken for a selection, so that exactly these are released.
-using Measuring = std::vector<world::Use>;
-
-void watch_sensors(world::World& world, const world::Control& control, world::ModelId robot,
-                   Measuring& measuring) {
-  const world::ModelRow top = world.row(robot);
-  if (!top) return;
-  for (std::uint32_t row = 0; row < world.models.size(); ++row) {
-    if (world.models.root[row] != top.index || !replicate::may_be_watched(world.models.kind[row])) continue;
-    measuring.emplace_back().watch(world, control, world.id({row}));
+bool has_right(const Rights& rights, replicate::May may) {
+  switch (may) {
+    case replicate::May::kAnybody:
+      return true;
+    case replicate::May::kDrives:
+      return rights.drives;
+    case replicate::May::kJoins:
+      return rights.joins;
+    case replicate::May::kManages:
+      return rights.manages;
   }
+  return false;
 }
 
 }  // namespace
@@ -105,15 +62,18 @@ class WebServer::Impl final : public net::HttpService,
        replicate::DeviceNames devices)
       : loop_(loop),
         options_(std::move(options)),
-        host_name_(options_.host_name.empty() ? machine_name() : options_.host_name),
+        names_(options_.host_name, options_.further_names),
         control_(control),
         scene_(world.scene()),
-        engine_(world.engine),
         light_(replicate::light_text(world)),
         prototypes_(scene_),
         mesh_files_(prototypes_.meshes()),
         feed_(world, prototypes_, std::move(devices)),
         newest_(feed_.first_layout()),
+        bodies_(std::make_shared<Bodies>(loop, control, scene_, prototypes_, world.engine,
+                                         [this](std::uint32_t viewer, world::ModelId body,
+                                                const std::string& walk) { joined(viewer, body, walk); })),
+        sensors_(loop, control),
         driven_(loop, control),
         ids_given_(newest_->ids_given) {}
 
@@ -136,7 +96,7 @@ class WebServer::Impl final : public net::HttpService,
   void close() {
     listener_.reset();
     offer_timer_.reset();
-    subscription_timer_.reset();
+    sensors_.close();
     viewers_.clear();
   }
 
@@ -147,14 +107,6 @@ class WebServer::Impl final : public net::HttpService,
   }
 
  private:
-  /// The model that a viewer has joined the world as.
-  struct Body {
-    std::optional<world::ModelId> model;  // none: it has not come yet
-    std::uint32_t desc = 0;               // what it was made from
-    std::string walk;                     // how it walks, for its viewer
-    bool is_left = false;                 // the viewer has gone, or has another one
-  };
-
   /// One turn: the newest snapshot for every viewer, and its next commands.
   void serve() {
     for (const auto& viewer : viewers_) viewer->new_turn();
@@ -184,48 +136,20 @@ class WebServer::Impl final : public net::HttpService,
   // HttpService
 
   Result<void> serves(const std::string& host) override {
-    if (host.empty() || is_our_name(without_port(host))) return {};
+    if (host.empty() || names_.has(host)) return {};
     const std::string text = in_quotes(host) + " is no name of this program; open it by its address or as " +
-                             host_name_ + " (--web-host gives it another name)";
+                             names_.machine() + " (--web-host gives it another name)";
     if (hosts_refused_++ == 0) log::warn("web: a request refused: {} (told once)", text);
     return Error{"", text};
   }
 
   net::HttpReply get(const net::HttpRequest& request) override {
-    net::HttpReply reply;
-    if (options_.page.empty()) {
-      reply.status = 503;
-      reply.constant = kNoPage;
-      return reply;
-    }
-    const std::string_view path = request.path == "/" ? "/index.html" : std::string_view(request.path);
-    if (const MeshFiles::File* mesh = mesh_files_.find(path)) {
-      reply.content_type = "model/gltf-binary";
-      reply.etag = mesh->etag;
-      reply.text = mesh->bytes;
-      return reply;
-    }
-    const auto file = std::ranges::find(options_.page, path, &PageFile::path);
-    if (file == options_.page.end()) {
-      reply.status = 404;
-      reply.constant = "There is no such page; the viewer is at /\n";
-      return reply;
-    }
-    const bool gzip = request.accepts_gzip && !file->gzip.empty();
-    reply.content_type = file->content_type;
-    reply.content_security_policy = kPagePolicy;
-    reply.etag = file->etag;
-    reply.varies = !file->gzip.empty();
-    reply.content_encoding = gzip ? "gzip" : "";
-    reply.constant = gzip ? file->gzip : file->bytes;
-    // The build puts a hash of the contents into the names under /assets/.
-    if (path.starts_with("/assets/")) reply.cache_control = "public, max-age=31536000, immutable";
-    return reply;
+    return page_reply(options_.page, mesh_files_, request);
   }
 
   Result<void> may_upgrade(const net::HttpRequest& request) override {
     if (request.path != "/live") return Error{"", "viewers connect to /live"};
-    if (!request.origin.empty() && !may_control(request.origin, request.host)) {
+    if (!request.origin.empty() && !names_.may_control(request.origin, request.host)) {
       const std::string text = "a page from " + in_quotes(request.origin) + " may not control this program";
       if (origins_refused_++ == 0)
         log::warn("web: {} refused: {}; its own page may, at http://{}/ (told once)", request.peer, text,
@@ -300,35 +224,18 @@ class WebServer::Impl final : public net::HttpService,
 
   /// Why a viewer may not have this carried out; empty: it may.
   std::string why_not(const replicate::Command& command, const WebViewer& from) const {
-    const Rights rights = from.rights();
-    if (std::holds_alternative<replicate::Select>(command) ||
-        std::holds_alternative<replicate::Look>(command) ||
-        std::holds_alternative<replicate::ShowPhysics>(command) ||
-        std::holds_alternative<replicate::Acknowledge>(command))
-      return {};
-    bool may = rights.manages;
+    bool may = has_right(from.rights(), replicate::who_may(command));
     if (const auto* drive = std::get_if<replicate::Drive>(&command))
-      may = rights.drives || (rights.joins && is_body(drive->model, from));
+      may = may || (from.rights().joins && is_body(drive->model, from));
     if (const auto* remove = std::get_if<replicate::Remove>(&command))
       may = may || is_body(remove->model, from);  // who leaves
-    if (std::holds_alternative<replicate::Join>(command)) may = rights.joins;
-    if (std::holds_alternative<replicate::Say>(command)) {
-      if (rights.joins && muted_.contains(from.number())) return "an admin has muted you";
-      may = rights.joins;
-    }
+    if (may && std::holds_alternative<replicate::Say>(command) && muted_.contains(from.number()))
+      return "an admin has muted you";
     return may ? std::string() : fmt::format("a guest who is {} may not do that", name_of(from.guest().role));
   }
 
   bool is_body(world::ModelId model, const WebViewer& of) const {
-    const auto own = bodies_.find(of.number());
-    return own != bodies_.end() && own->second->model == model && is_still(*own->second);
-  }
-
-  /// The body's id names nobody else, as far as viewers know: what a controller makes within a tick may have
-  /// it once the run began again.
-  bool is_still(const Body& body) const {
-    const std::optional<std::uint32_t> row = body.model ? newest_->row(*body.model) : std::nullopt;
-    return !row || (newest_->root[*row] == *row && newest_->prototype[*row] == prototypes_.of(body.desc));
+    return bodies_->of(of.number(), *newest_) == model;
   }
 
   WebViewer* viewer(std::uint32_t number) const {
@@ -364,11 +271,9 @@ class WebServer::Impl final : public net::HttpService,
   void tell_people() {
     boost::json::array people;
     for (const auto& viewer : viewers_) {
-      const auto own = bodies_.find(viewer->number());
-      const bool has_body = own != bodies_.end() && own->second->model;
       boost::json::object person{{"viewer", viewer->number()}, {"role", name_of(viewer->guest().role)}};
       if (!viewer->guest().name.empty()) person["name"] = viewer->guest().name;
-      if (has_body) person["body"] = own->second->model->value;
+      if (const auto body = bodies_->of(viewer->number())) person["body"] = body->value;
       if (muted_.contains(viewer->number())) person["muted"] = true;
       people.push_back(std::move(person));
     }
@@ -383,26 +288,6 @@ class WebServer::Impl final : public net::HttpService,
                                                      {"manages", rights.manages},
                                                      {"edits", rights.manages && !is_fixed}}));
     }
-  }
-
-  /// Whether browsers may call us by this name: as this machine, by an address, by the machine's own name or
-  /// one that we were told. Whoever owns another name can make it point at us once their page is in
-  /// somebody's browser.
-  bool is_our_name(std::string_view name) const {
-    return name == "localhost" || is_address(name) || is_name_of(host_name_, name) || is_further_name(name);
-  }
-
-  bool is_further_name(std::string_view name) const {
-    return std::ranges::any_of(options_.further_names,
-                               [name](const std::string& other) { return same_letters(other, name); });
-  }
-
-  /// Whether a page from `origin` may watch and control the program that its browser calls `host`: it came
-  /// from here, the same name and port. Another port is another program, whoever's that is. In front of a
-  /// name that we were told there may be a proxy that speaks TLS.
-  bool may_control(std::string_view origin, const std::string& host) const {
-    if (origin == "http://" + host) return true;
-    return origin == "https://" + host && is_further_name(without_port(host));
   }
 
   /// Closes a viewer for one that comes: of the network with the most viewers, or else one that has
@@ -469,12 +354,16 @@ class WebServer::Impl final : public net::HttpService,
   }
 
   Result<void> drive(const replicate::Drive& drive, WebViewer& from) {
-    return with_row(drive.model, [&](std::uint32_t row) -> Result<void> {
-      if (std::string why = control_.why_fixed(); !why.empty()) return Error{"", std::move(why)};
-      if (!(newest_->traits[row] & replicate::kDrives)) return Error{"", "no such robot to drive"};
+    if (std::string why = control_.why_fixed(); !why.empty()) return Error{"", std::move(why)};
+    const auto turn_wheels = [&]() -> Result<void> {
       driven_.drive(drive, &from);
       if (drive.input != 0) tell_when_driven(drive, from);
       return {};
+    };
+    if (is_body(drive.model, from)) return turn_wheels();  // it may be younger than the newest layout
+    return with_row(drive.model, [&](std::uint32_t row) -> Result<void> {
+      if (!(newest_->traits[row] & replicate::kDrives)) return Error{"", "no such robot to drive"};
+      return turn_wheels();
     });
   }
 
@@ -511,77 +400,20 @@ class WebServer::Impl final : public net::HttpService,
     });
   }
 
-  /// A person comes for the viewer; the model that the viewer had before goes.
-  Result<void> join(const replicate::Join& join, WebViewer& from) {
-    const auto person = std::ranges::find_if(
-        prototypes_.addable(), [this](const auto& each) { return walks(scene_.models[each.desc]); });
-    if (person == prototypes_.addable().end())
-      return Error{"",
-                   "nobody can join this world: it has no position with drive \"walk\" (worlds/person.inc)"};
-    leave_body(from);
-    const auto body = bodies_[from.number()] = std::make_shared<Body>();
-    body->desc = person->desc;
-    body->walk = walk_text(*scene_.models[person->desc].position);
+  Result<void> join(const replicate::Join& join, const WebViewer& from) {
     const std::string& known = from.guest().name;
-    return post_change([join, wanted = known.empty() ? join.name : known, body, desc = person->desc,
-                        tell = teller(from), weak = weak_from_this(), &loop = loop_](world::World& world) {
-      const geom::Pose X_WM{join.x, join.y, world.scene().models[desc].X_PM.z, join.a};
-      const std::string name = world.find(wanted) ? world::fresh_name(world, wanted) : wanted;
-      const auto came = world::spawn(world, desc, X_WM, name);
-      if (!came) return tell(came.error().text);
-      loop.post([weak, body, model = *came] {
-        if (const auto self = weak.lock()) self->embody(*body, model);
-      });
-    });
+    return bodies_->join(join, from.number(), known.empty() ? join.name : known, teller(from));
   }
 
-  static bool walks(const scene::ModelDesc& model) {
-    return model.position && model.position->drive == scene::Drive::kWalk;
-  }
-
-  /// What a viewer needs to predict how its body walks.
-  std::string walk_text(const scene::PositionDesc& desc) const {
-    const auto bounds = [&desc](int axis) {
-      return fmt::format("[{},{}]", desc.velocity_bounds[axis].min, desc.velocity_bounds[axis].max);
-    };
-    return fmt::format(R"({{"engine":"{}","ahead":{},"aside":{},"turn":{}}})", engine_, bounds(0), bounds(1),
-                       bounds(3));
-  }
-
-  void embody(Body& body, world::ModelId model) {
-    body.model = model;
-    if (body.is_left) return remove_body(body);
-    for (const auto& viewer : viewers_) {
-      const auto own = bodies_.find(viewer->number());
-      if (own != bodies_.end() && own->second.get() == &body) viewer->joined(model, body.walk);
-    }
+  void joined(std::uint32_t number, world::ModelId body, const std::string& walk) {
+    if (WebViewer* const who = viewer(number)) who->joined(body, walk);
     tell_people();
   }
 
-  void leave_body(const WebViewer& viewer) {
-    const auto own = bodies_.find(viewer.number());
-    if (own == bodies_.end()) return;
-    own->second->is_left = true;
-    remove_body(*own->second);
-    bodies_.erase(own);
-  }
-
-  void remove_body(const Body& body) {
-    if (!body.model) return;
-    const Result<void> posted = post_change([model = *body.model, desc = body.desc](world::World& world) {
-      const world::ModelRow row = world.row(model);
-      if (!row || world.models.desc[row.index] != desc) return;  // it has gone already
-      const Result<void> gone = world::despawn(world, model);
-      if (!gone) log::warn("web: the body of somebody who left stays: {}", gone.error().text);
-    });
-    if (!posted) log::warn("web: the body of somebody who left stays: {}", posted.error().text);
-  }
-
   Result<void> say(const replicate::Say& say, const WebViewer& from) {
-    const auto own = bodies_.find(from.number());
-    if (own == bodies_.end() || !own->second->model || !is_still(*own->second))
-      return Error{"", "only who has joined can say something"};
-    return post_change([say, model = *own->second->model](world::World& world) {
+    const std::optional<world::ModelId> body = bodies_->of(from.number(), *newest_);
+    if (!body) return Error{"", "only who has joined can say something"};
+    return post_change([say, model = *body](world::World& world) {
       if (const world::ModelRow row = world.row(model)) world::set_say(world, row, say.text);
     });
   }
@@ -638,9 +470,7 @@ class WebServer::Impl final : public net::HttpService,
   }
 
   Result<void> post_change(std::function<void(world::World&)> change) {
-    if (std::string why = control_.why_fixed(); !why.empty()) return Error{"", std::move(why)};
-    if (control_.post(std::move(change))) return {};
-    return Error{"", "the program is too busy to do that"};
+    return web_server::post_change(control_, std::move(change));
   }
 
   /// Does something with a viewer on the web thread, if it is still there. Any thread, and also when the
@@ -684,7 +514,7 @@ class WebServer::Impl final : public net::HttpService,
   void left(WebViewer& viewer, const std::string& why) override {
     log::info("web: {} left: {}", viewer.peer(), why);
     driven_.left(&viewer);
-    leave_body(viewer);
+    bodies_->leave(viewer.number());
     muted_.erase(viewer.number());
     std::erase_if(viewers_, [&](const auto& other) { return other.get() == &viewer; });
     feed_.watch(!viewers_.empty());
@@ -718,47 +548,16 @@ class WebServer::Impl final : public net::HttpService,
       interest.view.add({wish.view.x_max, wish.view.y_max});
     }
     interest.selected.assign(selected.begin(), selected.end());
-    selected_ = std::move(selected);
     feed_.set_interest(std::move(interest));
-    reconcile_subscriptions();
-  }
-
-  /// A selected robot's sensors measure while somebody looks at them. What the tick's queue has no room for
-  /// is tried again.
-  void reconcile_subscriptions() {
-    bool done = true;
-    for (const world::ModelId robot : selected_)
-      if (!subscribed_.contains(robot) && !subscribe(robot)) done = false;
-    std::erase_if(subscribed_, [&](const auto& held) {
-      if (selected_.contains(held.first)) return false;
-      const bool posted = control_.post([models = held.second, &control = control_](world::World& world) {
-        for (world::Use& use : *models) use.end(world, control);
-      });
-      if (!posted) done = false;
-      return posted;
-    });
-    if (done) return;
-    subscription_timer_ = loop_.after(std::chrono::duration<double>(replicate::kFramePeriod).count(),
-                                      [this] { reconcile_subscriptions(); });
-  }
-
-  bool subscribe(world::ModelId robot) {
-    auto models = std::make_shared<Measuring>();  // the tick thread's once it is posted
-    const bool posted = control_.post([robot, models, &control = control_](world::World& world) {
-      watch_sensors(world, control, robot, *models);
-    });
-    if (!posted) return false;
-    subscribed_[robot] = std::move(models);
-    return true;
+    sensors_.select(std::move(selected));
   }
 
   net::IoLoop& loop_;
   WebOptions options_;
-  const std::string host_name_;
+  const HostNames names_;
   world::Control& control_;
   const scene::SceneDesc& scene_;
-  const std::string engine_;  // its name
-  const std::string light_;   // see replicate::light_text()
+  const std::string light_;  // see replicate::light_text()
   const replicate::Prototypes prototypes_;
   MeshFiles mesh_files_;
   replicate::SnapshotFeed feed_;
@@ -767,10 +566,9 @@ class WebServer::Impl final : public net::HttpService,
   std::shared_ptr<const replicate::Layout> newest_;  // that viewers were told of
   std::unique_ptr<net::Listener> listener_;
   std::vector<std::unique_ptr<WebViewer>> viewers_;
-  std::set<world::ModelId> selected_;                                // robots
-  std::map<world::ModelId, std::shared_ptr<Measuring>> subscribed_;  // robots that the world was asked for
-  std::unique_ptr<net::Timer> offer_timer_, subscription_timer_;
-  std::map<std::uint32_t, std::shared_ptr<Body>> bodies_;  // of those who join, by the viewer's number
+  std::unique_ptr<net::Timer> offer_timer_;
+  std::shared_ptr<Bodies> bodies_;
+  WatchedSensors sensors_;
   DrivenRobots driven_;
   replicate::Snapshot front_;
   std::shared_ptr<const replicate::Layout> scene_layout_;  // of scene_text_

@@ -1,0 +1,96 @@
+#include "playhouse/web_server/bodies.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "playhouse/base/log.h"
+#include "playhouse/world/population.h"
+
+namespace playhouse::web_server {
+namespace {
+
+bool walks(const scene::ModelDesc& model) {
+  return model.position && model.position->drive == scene::Drive::kWalk;
+}
+
+}  // namespace
+
+Result<void> post_change(world::Control& control, std::function<void(world::World&)> change) {
+  if (std::string why = control.why_fixed(); !why.empty()) return Error{"", std::move(why)};
+  if (control.post(std::move(change))) return {};
+  return Error{"", "the program is too busy to do that"};
+}
+
+Result<void> Bodies::join(const replicate::Join& join, std::uint32_t viewer, const std::string& name,
+                          std::function<void(std::string)> tell) {
+  const auto person = std::ranges::find_if(
+      prototypes_.addable(), [this](const auto& each) { return walks(scene_.models[each.desc]); });
+  if (person == prototypes_.addable().end())
+    return Error{"",
+                 "nobody can join this world: it has no position with drive \"walk\" (worlds/person.inc)"};
+  leave(viewer);
+  const auto body = bodies_[viewer] = std::make_shared<Body>();
+  body->desc = person->desc;
+  return post_change(control_, [join, viewer, name, body, desc = person->desc, tell = std::move(tell),
+                                weak = weak_from_this(), &loop = loop_](world::World& world) {
+    const geom::Pose X_WM{join.x, join.y, world.scene().models[desc].X_PM.z, join.a};
+    const auto spawned =
+        world::spawn(world, desc, X_WM, world.find(name) ? world::fresh_name(world, name) : name);
+    if (!spawned) return tell(spawned.error().text);
+    loop.post([weak, viewer, body, model = *spawned] {
+      if (const auto self = weak.lock()) self->came(viewer, *body, model);
+    });
+  });
+}
+
+void Bodies::came(std::uint32_t viewer, Body& body, world::ModelId model) {
+  body.model = model;
+  if (body.is_left) return remove(body);
+  came_(viewer, model, walk_text(*scene_.models[body.desc].position));
+}
+
+void Bodies::leave(std::uint32_t viewer) {
+  const auto own = bodies_.find(viewer);
+  if (own == bodies_.end()) return;
+  own->second->is_left = true;
+  remove(*own->second);
+  bodies_.erase(own);
+}
+
+void Bodies::remove(const Body& body) {
+  if (!body.model) return;
+  const auto change = [model = *body.model, desc = body.desc](world::World& world) {
+    const world::ModelRow row = world.row(model);
+    if (!row || world.models.desc[row.index] != desc) return;  // it has gone already
+    const Result<void> gone = world::despawn(world, model);
+    if (!gone) log::warn("web: the body of somebody who left stays: {}", gone.error().text);
+  };
+  const Result<void> posted = post_change(control_, change);
+  if (!posted) log::warn("web: the body of somebody who left stays: {}", posted.error().text);
+}
+
+std::optional<world::ModelId> Bodies::of(std::uint32_t viewer) const {
+  const auto own = bodies_.find(viewer);
+  return own == bodies_.end() ? std::nullopt : own->second->model;
+}
+
+std::optional<world::ModelId> Bodies::of(std::uint32_t viewer, const replicate::Layout& now) const {
+  const std::optional<world::ModelId> model = of(viewer);
+  const std::optional<std::uint32_t> row = model ? now.row(*model) : std::nullopt;
+  if (!row) return model;
+  const std::uint32_t desc = bodies_.at(viewer)->desc;
+  const bool is_same = now.root[*row] == *row && now.prototype[*row] == prototypes_.of(desc);
+  return is_same ? model : std::nullopt;
+}
+
+std::string Bodies::walk_text(const scene::PositionDesc& desc) const {
+  const auto bounds = [&desc](int axis) {
+    return fmt::format("[{},{}]", desc.velocity_bounds[axis].min, desc.velocity_bounds[axis].max);
+  };
+  return fmt::format(R"({{"engine":"{}","ahead":{},"aside":{},"turn":{}}})", engine_, bounds(0), bounds(1),
+                     bounds(3));
+}
+
+}  // namespace playhouse::web_server

@@ -1,0 +1,61 @@
+#include "playhouse/web_server/page_reply.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace playhouse::web_server {
+namespace {
+
+constexpr std::string_view kNoPage =
+    "This program was built without its web page. Build it (cd web && npm ci && npm run build), then build "
+    "the program again.\n";
+
+/// The page loads its own files alone (textures of meshes are in files that it has, which is "blob:"), talks
+/// to this server alone, and is shown in nobody's frame, where a click meant for another site could drive a
+/// robot.
+constexpr std::string_view kPagePolicy =
+    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; connect-src 'self' "
+    "blob:; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+
+net::HttpReply failed(unsigned status, std::string_view text) {
+  net::HttpReply reply;
+  reply.status = status;
+  reply.constant = text;
+  return reply;
+}
+
+net::HttpReply mesh_reply(const MeshFiles::File& mesh) {
+  net::HttpReply reply;
+  reply.content_type = "model/gltf-binary";
+  reply.etag = mesh.etag;
+  reply.text = mesh.bytes;
+  return reply;
+}
+
+net::HttpReply file_reply(const PageFile& file, bool accepts_gzip) {
+  const bool gzip = accepts_gzip && !file.gzip.empty();
+  net::HttpReply reply;
+  reply.content_type = file.content_type;
+  reply.content_security_policy = kPagePolicy;
+  reply.etag = file.etag;
+  reply.varies = !file.gzip.empty();
+  reply.content_encoding = gzip ? "gzip" : "";
+  reply.constant = gzip ? file.gzip : file.bytes;
+  // The build puts a hash of the contents into the names under /assets/.
+  if (file.path.starts_with("/assets/")) reply.cache_control = "public, max-age=31536000, immutable";
+  return reply;
+}
+
+}  // namespace
+
+net::HttpReply page_reply(std::span<const PageFile> page, MeshFiles& meshes,
+                          const net::HttpRequest& request) {
+  if (page.empty()) return failed(503, kNoPage);
+  const std::string_view path = request.path == "/" ? "/index.html" : std::string_view(request.path);
+  if (const MeshFiles::File* mesh = meshes.find(path)) return mesh_reply(*mesh);
+  const auto file = std::ranges::find(page, path, &PageFile::path);
+  if (file == page.end()) return failed(404, "There is no such page; the viewer is at /\n");
+  return file_reply(*file, request.accepts_gzip);
+}
+
+}  // namespace playhouse::web_server

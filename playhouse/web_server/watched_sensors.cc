@@ -1,0 +1,59 @@
+#include "playhouse/web_server/watched_sensors.h"
+
+#include <utility>
+
+#include "playhouse/replicate/snapshot_feed.h"
+
+namespace playhouse::web_server {
+namespace {
+
+void open_sensors(world::World& world, const world::Control& control, world::ModelId robot,
+                  std::vector<world::Use>& uses) {
+  const world::ModelRow top = world.row(robot);
+  if (!top) return;
+  for (std::uint32_t row = 0; row < world.models.size(); ++row) {
+    if (world.models.root[row] != top.index || !replicate::may_be_watched(world.models.kind[row])) continue;
+    uses.emplace_back().watch(world, control, world.id({row}));
+  }
+}
+
+}  // namespace
+
+void WatchedSensors::select(std::set<world::ModelId> robots) {
+  selected_ = std::move(robots);
+  reconcile();
+}
+
+/// What the tick's queue has no room for is tried again.
+void WatchedSensors::reconcile() {
+  bool done = true;
+  for (const world::ModelId robot : selected_)
+    if (!begun_.contains(robot) && !begin(robot)) done = false;
+  std::erase_if(begun_, [&](const auto& held) {
+    if (selected_.contains(held.first)) return false;
+    const bool ended = end(held.second);
+    done = done && ended;
+    return ended;
+  });
+  if (done) return;
+  retry_ =
+      network_.after(std::chrono::duration<double>(replicate::kFramePeriod).count(), [this] { reconcile(); });
+}
+
+bool WatchedSensors::begin(world::ModelId robot) {
+  auto uses = std::make_shared<Measuring>();  // the tick thread's once it is posted
+  const auto open = [robot, uses, &control = control_](world::World& world) {
+    open_sensors(world, control, robot, *uses);
+  };
+  if (!control_.post(open)) return false;
+  begun_[robot] = std::move(uses);
+  return true;
+}
+
+bool WatchedSensors::end(const std::shared_ptr<Measuring>& uses) {
+  return control_.post([uses, &control = control_](world::World& world) {
+    for (world::Use& use : *uses) use.end(world, control);
+  });
+}
+
+}  // namespace playhouse::web_server
