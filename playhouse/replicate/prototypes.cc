@@ -6,6 +6,7 @@
 #include <set>
 #include <span>
 
+#include "playhouse/mesh/mesh.h"
 #include "playhouse/replicate/json_text.h"
 #include "playhouse/replicate/views.h"
 #include "playhouse/scene/materials.h"
@@ -67,6 +68,26 @@ std::size_t row_of(const std::shared_ptr<const mesh::Mesh>& mesh, Meshes& meshes
   return meshes.size() - 1;
 }
 
+std::string three(const geom::Vec3& v) {
+  return fmt::format("[{},{},{}]", number(v.x), number(v.y), number(v.z));
+}
+
+/// A light of a mesh that has a place.
+std::string light(const mesh::Light& light) {
+  std::string text = fmt::format(R"({{"p":{},"candela":{})", three(light.p),
+                                 three({light.color[0], light.color[1], light.color[2]}));
+  if (light.kind == mesh::LightKind::kSpot)
+    text += fmt::format(R"(,"way":{},"inner":{},"outer":{})", three(light.d), number(light.inner),
+                        number(light.outer));
+  return text + "}";
+}
+
+std::string lights(const mesh::Mesh& mesh) {
+  std::vector<mesh::Light> placed = mesh.lights;
+  std::erase_if(placed, [](const mesh::Light& light) { return light.kind == mesh::LightKind::kDirection; });
+  return placed.empty() ? std::string() : fmt::format(R"(,"lights":{})", list(placed, light));
+}
+
 std::string prototype(const scene::ModelDesc& model, Texts& shapes, Meshes& meshes) {
   std::string text = fmt::format(R"({{"type":{},"kind":"{}")", quoted(model.type), kind_name(model.kind));
   auto out = std::back_inserter(text);
@@ -78,6 +99,7 @@ std::string prototype(const scene::ModelDesc& model, Texts& shapes, Meshes& mesh
   if (!model.blocks.empty() || !model.bitmaps.empty())
     fmt::format_to(out, R"(,"shape":{})", shapes.row(shape(model)));
   if (model.mesh) fmt::format_to(out, R"(,"mesh":"{}")", mesh_address(row_of(model.mesh, meshes)));
+  if (model.mesh) text += lights(*model.mesh);
   if (model.lamp > 0) fmt::format_to(out, R"(,"lamp":{})", number(model.lamp));
   if (const scene::Material& material = scene::material_named(model.material); !material.name.empty())
     fmt::format_to(out, R"(,"shine":[{},{}])", number(material.metallic), number(material.roughness));

@@ -13,6 +13,15 @@ export interface Solid {
   loops: number[][];
 }
 
+/** A light of a mesh, in the frame of the body; a spot has a way. */
+export interface MeshLight {
+  p: [x: number, y: number, z: number];
+  candela: [r: number, g: number, b: number];
+  way?: [x: number, y: number, z: number]; // unit
+  inner?: number; // rad from the way: full light
+  outer?: number; // and none
+}
+
 /** What models that look alike have in common. */
 export interface Prototype extends KindStart {
   type: string;
@@ -22,6 +31,7 @@ export interface Prototype extends KindStart {
   size: [number, number, number];
   shape?: number; // row of shapes
   mesh?: string; // address of a binary glTF of the body, from that of the page
+  lights?: MeshLight[]; // that the mesh has
   lamp?: number; // cd, in its color, every way alike
   shine?: [metallic: number, roughness: number]; // of what it is made of
   smoke?: boolean; // a cloud in place of a body

@@ -1,8 +1,8 @@
-import { Color, Vector3 } from 'three';
+import { Color, Matrix4, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { kBits } from '../protocol/generated/views';
 import type { Light, Model } from '../protocol/scene';
-import { brightest } from './lamps';
+import { brightest, ofMesh } from './lamps';
 import { darkOf, isLamp, isLit } from './surfaces';
 
 const model = (words: Partial<Model>) => ({ kind: 'plain', size: [1, 1, 1], ...words }) as Model;
@@ -15,6 +15,17 @@ describe('lamps', () => {
     const chosen = brightest(lamps, new Vector3(), 2);
     expect(chosen).toEqual([lamps[1], lamps[3]]);
     expect(brightest(lamps, new Vector3(), 4)).toEqual(lamps);
+  });
+
+  it('of a mesh are where its body is and shine where that has turned', () => {
+    const body = new Matrix4().makeRotationZ(Math.PI / 2).setPosition(5, 0, 0);
+    const bulb = ofMesh({ p: [1, 0, 2], candela: [30, 20, 10] }, body);
+    expect(bulb.at.distanceTo(new Vector3(5, 1, 2))).toBeLessThan(1e-9);
+    expect(bulb.light).toEqual(new Color(30, 20, 10));
+    expect(bulb.spot).toBeUndefined();
+    const spot = ofMesh({ p: [0, 0, 0], candela: [1, 1, 1], way: [1, 0, 0], inner: 0.2, outer: 0.4 }, body).spot!;
+    expect(spot.way.distanceTo(new Vector3(0, 1, 0))).toBeLessThan(1e-9);
+    expect(spot.outer).toBe(0.4);
   });
 
   it('without a switch are lit always, those with one by their state', () => {

@@ -1,57 +1,97 @@
-import { Color, Group, Matrix4, PointLight, Vector3 } from 'three';
+import { Color, Group, type Light, Matrix4, PointLight, SpotLight, Vector3 } from 'three';
 import type { Motion } from '../motion';
 import type { Replica } from '../protocol/replica';
-import type { Pose, Scene } from '../protocol/scene';
+import type { MeshLight, Pose, Scene } from '../protocol/scene';
 import { bodyMatrix } from './frames';
 import { isLit } from './surfaces';
 
-const kMost = 16; // as cameras have them
+const kMost = 16; // of each sort, as many as cameras have in all
 const kMid: Pose = [0, 0, 0, 0];
 
-/** A lamp that is lit: where it is, its color times its candela. */
+/** A lamp that is lit: where it is, its color times its candela, and where it shines if that is not every way. */
 export interface Shining {
   at: Vector3;
   light: Color;
+  spot?: { way: Vector3; inner: number; outer: number }; // unit vector; rad
 }
 
-/** The lamps of a scene that are brightest where the eye is, as point lights. */
+/** The lamps of a scene that are brightest where the eye is. */
 export class Lamps {
   readonly group = new Group();
-  private lights: PointLight[] = [];
+  private points: PointLight[] = [];
+  private spots: SpotLight[] = [];
 
   /** As many lights as the scene may need: another number of them has every shader compiled again. */
   prepare(scene: Scene): void {
-    const count = Math.min(scene.models.filter(({ lamp }) => lamp !== undefined).length, kMost);
-    if (count === this.lights.length) return;
-    for (const light of this.lights) light.dispose();
-    this.lights = Array.from({ length: count }, () => new PointLight(0xffffff, 0, 0, 2));
+    const { points, spots } = lightsOf(scene);
+    if (points === this.points.length && spots === this.spots.length) return;
+    for (const light of [...this.points, ...this.spots]) light.dispose();
+    this.points = Array.from({ length: points }, () => new PointLight(0xffffff, 0, 0, 2));
+    this.spots = Array.from({ length: spots }, () => new SpotLight(0xffffff, 0, 0, 0.5, 0, 2));
     this.group.clear();
-    if (count > 0) this.group.add(...this.lights);
+    for (const light of this.points) this.group.add(light);
+    for (const light of this.spots) this.group.add(light, light.target);
   }
 
   /** Puts the lights where the lamps are that are lit now. */
   place(scene: Scene, replica: Replica, motion: Motion, eye: { x: number; y: number; z: number }): void {
-    if (!scene.light) return;
+    if (!scene.light || this.points.length + this.spots.length === 0) return;
     const intensity = Math.PI / scene.light.white_lux; // a white face returns 1 / pi of it
-    const shining = brightest(shiningIn(scene, replica, motion), new Vector3(eye.x, eye.y, eye.z), this.lights.length);
-    this.lights.forEach((light, k) => {
-      const lamp = shining[k];
-      light.intensity = lamp ? intensity : 0;
-      if (!lamp) return;
-      light.position.copy(lamp.at);
-      light.color.copy(lamp.light);
+    const from = new Vector3(eye.x, eye.y, eye.z);
+    const shining = shiningIn(scene, replica, motion);
+    const points = brightest(shining.filter(({ spot }) => !spot), from, this.points.length);
+    this.points.forEach((light, k) => shine(light, points[k], intensity));
+    const spots = brightest(shining.filter(({ spot }) => spot), from, this.spots.length);
+    this.spots.forEach((light, k) => {
+      shine(light, spots[k], intensity);
+      if (spots[k]?.spot) aim(light, spots[k].spot);
     });
   }
+}
+
+function lightsOf(scene: Scene): { points: number; spots: number } {
+  let points = 0;
+  let spots = 0;
+  for (const { lamp, lights } of scene.models) {
+    if (lamp !== undefined) ++points;
+    for (const { way } of lights ?? []) way ? ++spots : ++points;
+  }
+  return { points: Math.min(points, kMost), spots: Math.min(spots, kMost) };
+}
+
+function shine(light: Light, lamp: Shining | undefined, intensity: number): void {
+  light.intensity = lamp ? intensity : 0;
+  if (!lamp) return;
+  light.position.copy(lamp.at);
+  light.color.copy(lamp.light);
+}
+
+function aim(light: SpotLight, spot: NonNullable<Shining['spot']>): void {
+  light.angle = spot.outer;
+  light.penumbra = spot.outer > 0 ? 1 - spot.inner / spot.outer : 0;
+  light.target.position.copy(light.position).add(spot.way);
 }
 
 function shiningIn(scene: Scene, replica: Replica, motion: Motion): Shining[] {
   const matrix = new Matrix4();
   const shining: Shining[] = [];
   scene.models.forEach((model, row) => {
-    if (model.lamp === undefined || !isLit(model, replica.state[row])) return;
-    const at = new Vector3(0, 0, model.size[2] / 2).applyMatrix4(bodyMatrix(motion, row, model.origin ?? kMid, matrix));
-    shining.push({ at, light: new Color(replica.color[row] >>> 8).multiplyScalar(model.lamp) });
+    const isLamp = model.lamp !== undefined && isLit(model, replica.state[row]);
+    if (!isLamp && !model.lights) return;
+    bodyMatrix(motion, row, model.origin ?? kMid, matrix);
+    if (isLamp) {
+      const at = new Vector3(0, 0, model.size[2] / 2).applyMatrix4(matrix);
+      shining.push({ at, light: new Color(replica.color[row] >>> 8).multiplyScalar(model.lamp!) });
+    }
+    for (const light of model.lights ?? []) shining.push(ofMesh(light, matrix));
   });
+  return shining;
+}
+
+/** Where a light of a mesh is whose body is there. */
+export function ofMesh({ p, candela, way, inner, outer }: MeshLight, body: Matrix4): Shining {
+  const shining: Shining = { at: new Vector3(...p).applyMatrix4(body), light: new Color(...candela) };
+  if (way) shining.spot = { way: new Vector3(...way).transformDirection(body), inner: inner ?? 0, outer: outer ?? 0 };
   return shining;
 }
 
