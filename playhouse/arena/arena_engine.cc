@@ -14,6 +14,7 @@ using geom::Pose;
 using world::ModelRow;
 
 constexpr double kLongestStep = 0.01;  // s, of Physics
+constexpr unsigned kStepsKept = 10;    // between two calls of Physics::forget(), which looks 0.1 s ahead
 // What is slower than this for so long rests.
 constexpr double kSlow = 0.005;      // m/s
 constexpr double kSlowTurn = 0.02;   // rad/s
@@ -100,7 +101,7 @@ ArenaEngine::Body ArenaEngine::make_body(std::uint32_t tree) {
   return body;
 }
 
-world::PhysicsShapes ArenaEngine::physics_shapes() const {
+world::PhysicsShapes ArenaEngine::shapes() const {
   world::PhysicsShapes shapes;
   // Meshes that stand still are what they look like: their triangles.
   for (FixedSolid& solid : fixed_solids(world_, solids_))
@@ -132,8 +133,10 @@ void ArenaEngine::move() {
   const auto steps = static_cast<unsigned>(std::ceil(dt / kLongestStep - 1e-9));
   const auto trees = static_cast<std::uint32_t>(trees_.size());
   for (std::uint32_t tree = 0; tree < trees; ++tree) load(tree);
-  physics_.forget();
-  for (unsigned step = 0; step < steps; ++step) physics_.step(dt / steps, workers_);
+  for (unsigned step = 0; step < steps; ++step) {
+    if (step % kStepsKept == 0) physics_.forget();
+    physics_.step(dt / steps, workers_);
+  }
   find_blocked(steps);
   for (std::uint32_t tree = 0; tree < trees; ++tree) store(tree);
   index();
@@ -251,7 +254,8 @@ bool ArenaEngine::store_state(std::uint32_t tree) {
     models.V_WM.set(top, {});
     return false;
   }
-  const bool is_slow = length(state.v) < kSlow && length(state.w) < kSlowTurn && !is_driven(tree);
+  const bool is_slow = length(state.v) < kSlow && length(state.w) < kSlowTurn && !is_driven(tree) &&
+                       !physics_.is_woken(body.number);
   const std::uint32_t still = is_slow ? models.still[top] + 1 : 0;
   const bool rests = still * world_.scene().interval >= kRestAfter;
   models.still.set(top, still);

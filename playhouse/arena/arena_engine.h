@@ -17,10 +17,9 @@ class ArenaEngine final : public stage::BodyEngine {
  public:
   ArenaEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers, const Surface& ground);
 
-  /// The hulls that Physics has, without the margin by which Bullet rounds them.
-  world::PhysicsShapes physics_shapes() const override;
-
  private:
+  /// The hulls that Physics has, without the margin by which Bullet rounds them.
+  world::PhysicsShapes shapes() const override;
   /// A tree of models as a body.
   struct Body {
     static constexpr std::uint32_t kNone = world::ModelRow::kNone;

@@ -21,7 +21,7 @@ struct Moving {
   Inertia inertia;
   BodyState state;
   double low = 1e300, reach = 0;  // m: its lowest corner, and how far the farthest is from its upright axis
-  bool rests = false;
+  bool rests = false, is_woken = false;
   geom::Twist velocity;  // driven at
   std::vector<Footing> footings;
   std::vector<WheelImpulse> impulses;

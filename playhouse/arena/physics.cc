@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "playhouse/arena/bullet_shapes.h"
+#include "playhouse/arena/ground_contacts.h"
 #include "playhouse/arena/moving.h"
 #include "playhouse/arena/supports.h"
 #include "playhouse/arena/wheel_constraint.h"
@@ -16,12 +17,13 @@
 namespace playhouse::arena {
 namespace {
 
-// What is forgotten (see forget()) leaves no contacts of earlier steps: each step finds all corners of a
-// face.
-constexpr int kPerturbations = 4;
+// Of the solver of contacts, which begins anew in each tick; more where vehicles stand on what is lighter.
+constexpr int kIterations = 50, kHeldIterations = 100;
 
-// Of the solver of contacts; more where vehicles stand on what is lighter than they are.
-constexpr int kIterations = 30, kHeldIterations = 50;
+constexpr double kRoot = 1e-3;  // m within which a solid stands on the ground
+constexpr double kDeep = 1;     // m that it goes on below
+
+constexpr double kBeside = 0.01;  // m within which what rests is beside what moves
 
 enum Group : int { kFixed = 1, kMoving = 2, kGround = 4 };
 
@@ -37,6 +39,22 @@ double lowest_top(const Hull& hull) {
   return lowest;
 }
 
+/// A solid that stands on the ground goes on below it: nothing within it is pushed out downwards.
+Hull rooted(Hull hull) {
+  const std::size_t corners = hull.size();
+  for (std::size_t i = 0; i < corners; ++i) {
+    const Vec3 p = hull[i];
+    if (std::fabs(p.z) > kRoot) continue;
+    const bool has_top =
+        std::ranges::any_of(hull, [&p](const Vec3& q) { return q.x == p.x && q.y == p.y && q.z > kRoot; });
+    if (has_top)
+      hull[i].z = -kDeep;
+    else
+      hull.push_back({p.x, p.y, -kDeep});  // the foot of a ramp
+  }
+  return hull;
+}
+
 /// About the z axis.
 Hull turned(const Hull& hull, double angle) {
   if (angle == 0) return hull;
@@ -50,6 +68,7 @@ Hull turned(const Hull& hull, double angle) {
 
 struct Physics::Impl {
   btDefaultCollisionConfiguration configuration;
+  GroundContacts on_ground{false}, under_hull{true};
   btCollisionDispatcher dispatcher{&configuration};
   btDbvtBroadphase broadphase;
   btSequentialImpulseConstraintSolver solver;
@@ -73,8 +92,11 @@ struct Physics::Impl {
   Impl(const Surface& surface, double gravity) : ground(make_body(0, plane, surface)), gravity(gravity) {
     world.setGravity({0, 0, -gravity});
     world.getDispatchInfo().m_deterministicOverlappingPairs = true;
-    configuration.setPlaneConvexMultipointIterations(kPerturbations, kPerturbations);
+    dispatcher.registerCollisionCreateFunc(CONVEX_HULL_SHAPE_PROXYTYPE, STATIC_PLANE_PROXYTYPE, &on_ground);
+    dispatcher.registerCollisionCreateFunc(STATIC_PLANE_PROXYTYPE, CONVEX_HULL_SHAPE_PROXYTYPE, &under_hull);
     world.getSolverInfo().m_numIterations = kIterations;
+    // Along the slip and across: with the first alone stacks creep.
+    world.getSolverInfo().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
   }
   ~Impl() { take_out(); }
 
@@ -103,6 +125,8 @@ struct Physics::Impl {
   void find_footing(Moving& moving, std::size_t i) const;
   void find_footings(std::uint32_t number);
   void find_supports();
+  void wake_beside(const Moving& guided);
+  void find_loads();
   void wake();
   void roll(Moving& moving, double dt) const;
   bool is_pushed(const Moving& vehicle, std::uint32_t support) const;
@@ -112,7 +136,8 @@ struct Physics::Impl {
 
   std::vector<WheelConstraint> held;  // in a step; Bullet has their addresses until then
   Supports supports;
-  std::vector<Box> boxes;  // scratch
+  std::vector<Box> boxes;           // scratch
+  std::vector<std::uint32_t> near;  // scratch
 };
 
 /// The ground below a wheel: the plane, or what is higher, be it that it stands still or moves.
@@ -146,6 +171,36 @@ void Physics::Impl::find_footings(std::uint32_t number) {
   if (moving.rests && std::ranges::none_of(moving.below, moves)) return moving.below.clear();
   for (std::size_t i = 0; i < moving.footings.size(); ++i) find_footing(moving, i);
   let_casters_give_way(moving.desc, moving.footings);
+}
+
+/// What rests on or beside a body that moves by itself is woken: that would be gone before it noticed.
+void Physics::Impl::wake_beside(const Moving& guided) {
+  Box box = guided.box();
+  box.low = box.low - Vec3{kBeside, kBeside, kBeside};
+  box.high = box.high + Vec3{kBeside, kBeside, kBeside};
+  supports.find(box, near);
+  for (const std::uint32_t number : near) {
+    Moving& other = *bodies[number];
+    if (!other.rests || other.is_guided()) continue;
+    other.rests = false;
+    other.is_woken = true;
+    other.write();
+  }
+}
+
+/// A vehicle that something loose stands on is held by its wheels as one whole with its load.
+void Physics::Impl::find_loads() {
+  for (const auto& load : bodies) {
+    if (load->is_guided() || load->is_vehicle() || load->rests) continue;
+    const Box box = load->box();
+    supports.find(box, near);
+    for (const std::uint32_t number : near) {
+      Moving& below = *bodies[number];
+      if (!below.is_vehicle() || below.rests) continue;
+      const Box under = below.box();
+      if (box.low.z > 0.5 * (under.low.z + under.high.z)) below.is_held = true;
+    }
+  }
 }
 
 void Physics::Impl::find_supports() {
@@ -202,6 +257,7 @@ void Physics::Impl::push_supports(double dt) {
       support.body->applyImpulse(bullet(-1 * moving->impulses[i].total), bullet(p - center));
     }
   }
+  find_loads();
   std::size_t wheels = 0;
   for (const auto& moving : bodies)
     if (moving->is_held) wheels += moving->footings.size();
@@ -255,7 +311,7 @@ void Physics::set_fixed(std::span<const FixedSolid> solids) {
     auto same = std::ranges::find_if(
         parts, [&](const Alike& part) { return part.surface == solid.surface && part.heading == heading; });
     if (same == parts.end()) same = parts.insert(same, {solid.surface, heading, {}});
-    same->hulls.push_back(turned(solid.hull, -heading));
+    same->hulls.push_back(turned(rooted(solid.hull), -heading));
   }
   for (const Alike& alike : parts) {
     Impl::Fixed part{std::make_unique<ConvexShapes>(alike.hulls, Vec3{}), nullptr, nullptr, 1e300};
@@ -312,11 +368,16 @@ void Physics::put(std::uint32_t body, const BodyState& state, bool rests) {
   Moving& moving = *impl_->bodies[body];
   moving.state = state;
   moving.rests = rests;
+  moving.is_woken = false;
   moving.write();
 }
 
 bool Physics::rests(std::uint32_t body) const {
   return impl_->bodies[body]->rests;
+}
+
+bool Physics::is_woken(std::uint32_t body) const {
+  return impl_->bodies[body]->is_woken;
 }
 
 void Physics::drive(std::uint32_t body, const geom::Twist& velocity) {
@@ -332,10 +393,18 @@ void Physics::step(double dt, world::Workers& workers) {
   constexpr std::size_t kGrain = 16;
   impl_->put_in();
   const auto& bodies = impl_->bodies;
-  bool has_vehicles = false;
+  bool has_vehicles = false, is_guided = false;
   for (const auto& moving : bodies) {
-    if (moving->is_guided()) moving->advance(dt);
     has_vehicles = has_vehicles || moving->is_vehicle();
+    is_guided = is_guided || (moving->is_guided() && !moving->rests);
+  }
+  if (is_guided) {
+    impl_->find_supports();
+    for (const auto& moving : bodies) {
+      if (!moving->is_guided() || moving->rests) continue;
+      impl_->wake_beside(*moving);
+      moving->advance(dt);
+    }
   }
   if (has_vehicles) {
     impl_->find_supports();

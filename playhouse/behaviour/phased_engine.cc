@@ -35,10 +35,21 @@ void PhasedEngine::deliver() {
 void PhasedEngine::take_changes() {
   // Everyone has seen what was there before the last tick.
   world_.changes.drop_before(next_change_);
-  const std::span<const world::Change> changes = world_.changes.since(next_change_);
-  if (changes.empty()) return;
   next_change_ = world_.changes.end();
+  ingest_changes();
+}
+
+void PhasedEngine::ingest_changes() {
+  const std::span<const world::Change> changes = world_.changes.since(next_ingested_);
+  if (changes.empty()) return;
+  next_ingested_ = world_.changes.end();
   ingest(changes);
+}
+
+/// Somebody may have gone since the last tick, whom the engine's tables still have.
+world::PhysicsShapes PhasedEngine::physics_shapes() {
+  ingest_changes();
+  return shapes();
 }
 
 void PhasedEngine::filter() {

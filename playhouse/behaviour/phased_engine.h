@@ -23,6 +23,7 @@ class PhasedEngine : public world::Engine {
   void step() final;
   world::World& world() final { return world_; }
   world::Workers& workers() final { return workers_; }
+  world::PhysicsShapes physics_shapes() final;
 
  protected:
   /// Takes in who came, went, became part of another or was put elsewhere since the last call.
@@ -32,6 +33,9 @@ class PhasedEngine : public world::Engine {
   virtual void move() = 0;
   /// Measures with what is subscribed and due for `tick`.
   virtual void sense(std::uint64_t tick) = 0;
+
+  /// See Engine::physics_shapes(); all changes have been taken in.
+  virtual world::PhysicsShapes shapes() const { return {}; }
 
   /// Appends the models of other trees whose bodies touch or overlap that of `model`, whatever their heights,
   /// and that are `wanted` (by row of the models): ascending, each once.
@@ -45,6 +49,7 @@ class PhasedEngine : public world::Engine {
   void decide();
   void deliver();
   void take_changes();
+  void ingest_changes();
   void filter();
   void flow();
   void freeze();
@@ -52,7 +57,8 @@ class PhasedEngine : public world::Engine {
   Acts acts_;
   Energy energy_;
   std::vector<std::uint32_t> touching_;  // the one that charges others
-  std::uint64_t next_change_ = 0;        // of world_.changes
+  // Of world_.changes: what the last tick had not seen, and what ingest() has not.
+  std::uint64_t next_change_ = 0, next_ingested_ = 0;
 };
 
 }  // namespace playhouse::behaviour

@@ -52,7 +52,7 @@ BodyEngine::BodyEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsign
   add_senses(senses_, workers_.count(), makers);
 }
 
-world::PhysicsShapes BodyEngine::physics_shapes() const {
+world::PhysicsShapes BodyEngine::shapes() const {
   world::PhysicsShapes shapes;
   const auto prism = [&](std::uint32_t row, const Pose& X_FM) {
     const Rotation turn = Rotation::of(X_FM.a);

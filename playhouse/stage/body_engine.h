@@ -12,10 +12,9 @@ namespace playhouse::stage {
 class BodyEngine : public behaviour::PhasedEngine {
  public:
   std::uint64_t rays() const override { return rays_; }
-  /// The outlines of obstacles, as prisms.
-  world::PhysicsShapes physics_shapes() const override;
-
  protected:
+  /// The outlines of obstacles, as prisms.
+  world::PhysicsShapes shapes() const override;
   /// Derived engines call populate(true) when they are made.
   BodyEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers,
              const SenseMakers& makers = {});

@@ -26,7 +26,7 @@ class Engine {
   virtual std::uint64_t rays() const = 0;
 
   /// What it takes bodies for as they stand now; nothing where it does not tell. Between steps.
-  virtual PhysicsShapes physics_shapes() const { return {}; }
+  virtual PhysicsShapes physics_shapes() { return {}; }
 };
 
 }  // namespace playhouse::world
