@@ -31,6 +31,9 @@ class DeviceService final : private ServerSurroundings {
   /// Where drivers are made; `port` stands for the port of addresses that have none. Before any driver, once.
   drivers::Site& open_site(std::uint16_t port);
 
+  /// For timers.
+  net::IoLoop& loop() { return loop_; }
+
   /// Until a signal comes or end() is called. Gives the exit code.
   int run();
   /// Clients get what waits for them, then run() returns. Any time in run(), or before it.

@@ -69,7 +69,7 @@ class Observing {
   void turn() {
     replicate::DatagramObserver& observer = client_->observer();
     for (const std::string& notice : observer.world().take_notices()) log::warn("{}", escaped(notice));
-    if (observer.world().has_scene()) {
+    if (observer.world().is_whole()) {
       if (!begun_) begun_ = loop_.now();
       if (!names_are_known_) check_names();
       if (!is_over_) print_due();

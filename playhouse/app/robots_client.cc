@@ -23,6 +23,8 @@ namespace {
 namespace sim = wire::simulation;
 
 constexpr drivers::RemoteDevice kWorld{sim::kCode, 0};
+constexpr double kLookAfter = 2;  // s between looks at whether the robots are there
+constexpr unsigned kMissed = 2;   // looks in a row: a server that has much to do refuses, too
 
 /// x, y and heading as float64, then texts that end with NUL: name, color, sensors (docs/robot-client.md).
 std::string value_of(const scene::RobotDesc& robot) {
@@ -65,7 +67,7 @@ std::optional<drivers::RemoteDevice> parse_device(const std::string& text) {
 
 RobotsClient::RobotsClient(DeviceService& service, Options options, std::vector<scene::RobotDesc> robots)
     : service_(service), options_(std::move(options)), next_port_(options_.port) {
-  for (scene::RobotDesc& desc : robots) robots_.push_back({std::move(desc), {}, {}, false, false});
+  for (scene::RobotDesc& desc : robots) robots_.push_back({std::move(desc), {}, {}, false, false, 0});
   auto relay =
       std::make_unique<drivers::Passthrough>(service.open_site(options_.port), options_.host,
                                              options_.server_port, drivers::Passthrough::AfterLoss::kRetire);
@@ -153,18 +155,34 @@ void RobotsClient::serve(Robot& robot, const std::string& devices) {
   log::say(fmt::format("Player clients: {}:{} ({}: {})", shown_host(options_.bind), *port,
                        escaped(robot.name), fmt::join(shown, " ")));
   bring_next();
+  if (next_ == robots_.size() && !look_after_) look_after();
+}
+
+/// A robot of which nobody has a device open goes without a word.
+void RobotsClient::look_after() {
+  for (Robot& robot : robots_) {
+    if (robot.gone || !robot.joined) continue;
+    relay_->remote().ask(kWorld, sim::kReqGetProperty, property(robot.name, "devices", {}),
+                         [this, &robot](bool ack, std::span<const std::byte>) {
+                           robot.missed = ack ? 0 : robot.missed + 1;
+                           if (robot.missed >= kMissed && relay_->remote().is_connected()) gone(robot);
+                         });
+  }
+  look_after_ = service_.loop().after(kLookAfter, [this] { look_after(); });
 }
 
 /// Its first device is the robot's own.
 void RobotsClient::retired(drivers::RemoteDevice device) {
-  for (Robot& robot : robots_) {
-    if (robot.gone || robot.devices.empty() || robot.devices.front() != device) continue;
-    robot.gone = true;
-    const Error gone{robot.desc.where, in_quotes(robot.name) + " was taken out of the world"};
-    const bool was_last = std::ranges::all_of(robots_, [](const Robot& each) { return each.gone; });
-    if (was_last) return fail_with(gone);
-    warn(gone.line());
-  }
+  for (Robot& robot : robots_)
+    if (!robot.devices.empty() && robot.devices.front() == device) gone(robot);
+}
+
+void RobotsClient::gone(Robot& robot) {
+  if (std::exchange(robot.gone, true)) return;
+  const Error gone{robot.desc.where, in_quotes(robot.name) + " was taken out of the world"};
+  const bool was_last = std::ranges::all_of(robots_, [](const Robot& each) { return each.gone; });
+  if (was_last) return fail_with(gone);
+  warn(gone.line());
 }
 
 }  // namespace playhouse::app

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -35,12 +36,15 @@ class RobotsClient {
     std::string name;  // in the world
     std::vector<drivers::RemoteDevice> devices;
     bool joined = false, gone = false;
+    unsigned missed = 0;  // times in a row that the server did not know it
   };
 
   void bring_next();
   void came(Robot& robot, std::string name);
   void serve(Robot& robot, const std::string& devices);
   void retired(drivers::RemoteDevice device);
+  void look_after();
+  void gone(Robot& robot);
   Result<std::uint16_t> open_port(const Robot& robot);
   /// The address here of the robot's next device of an interface.
   device::Address address_of(const Robot& robot, std::uint16_t port, std::uint16_t interf) const;
@@ -52,6 +56,7 @@ class RobotsClient {
   std::size_t next_ = 0;  // to be brought
   std::uint16_t next_port_;
   drivers::Passthrough* relay_;
+  std::unique_ptr<net::Timer> look_after_;
 };
 
 }  // namespace playhouse::app

@@ -154,6 +154,23 @@ TEST_F(Mcap, ends_with_the_listener_s_error) {
   EXPECT_EQ(end.error().text, "no");
 }
 
+TEST(McapWriter, writes_over_recordings_and_over_nothing_else) {
+  const TestFolder folder;
+  const std::string recording = (folder / "a.mcap").string(), world = (folder / "a.world").string();
+  std::ofstream(world) << "interval_sim 100\n";
+  const auto refused = McapWriter::create(world, "");
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().line(), world + ": is there already, and no recording: give another name");
+  std::ifstream kept(world);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(kept), {}), "interval_sim 100\n");
+  for (int k = 0; k < 2; ++k) {
+    auto writer = McapWriter::create(recording, "");
+    ASSERT_TRUE(writer) << writer.error().line();
+    ASSERT_TRUE((*writer)->finish());
+  }
+  EXPECT_TRUE(McapWriter::create("/dev/null", ""));
+}
+
 TEST(McapWriter, tells_of_a_disk_that_is_full) {
   const auto writer = McapWriter::create("/dev/full", "");
   ASSERT_FALSE(writer.ok());

@@ -1,6 +1,7 @@
 #include "playhouse/record/mcap_writer.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #include <zstd.h>
 
@@ -43,9 +44,10 @@ struct McapWriter::Written {
 };
 
 Result<std::unique_ptr<McapWriter>> McapWriter::create(const std::string& path, const std::string& profile) {
-  const int file = open(path.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  const int file = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (file < 0) return Error{escaped(path), "cannot be written: " + std::generic_category().message(errno)};
   std::unique_ptr<McapWriter> writer(new McapWriter(path, file));
+  if (const Result<void> emptied = writer->empty(); !emptied) return emptied.error();
   Bytes head, content;
   put_bytes(head, std::as_bytes(std::span(kMagic)));
   put_text(content, profile);
@@ -59,6 +61,20 @@ McapWriter::McapWriter(std::string path, int file) : path_(std::move(path)), fil
 
 McapWriter::~McapWriter() {
   close(file_);
+}
+
+/// Older recordings are written over, other files are not: the name may be a mistake.
+Result<void> McapWriter::empty() {
+  struct stat status;
+  if (fstat(file_, &status) != 0) return fault(errno);
+  if (!S_ISREG(status.st_mode)) return {};
+  std::array<std::uint8_t, kMagic.size()> begin{};
+  const ssize_t size = pread(file_, begin.data(), begin.size(), 0);
+  if (size < 0) return fault(errno);
+  if (!std::equal(begin.begin(), begin.begin() + size, kMagic.begin()))
+    return Error{escaped(path_), "is there already, and no recording: give another name"};
+  if (ftruncate(file_, 0) != 0) return fault(errno);
+  return {};
 }
 
 Error McapWriter::fault(int code) const {

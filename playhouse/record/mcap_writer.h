@@ -51,6 +51,7 @@ class McapWriter final : public RecordSink {
   Result<bool> read_chunk(std::uint64_t& offset, Written& chunk) const;
   bool read_at(std::uint64_t offset, std::span<std::byte> out) const;
   Bytes statistics(std::uint64_t chunks) const;
+  Result<void> empty();
   Error fault(int code) const;
 
   const std::string path_;

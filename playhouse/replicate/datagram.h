@@ -36,7 +36,8 @@
 ///   +-------------+----------+-------------------------------------------------------+
 ///   | varint tick | u8 flags | groups: (u8 age, (u8 mask, zz id step, fields)* u8 0)* |
 ///   +-------------+----------+-------------------------------------------------------+
-///   flags: 1 paused
+///   flags: 1 paused; 2 whole: with this packet the client has had a state of every model that is not as at
+///   its `start`
 ///   age: the rows of the group are differences from what the same models were in packet seq - age, which
 ///   the client has acknowledged; 0: from their `start` in the text that told of them
 ///   mask, fields: as in delta.h; id step: the id - that of the row before in the group (first: from 0)
@@ -55,7 +56,7 @@ namespace playhouse::replicate {
 
 inline constexpr std::uint8_t kDatagramVersion = 1;
 inline constexpr std::size_t kHelloBytes = 64;  // no answer to it is longer
-inline constexpr std::uint8_t kStatePaused = 1;
+inline constexpr std::uint8_t kStatePaused = 1, kStateWhole = 2;
 /// Rows are kept by an observer for as many packets, so a baseline is never older.
 inline constexpr std::uint32_t kOldestBaseline = 200;
 /// Packets whose arrival one acknowledgement tells.

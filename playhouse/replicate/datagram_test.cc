@@ -100,6 +100,24 @@ TEST(DatagramViewer, a_late_joiner_gets_the_whole_world_at_once) {
   EXPECT_EQ(link.observer.world().name(), "small");
 }
 
+TEST(DatagramViewer, tells_when_the_observer_knows_where_all_are_and_not_before) {
+  for (const double loss : {0.0, 0.4}) {
+    SmallWorld small(300);
+    LinkFaults faults;
+    faults.loss = loss;
+    DatagramLink link(small, faults, 3);
+    for (int k = 0; k < 200; ++k) world::set_pose(small.world, {SmallWorld::robot(k)}, {k * 1.0, 3, 0, 1});
+    bool was_told_of = false;
+    for (int frames = 0; frames < 200 && !link.observer.world().is_whole(); ++frames) {
+      was_told_of = was_told_of || link.observer.world().has_scene();
+      link.frame();
+    }
+    ASSERT_TRUE(link.observer.world().is_whole()) << loss;
+    EXPECT_TRUE(was_told_of) << "the scene comes first";
+    expect_same(link.snapshot, link.observer.world());
+  }
+}
+
 TEST(DatagramViewer, never_sends_more_than_its_budget_nor_longer_than_a_datagram) {
   for (const double loss : {0.0, 0.5}) {
     SmallWorld small(400);

@@ -99,7 +99,8 @@ void DatagramViewer::offer(const Snapshot& snapshot, ChangesTexts& changes, doub
     frame_due_ = std::max(frame_due_ + 1.0 / terms_.frames_per_second, now);
     weigh(snapshot, now);
   }
-  bool must = owes_ack_ || now >= life_due_ || told_paused_ != snapshot.pace.paused;
+  bool must = owes_ack_ || now >= life_due_ || told_paused_ != snapshot.pace.paused ||
+              (!told_whole_ && is_whole(snapshot, 0));
   while (send_packet(snapshot, now, must, send) && !is_silent) must = false;
 }
 
@@ -237,6 +238,7 @@ void DatagramViewer::write_rows(const Snapshot& snapshot, double now, Seq seq, s
   room -= kStateHeadBytes;
   Packer pack(packet_);
   pack.varint(snapshot.tick);
+  const std::size_t flags = packet_.size();
   pack.u8(snapshot.pace.paused ? kStatePaused : 0);
   fields_.clear();
   written_.clear();
@@ -252,9 +254,31 @@ void DatagramViewer::write_rows(const Snapshot& snapshot, double now, Seq seq, s
     row.is_lost = false;
     sent.push_back({told_->id[told], row.sent});
   }
+  if (is_whole(snapshot, seq)) {
+    packet_[flags] |= std::byte{kStateWhole};
+    told_whole_ = true;
+  }
   if (sent.empty()) return;
   pack_rows();
   sent_rows_[seq] = std::move(sent);
+}
+
+/// Whether with packet `seq` (0: with none) the observer has had a state of every model that is not as the
+/// text told.
+bool DatagramViewer::is_whole(const Snapshot& snapshot, Seq seq) {
+  if (was_whole_) return true;
+  bool is_known = told_ == snapshot.layout;  // without this packet
+  for (std::uint32_t told = 0; told < rows_.size(); ++told) {
+    const Row& row = rows_[told];
+    const std::uint32_t is = now_row_[told];
+    if (is == kGoneRow || row.acknowledged_seq > 0) continue;
+    if (row.told_at > channel_.texts().taken()) return false;
+    if (row.sent_seq == 0 && snapshot.models[is] == row.start) continue;
+    if (row.sent_seq != seq) return false;
+    is_known = false;
+  }
+  was_whole_ = is_known;
+  return true;
 }
 
 /// Returns false if the row does not fit. The size is an upper bound, because rows are sorted later.

@@ -81,6 +81,7 @@ class DatagramViewer {
   void weigh(const Snapshot& snapshot, double now);
   bool send_packet(const Snapshot& snapshot, double now, bool must, const Send& send);
   void write_rows(const Snapshot& snapshot, double now, Seq seq, std::size_t room);
+  bool is_whole(const Snapshot& snapshot, Seq seq);
   bool add_row(const Snapshot& snapshot, Seq seq, std::uint32_t row, std::size_t& room);
   void pack_rows();
   void post(std::string_view text) { channel_.post(pack_text(text)); }
@@ -98,7 +99,8 @@ class DatagramViewer {
 
   double heard_, filled_, frame_due_ = 0, life_due_ = 0, quiet_due_ = 0;
   double allowance_ = 0;  // B that may go now
-  bool owes_ack_ = false, told_paused_ = false;
+  bool owes_ack_ = false, told_paused_ = false, told_whole_ = false;
+  bool was_whole_ = false;  // see is_whole(); it stays so: who comes later is told as they are then
   std::size_t faults_ = 0;
   std::vector<Candidate> candidates_;  // of this frame, the first in order
   std::size_t next_candidate_ = 0;

@@ -123,6 +123,7 @@ Result<void> ObservedWorld::take_state(Seq seq, std::span<const std::byte> bytes
     newest_ = seq;
     tick_ = tick;
     paused_ = (flags & kStatePaused) != 0;
+    is_whole_ = is_whole_ || (flags & kStateWhole) != 0;
   }
   while (in.ok() && !in.at_end()) {
     const std::uint8_t age = in.u8();

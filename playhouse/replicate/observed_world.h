@@ -40,6 +40,9 @@ class ObservedWorld {
   Result<void> take_state(Seq seq, std::span<const std::byte> state);
 
   bool has_scene() const { return interval_ > 0; }
+  /// Every model has come, and where it is: before that some are told as they were when they came into the
+  /// world.
+  bool is_whole() const { return has_scene() && is_whole_; }
   const std::string& name() const { return name_; }
   double interval() const { return interval_; }  // s of a tick
   std::uint64_t tick() const { return tick_; }   // the newest that was told of
@@ -58,7 +61,7 @@ class ObservedWorld {
   double interval_ = 0;
   std::uint64_t tick_ = 0;
   Seq newest_ = 0;  // packet that told of tick_
-  bool paused_ = false;
+  bool paused_ = false, is_whole_ = false;
   std::map<std::uint32_t, ObservedModel> models_;
   std::vector<std::string> notices_;
 };

@@ -107,6 +107,8 @@ class WebServer::Impl final : public net::HttpService,
   }
 
  private:
+  using Person = std::pair<std::string, std::uint32_t>;  // see person_at()
+
   /// One turn: the newest snapshot for every viewer, and its next commands.
   void serve() {
     for (const auto& viewer : viewers_) viewer->new_turn();
@@ -229,7 +231,7 @@ class WebServer::Impl final : public net::HttpService,
       may = may || (from.rights().joins && is_body(drive->model, from));
     if (const auto* remove = std::get_if<replicate::Remove>(&command))
       may = may || is_body(remove->model, from);  // who leaves
-    if (may && std::holds_alternative<replicate::Say>(command) && muted_.contains(from.number()))
+    if (may && std::holds_alternative<replicate::Say>(command) && is_muted(from))
       return "an admin has muted you";
     return may ? std::string() : fmt::format("a guest who is {} may not do that", name_of(from.guest().role));
   }
@@ -244,15 +246,25 @@ class WebServer::Impl final : public net::HttpService,
     return found == viewers_.end() ? nullptr : found->get();
   }
 
+  /// Of a guest with a token all pages, also later ones.
   Result<void> mute(const replicate::Mute& mute) {
-    if (!viewer(mute.viewer)) return Error{"", "nobody has this number"};
+    const WebViewer* const who = viewer(mute.viewer);
+    if (!who) return Error{"", "nobody has this number"};
     if (mute.on) {
-      muted_.insert(mute.viewer);
+      muted_.insert(person_at(*who));
     } else {
-      muted_.erase(mute.viewer);
+      muted_.erase(person_at(*who));
     }
     tell_people();
     return {};
+  }
+
+  bool is_muted(const WebViewer& viewer) const { return muted_.contains(person_at(viewer)); }
+
+  /// Who is at a page: a guest by the token; without one every page is somebody.
+  static Person person_at(const WebViewer& viewer) {
+    const std::string& token = viewer.guest().token;
+    return token == "*" ? Person{"", viewer.number()} : Person{token, 0};
   }
 
   Result<void> kick(const replicate::Kick& kick, const WebViewer& from) {
@@ -260,10 +272,18 @@ class WebServer::Impl final : public net::HttpService,
     if (!out) return Error{"", "nobody has this number"};
     if (out == &from) return Error{"", "this is yourself"};
     // Else it would shut the admin out, too.
-    if (out->guest().token != "*" || net::network_of(out->peer()) != net::network_of(from.peer()))
-      options_.guests.send_out(out->guest().token, out->peer());
-    out->close(kSentOut);
-    left(*out, "an admin has sent them out");
+    const std::string &token = out->guest().token, &own = from.guest().token;
+    const bool is_same =
+        token == "*" ? net::network_of(out->peer()) == net::network_of(from.peer()) : token == own;
+    if (!is_same) options_.guests.send_out(token, out->peer());
+    std::vector<std::uint32_t> pages;  // of theirs
+    for (const auto& other : viewers_)
+      if (other.get() == out || options_.guests.is_sent_out(other->guest().token, other->peer()))
+        pages.push_back(other->number());
+    for (const std::uint32_t page : pages) {
+      viewer(page)->close(kSentOut);
+      left(*viewer(page), "an admin has sent them out");
+    }
     return {};
   }
 
@@ -274,7 +294,7 @@ class WebServer::Impl final : public net::HttpService,
       boost::json::object person{{"viewer", viewer->number()}, {"role", name_of(viewer->guest().role)}};
       if (!viewer->guest().name.empty()) person["name"] = viewer->guest().name;
       if (const auto body = bodies_->of(viewer->number())) person["body"] = body->value;
-      if (muted_.contains(viewer->number())) person["muted"] = true;
+      if (is_muted(*viewer)) person["muted"] = true;
       people.push_back(std::move(person));
     }
     const bool is_fixed = !control_.why_fixed().empty();
@@ -515,7 +535,7 @@ class WebServer::Impl final : public net::HttpService,
     log::info("web: {} left: {}", viewer.peer(), why);
     driven_.left(&viewer);
     bodies_->leave(viewer.number());
-    muted_.erase(viewer.number());
+    if (viewer.guest().token == "*") muted_.erase(person_at(viewer));
     std::erase_if(viewers_, [&](const auto& other) { return other.get() == &viewer; });
     feed_.watch(!viewers_.empty());
     if (viewers_.empty()) control_.record(false);
@@ -581,7 +601,7 @@ class WebServer::Impl final : public net::HttpService,
   WebStatus status_;
   std::uint64_t hosts_refused_ = 0, origins_refused_ = 0, turned_away_ = 0;
   std::uint32_t viewers_ever_ = 0;
-  std::set<std::uint32_t> muted_;  // numbers of viewers
+  std::set<Person> muted_;
 };
 
 WebServer::WebServer(net::IoLoop& loop, WebOptions options, world::Control& control,

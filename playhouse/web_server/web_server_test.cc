@@ -853,6 +853,37 @@ TEST_F(GuestsTest, everybody_hears_who_is_there_and_what_they_may_do) {
   EXPECT_THAT(answer(human, R"({"do":"say","text":"hi"})"), HasSubstr("an admin has muted you"));
 }
 
+TEST_F(GuestsTest, who_is_muted_stays_so_at_another_page) {
+  WebClient admin(port_);
+  ASSERT_TRUE(admin.upgrade_with("the-admin"));
+  {
+    WebClient human(port_);
+    ASSERT_TRUE(human.upgrade_with("somebody-"));
+    EXPECT_TRUE(hears(admin, R"("viewer":2)"));
+    admin.send_text(R"({"do":"mute","viewer":2,"on":true})");
+    EXPECT_TRUE(hears(human, R"("muted":true)"));
+  }
+  WebClient again(port_);
+  ASSERT_TRUE(again.upgrade_with("somebody-"));
+  again.message();
+  EXPECT_THAT(answer(again, R"({"do":"say","text":"hi"})"), HasSubstr("an admin has muted you"));
+  const std::uint64_t commands = server_.status().commands;
+  admin.send_text(R"({"do":"mute","viewer":3,"on":false})");
+  ASSERT_TRUE(turn_until([&] { return server_.status().commands > commands; }));
+  EXPECT_THAT(answer(again, R"({"do":"say","text":"hi"})"), HasSubstr("only who has joined"));
+}
+
+TEST_F(GuestsTest, who_is_sent_out_leaves_with_all_pages) {
+  WebClient admin(port_), one(port_), other(port_), observer(port_);
+  ASSERT_TRUE(admin.upgrade_with("the-admin"));
+  ASSERT_TRUE(one.upgrade_with("somebody-"));
+  ASSERT_TRUE(other.upgrade_with("somebody-"));
+  ASSERT_TRUE(observer.upgrade());
+  EXPECT_TRUE(hears(admin, R"("viewer":4)"));
+  admin.send_text(R"({"do":"kick","viewer":2})");
+  EXPECT_TRUE(turn_until([this] { return server_.status().viewers == 2; }));
+}
+
 TEST_F(GuestsTest, who_is_sent_out_does_not_come_again_by_the_same_link) {
   WebClient human(port_), admin(port_), again(port_), observer(port_);
   ASSERT_TRUE(human.upgrade_with("somebody-"));

@@ -17,14 +17,19 @@
 namespace playhouse::world {
 namespace {
 
+constexpr double kUpright = 0.01;  // rad; what rests on something is tilted by less
+
 /// What a world file cannot say of where models are.
 std::vector<std::string> left_out(const World& world) {
   std::size_t tilted = 0;
-  for (std::uint32_t row = 0; row < world.models.size(); ++row)
-    if (world.models.tilt_PM[row] != geom::Tilt{}) ++tilted;
+  for (std::uint32_t row = 0; row < world.models.size(); ++row) {
+    const geom::Tilt& tilt = world.models.tilt_PM[row];
+    if (std::fabs(tilt.x) > kUpright || std::fabs(tilt.y) > kUpright) ++tilted;
+  }
   if (tilted == 0) return {};
   return {
-      fmt::format("{} that {} tilted {} written upright; a saved run (--save-at SECONDS FILE.run) keeps how",
+      fmt::format("{} that {} tilted {} written upright; a saved run (--save-at SECONDS FILE.run) keeps "
+                  "how they lie",
                   tilted == 1 ? "a model" : fmt::format("{} models", tilted), tilted == 1 ? "is" : "are",
                   tilted == 1 ? "is" : "are")};
 }

@@ -454,7 +454,8 @@ class Page {
     if (given !== undefined) return come(given);
     const taken = new Set(this.scene?.models.map(({ name }) => name));
     const free = freeName(localStorage.getItem(kNameKey) ?? 'visitor', taken, kNameLetters);
-    this.ask.open('Your name in this world', { value: free, pattern: '[A-Za-z][A-Za-z0-9_\\-]*', most: kNameLetters }, (name) => {
+    const rule = 'letters, digits, - and _, the first one a letter';
+    this.ask.open('Your name in this world', { value: free, pattern: '[A-Za-z][A-Za-z0-9_\\-]*', rule, most: kNameLetters }, (name) => {
       if (name !== free) localStorage.setItem(kNameKey, name);
       come(name);
     });

@@ -89,6 +89,9 @@ Result<void> Simulation::pause() {
 Result<void> Simulation::reset() {
   return device_.command(simulation::kCmdReset);
 }
+Result<void> Simulation::save() {
+  return device_.command(simulation::kCmdSave);
+}
 
 Seconds Simulation::patience() const {
   return device_.session_->timeout();

@@ -745,6 +745,11 @@ class Simulation(Device):
         """Stops the clock, or lets it go on."""
         self.command(simulation.CMD_PAUSE)
 
+    def save(self) -> None:
+        """Has the program write the world as it stands into the file that `playhouse run --save-world` names; without
+        that option nothing happens."""
+        self.command(simulation.CMD_SAVE)
+
     def reset(self, seed: Optional[int] = None) -> None:
         """Everything back to where the world file has it, while time goes on. With a seed the run begins again with
         that: at tick 0, with the models of then and their ids. A server keeps the start in lock-step only, and else

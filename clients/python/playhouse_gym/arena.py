@@ -9,6 +9,7 @@ import socket
 import struct
 import subprocess
 import tempfile
+import time
 import weakref
 from typing import Any, Dict, Optional, Union
 
@@ -87,6 +88,8 @@ class Arena:
             theirs.close()
         self._socket: Optional[socket.socket] = ours
         self._recorded = record
+        self._web = web
+        self._page: Optional[str] = None
         patience = _ENDING if record is None else _ENDING_RECORD
         self._finalizer = weakref.finalize(self, _end, ours, self._process, self._said, patience)
         ours.settimeout(timeout)
@@ -133,7 +136,19 @@ class Arena:
     @property
     def page(self) -> Optional[str]:
         """The address of the page, if there is one."""
-        return next((line[10:] for line in self._log().splitlines() if line.startswith("web page: ")), None)
+        if self._web is not None and self._page is None:
+            self._page = self._wait_for_page()
+        return self._page
+
+    def _wait_for_page(self) -> Optional[str]:
+        # The program tells the address beside its answers, and may do so later.
+        until = time.monotonic() + _ENDING
+        while True:
+            ended = self._process.poll() is not None
+            told = next((line[10:] for line in self._log().splitlines() if line.startswith("web page: ")), None)
+            if told is not None or ended or time.monotonic() > until:
+                return told
+            time.sleep(0.01)
 
     def step(self, ticks: int = 1) -> None:
         """Carries out `actions` and `reset_mask`, which is all False afterwards, and goes on by so many ticks."""
@@ -211,8 +226,8 @@ class Arena:
     def _log(self) -> str:
         if self._said.closed:
             return ""
-        self._said.seek(0)
-        return self._said.read().decode("utf-8", "replace")
+        said = self._said.fileno()  # whose place the program writes at: it stays where it is
+        return os.pread(said, os.fstat(said).st_size, 0).decode("utf-8", "replace")
 
     def _lost(self) -> ArenaError:
         code = self._process.wait()

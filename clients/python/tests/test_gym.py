@@ -50,6 +50,15 @@ def is_there(process: int) -> bool:
 
 @needed
 class TheArena(WithWorld):
+    def test_the_page_has_an_address_at_once_where_one_was_asked_for(self) -> None:
+        for _ in range(3):
+            with Arena(self.world, program=PROGRAM, web=0) as arena:
+                page = arena.page
+                self.assertRegex(page or "", r"^http://127\.0\.0\.1:\d+/$")
+                self.assertEqual(arena.page, page)
+        with Arena(self.world, program=PROGRAM) as arena:
+            self.assertIsNone(arena.page)
+
     def test_columns_have_a_row_per_robot_and_change_with_a_step(self) -> None:
         with Arena(self.world, program=PROGRAM) as arena:
             self.assertEqual((arena.agents, arena.beams, arena.interval), (ROBOTS, BEAMS, 0.1))

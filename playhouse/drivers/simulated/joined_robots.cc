@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -20,6 +21,27 @@ std::vector<std::byte> answer(wire::simulation::PropertyReq body, std::string_vi
 }
 
 }  // namespace
+
+JoinedRobots::JoinedRobots(Simulation& simulation) : simulation_(simulation) {
+  simulation.add_follower(
+      [&simulation, brought = brought_](const world::World&, const world::Change& change) {
+        follow(simulation, *brought, change);
+      });
+}
+
+/// Of a robot that somebody takes out, the sensors go before the next tick.
+void JoinedRobots::follow(Simulation& simulation, Brought& brought, const world::Change& change) {
+  if (change.kind != world::Change::Kind::kDespawn) return;
+  const auto found = brought.find(change.model);
+  if (found == brought.end()) return;
+  std::vector<Joined>& robots = found->second->robots;
+  const auto gone = std::ranges::find(robots, change.model, &Joined::robot);
+  if (gone != robots.end()) {
+    simulation.post_always([joined = *gone](world::World& world) { leave(world, joined); }, {});
+    robots.erase(gone);
+  }
+  brought.erase(found);
+}
 
 std::shared_ptr<JoinedRobots::Owned> JoinedRobots::owned_by(device::Caller& caller) {
   std::shared_ptr<Owned>& owned = (*owners_)[&caller];
@@ -52,11 +74,12 @@ void JoinedRobots::join(const wire::simulation::PropertyReq& request, device::Ca
     return replier.nack(answer(request, fmt::format("a client brings {} robots at most", kRobotsOfClient)));
   ++owned->asked_for;
   auto shared = std::make_shared<device::Replier>(std::move(replier));  // std::function wants to be copied
-  const bool posted =
-      simulation_.post([owned, shared, request, wanted = std::move(*wanted)](world::World& world) {
+  const bool posted = simulation_.post(
+      [owned, brought = brought_, shared, request, wanted = std::move(*wanted)](world::World& world) {
         Result<Joined> joined = drivers::join(world, wanted);
         if (!joined) return shared->nack(answer(request, joined.error().text));
         shared->ack(answer(request, joined->name));
+        (*brought)[joined->robot] = owned;
         owned->robots.push_back(std::move(*joined));
       });
   if (!posted) shared->nack(answer(request, "too many requests are waiting"));

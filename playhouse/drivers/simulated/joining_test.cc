@@ -83,7 +83,8 @@ TEST_F(Joining, types_stand_nowhere_until_a_robot_of_them_joins) {
 
 TEST_F(Joining, sensors_are_parts_of_the_robot_and_of_its_devices) {
   EXPECT_EQ(come(request("cart", 0, 0, {"bob", "", "scanner", "scanner 0.2 0 3"})), "bob");
-  EXPECT_EQ(devices("bob"), "position2d:1 position3d:1 speech:1 speech_recognition:1 ranger:0 laser:1 ranger:1 laser:2");
+  EXPECT_EQ(devices("bob"),
+            "position2d:1 position3d:1 speech:1 speech_recognition:1 ranger:0 laser:1 ranger:1 laser:2");
   const world::ModelRow first = world().find("bob-scanner"), second = world().find("bob-scanner~2");
   ASSERT_TRUE(first && second);
   EXPECT_EQ(world().models.X_PM[first.index].x, 0.1);
@@ -170,6 +171,22 @@ TEST_F(Joining, robots_leave_with_the_client_that_brought_them) {
   }
   site.run(1);
   EXPECT_FALSE(world().find("eve"));
+}
+
+TEST_F(Joining, the_sensors_of_a_robot_go_with_it_whoever_takes_it_out) {
+  JoinedRobots joined(simulation());
+  testing::Recorder answers;
+  device::Caller student("10.0.0.1:1");
+  joined.join(property("cart", wire_value(0, 0, {"bob", "", "scanner", "scanner 0.2 0 3"})), &student,
+              {answers, 1});
+  joined.join(property("cart", wire_value(1, 0, {"eve", "", "scanner"})), &student, {answers, 2});
+  site.run(1);
+  ASSERT_TRUE(world().find("bob-scanner~2"));
+  const world::ModelId bob = world().id(world().find("bob"));
+  ASSERT_TRUE(simulation().post([bob](world::World& world) { ASSERT_TRUE(world::despawn(world, bob)); }));
+  site.run(2);
+  for (const char* const name : {"bob", "bob-scanner", "bob-scanner~2"}) EXPECT_FALSE(world().find(name));
+  EXPECT_TRUE(world().find("eve-scanner"));
 }
 
 TEST_F(Joining, who_is_no_client_and_who_asks_for_what_is_not_gets_a_reason) {

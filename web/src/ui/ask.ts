@@ -13,13 +13,14 @@ export class Ask {
     dialog.append(form);
   }
 
-  /** Calls `done` with the answer, unless the dialog is closed without one. */
-  open(question: string, { value = '', pattern = '', most = 1000 }: { value?: string; pattern?: string; most?: number }, done: (text: string) => void): void {
+  /** Calls `done` with the answer, unless the dialog is closed without one. The browser tells `rule` of an answer that is not of the pattern. */
+  open(question: string, { value = '', pattern = '', rule = '', most = 1000 }: { value?: string; pattern?: string; rule?: string; most?: number }, done: (text: string) => void): void {
     this.question.textContent = question;
     this.input.value = value;
     this.input.maxLength = most;
     if (pattern) this.input.pattern = pattern;
     else this.input.removeAttribute('pattern');
+    this.input.title = rule;
     this.input.required = pattern !== '';
     this.done = done;
     this.dialog.showModal();

@@ -20,6 +20,11 @@ test('keys go from instant to instant', () => {
   expect(neighbour(ticks, 5, 'End')).toBe(30);
   expect(neighbour(ticks, 30, 'PageDown')).toBe(5);
   expect(neighbour(ticks, 30, 'a')).toBe(null);
+  expect(neighbour(ticks, 34, 'Home')).toBe(5);
+});
+
+test('now is later than every instant: no key goes back to the last one by going on', () => {
+  for (const key of ['ArrowRight', 'ArrowUp', 'PageUp', 'End']) expect(neighbour(ticks, 34, key)).toBe(34);
 });
 
 test('the instant that a run was taken back from is there before the program tells of it', () => {

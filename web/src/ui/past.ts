@@ -127,6 +127,7 @@ export class Past {
     const tick = event.ctrlKey || event.metaKey || event.altKey ? null : neighbour(this.ticks, at, event.key);
     if (tick === null) return;
     event.preventDefault();
+    if (tick === at) return;
     this.seek(tick);
     window.clearTimeout(this.keysTimer);
     this.keysTimer = window.setTimeout(() => this.release(), kKeysMs);
@@ -146,14 +147,14 @@ export function nearest(ticks: number[], tick: number): number {
   return ticks.reduce((best, each) => (Math.abs(each - tick) < Math.abs(best - tick) ? each : best));
 }
 
-/** Where a key leads from a tick; null for a key that leads nowhere. */
+/** Where a key leads from a tick, the tick itself where nothing is that way; null for other keys. */
 export function neighbour(ticks: number[], tick: number, key: string): number | null {
   const earlier = ticks.filter((each) => each < tick);
   const later = ticks.filter((each) => each > tick);
   const steps: Record<string, number[]> = {
-    ArrowLeft: earlier.slice(-1), ArrowDown: earlier.slice(-1), PageDown: earlier.slice(-kPage), Home: ticks,
-    ArrowRight: later, ArrowUp: later, PageUp: later.slice(0, kPage).slice(-1), End: ticks.slice(-1),
+    ArrowLeft: earlier.slice(-1), ArrowDown: earlier.slice(-1), PageDown: earlier.slice(-kPage), Home: earlier,
+    ArrowRight: later, ArrowUp: later, PageUp: later.slice(0, kPage).slice(-1), End: later.slice(-1),
   };
   if (!(key in steps)) return null;
-  return steps[key][0] ?? (key === 'ArrowLeft' || key === 'ArrowDown' || key === 'PageDown' ? ticks[0] : ticks[ticks.length - 1]);
+  return steps[key][0] ?? tick;
 }

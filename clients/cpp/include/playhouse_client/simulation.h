@@ -28,6 +28,9 @@ class Simulation {
   Result<void> pause();
   /// Everything back to where the world file has it, while time goes on.
   Result<void> reset();
+  /// Has the program write the world as it stands into the file that `playhouse run --save-world` names;
+  /// without that option nothing happens.
+  Result<void> save();
 
   /// This client is one of those that a world in lock-step waits for, by this name, until its connection
   /// ends. Open devices first. An error says why it may not.
