@@ -156,7 +156,7 @@ TEST_F(Mcap, ends_with_the_listener_s_error) {
 
 TEST(McapWriter, writes_over_recordings_and_over_nothing_else) {
   const TestFolder folder;
-  const std::string recording = (folder / "a.mcap").string(), world = (folder / "a.world").string();
+  const std::string recording = folder / "a.mcap", world = folder / "a.world";
   std::ofstream(world) << "interval_sim 100\n";
   const auto refused = McapWriter::create(world, "");
   ASSERT_FALSE(refused);

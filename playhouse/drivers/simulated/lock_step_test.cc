@@ -183,6 +183,21 @@ TEST(Simulation, what_was_posted_before_a_step_is_carried_out_before_its_tick) {
   for (std::uint64_t k = 0; k < 200; ++k) EXPECT_EQ(seen[k], k);
 }
 
+TEST(Simulation, in_lock_step_what_is_said_behind_the_last_tick_never_counts) {
+  const scene::SceneDesc scene = testing::scene_of(kRobot);
+  for (int repeat = 0; repeat < 50; ++repeat) {
+    Simulation simulation(std::make_unique<testing::StillEngine>(scene),
+                          {.speed = 0, .duration = 0.2, .lock_step = LockStep::Options{}});
+    bool is_carried_out = false;
+    simulation.lock_step()->step(&simulation, "test", 2, [&](const auto&) {
+      simulation.post([&](const world::World&) { is_carried_out = true; });
+    });
+    simulation.run();
+    EXPECT_EQ(simulation.world().tick(), 2u);
+    EXPECT_FALSE(is_carried_out);
+  }
+}
+
 TEST(Simulation, starts_again_with_the_models_and_ids_of_the_start_and_another_seed) {
   const scene::SceneDesc scene = testing::scene_of(kRobot);
   Simulation simulation(std::make_unique<testing::StillEngine>(scene),

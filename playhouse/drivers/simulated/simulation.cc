@@ -75,16 +75,19 @@ void Simulation::run() {
     const std::lock_guard lock(mutex_);
     pacer_.start(clock_(), wanted_.speed, wanted_.paused);
   }
+  bool has_ticked = false;
   for (;;) {
     // Looked at first: what members said before they asked for the tick is in the inbox then.
     const bool asked_for = lock_step_ == nullptr || lock_step_->is_due();
-    if (woken_.exchange(false)) {
+    // What members say behind the last tick comes before the end or after it: it never counts.
+    const bool is_over = lock_step_ != nullptr && has_ticked && world.tick() >= end_tick_;
+    if (!is_over && woken_.exchange(false)) {
       finish_publishing();
       take_wanted();
       take_inbox();
       if (now_.instant) go_back(*std::exchange(now_.instant, std::nullopt));
     }
-    const bool ends = now_.stop || world.tick() >= end_tick_;
+    const bool ends = is_over || now_.stop || world.tick() >= end_tick_;
     if (!ends && !wait_for_tick(asked_for)) continue;
     if (publisher_thread_.under_way()) {
       finish_publishing();
@@ -92,6 +95,7 @@ void Simulation::run() {
     }
     if (ends) return;
     tick();
+    has_ticked = true;
   }
 }
 
