@@ -136,6 +136,13 @@ Result<void> MessageType::number_fields(const std::string& type, const std::stri
   return {};
 }
 
+std::size_t MessageType::width_of(const std::string& type) const {
+  std::size_t width = 0;
+  for (const Field& field : types_.at(type))
+    if (field.kind != Kind::kTime) width += field.kind == Kind::kMessage ? width_of(field.type) : 1;
+  return width;
+}
+
 bool MessageType::read(const std::string& type, CdrReader& in, Walk& walk) const {
   for (const Field& field : types_.at(type)) {
     if (!in.ok()) return false;
@@ -157,9 +164,7 @@ bool MessageType::read(const std::string& type, CdrReader& in, Walk& walk) const
         if (!read(field.type, in, walk)) return false;
       }
       walk.to = &walk.outside;
-      const std::string path = field.name + ".";
-      walk.field = first;
-      while (walk.field < fields_.size() && fields_[walk.field].starts_with(path)) ++walk.field;
+      walk.field = first + width_of(field.type);
       continue;
     }
     if (field.kind == Kind::kTime) {

@@ -48,6 +48,8 @@ class MessageType {
 
   Result<void> add_line(std::string_view line, Fields& into);
   Result<void> number_fields(const std::string& type, const std::string& path, int depth, bool in_list);
+  /// Columns that a message of the type has.
+  std::size_t width_of(const std::string& type) const;
   bool read(const std::string& type, CdrReader& in, Walk& walk) const;
 
   std::map<std::string, Fields> types_;  // "" is the message's own

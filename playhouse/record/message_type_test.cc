@@ -45,6 +45,18 @@ TEST(MessageType, of_a_list_of_messages_has_a_row_for_each) {
   EXPECT_THAT((*rows)[1][2], ElementsAre("4"));
 }
 
+TEST(MessageType, has_the_fields_behind_a_list_whatever_they_are_called) {
+  const MessageType type = *MessageType::parse(
+      "a/Item[] list\nuint32 list.more\nuint32 last\n===\nMSG: a/Item\nuint32 value\n");
+  EXPECT_THAT(type.fields(), ElementsAre("list.value", "list.more", "last"));
+  CdrWriter message;
+  for (const std::uint32_t number : {2u, 10u, 20u, 7u, 8u}) message.number(number);
+  const Result<MessageType::Rows> rows = type.rows(message.message());
+  ASSERT_TRUE(rows.ok()) << rows.error().line();
+  EXPECT_THAT(*rows, ElementsAre(ElementsAre(ElementsAre("10"), ElementsAre("7"), ElementsAre("8")),
+                                 ElementsAre(ElementsAre("20"), ElementsAre("7"), ElementsAre("8"))));
+}
+
 TEST(MessageType, knows_every_schema_of_a_recording) {
   for (const char* const name : {kTransforms, kLaserScan, kRanges, kWorldChange, kState, kEdit, kCheck})
     EXPECT_TRUE(MessageType::parse(schema_text(name)).ok()) << name;
