@@ -181,29 +181,36 @@ class WebServer::Impl final : public net::HttpService,
   Result<void> carry_out(const replicate::Command& command, WebViewer& from) override {
     ++status_.commands;
     if (std::string why = why_not(command, from); !why.empty()) return Error{"", std::move(why)};
-    if (const auto* mute = std::get_if<replicate::Mute>(&command)) return this->mute(*mute);
-    if (const auto* kick = std::get_if<replicate::Kick>(&command)) return this->kick(*kick, from);
-    if (std::holds_alternative<replicate::Pause>(command)) control_.pause();
-    if (std::holds_alternative<replicate::Resume>(command)) control_.resume();
-    if (std::holds_alternative<replicate::Step>(command)) control_.step_once();
-    if (const auto* speed = std::get_if<replicate::SetSpeed>(&command))
-      control_.set_speed(speed->times_real_time);
-    if (const auto* rewind = std::get_if<replicate::Rewind>(&command)) return this->rewind(*rewind);
-    if (const auto* drag = std::get_if<replicate::Drag>(&command)) return move(*drag);
-    if (const auto* drive = std::get_if<replicate::Drive>(&command)) return this->drive(*drive, from);
-    if (const auto* copy = std::get_if<replicate::Copy>(&command)) return this->copy(*copy, from);
-    if (const auto* add = std::get_if<replicate::Add>(&command)) return this->add(*add, from);
-    if (const auto* join = std::get_if<replicate::Join>(&command)) return this->join(*join, from);
-    if (const auto* say = std::get_if<replicate::Say>(&command)) return this->say(*say, from);
-    if (const auto* remove = std::get_if<replicate::Remove>(&command)) return this->remove(*remove);
-    if (std::holds_alternative<replicate::Save>(command)) return save(from);
-    if (std::holds_alternative<replicate::ShowPhysics>(command)) return show_physics(from);
-    if (std::holds_alternative<replicate::Select>(command) ||
-        std::holds_alternative<replicate::Look>(command)) {
-      interest_changed();
-    }
+    return std::visit([&](const auto& each) { return execute(each, from); }, command);
+  }
+
+  // One for each command: one that has none does not compile.
+  Result<void> execute(const replicate::Pause&, WebViewer&) {
+    control_.pause();
     return {};
   }
+  Result<void> execute(const replicate::Resume&, WebViewer&) {
+    control_.resume();
+    return {};
+  }
+  Result<void> execute(const replicate::Step&, WebViewer&) {
+    control_.step_once();
+    return {};
+  }
+  Result<void> execute(const replicate::SetSpeed& speed, WebViewer&) {
+    control_.set_speed(speed.times_real_time);
+    return {};
+  }
+  // What the viewer has set already (WebViewer::execute()).
+  Result<void> execute(const replicate::Select&, WebViewer&) {
+    interest_changed();
+    return {};
+  }
+  Result<void> execute(const replicate::Look&, WebViewer&) {
+    interest_changed();
+    return {};
+  }
+  Result<void> execute(const replicate::Acknowledge&, WebViewer&) { return {}; }
 
   /// What somebody comes with; "*": nothing.
   static std::string token_of(const net::HttpRequest& request) {
@@ -247,7 +254,7 @@ class WebServer::Impl final : public net::HttpService,
   }
 
   /// Of a guest with a token all pages, also later ones.
-  Result<void> mute(const replicate::Mute& mute) {
+  Result<void> execute(const replicate::Mute& mute, WebViewer&) {
     const WebViewer* const who = viewer(mute.viewer);
     if (!who) return Error{"", "nobody has this number"};
     if (mute.on) {
@@ -267,7 +274,7 @@ class WebServer::Impl final : public net::HttpService,
     return token == "*" ? Person{"", viewer.number()} : Person{token, 0};
   }
 
-  Result<void> kick(const replicate::Kick& kick, const WebViewer& from) {
+  Result<void> execute(const replicate::Kick& kick, WebViewer& from) {
     WebViewer* const out = viewer(kick.viewer);
     if (!out) return Error{"", "nobody has this number"};
     if (out == &from) return Error{"", "this is yourself"};
@@ -350,7 +357,7 @@ class WebServer::Impl final : public net::HttpService,
     return row ? then(*row) : Result<void>{};
   }
 
-  Result<void> rewind(const replicate::Rewind& rewind) {
+  Result<void> execute(const replicate::Rewind& rewind, WebViewer&) {
     const auto past = control_.past();
     if (!past->why_none.empty()) return Error{"", "this run cannot go back: " + past->why_none};
     if (past->ticks.empty()) return Error{"", "no moment of this run is kept yet"};
@@ -358,7 +365,7 @@ class WebServer::Impl final : public net::HttpService,
     return {};
   }
 
-  Result<void> move(const replicate::Drag& drag) {
+  Result<void> execute(const replicate::Drag& drag, WebViewer&) {
     return with_row(drag.model, [&](std::uint32_t row) -> Result<void> {
       if (!may_be_moved(row)) return Error{"", "this model may not be moved by hand"};
       return post_change([drag](world::World& world) {
@@ -373,7 +380,7 @@ class WebServer::Impl final : public net::HttpService,
     });
   }
 
-  Result<void> drive(const replicate::Drive& drive, WebViewer& from) {
+  Result<void> execute(const replicate::Drive& drive, WebViewer& from) {
     if (std::string why = control_.why_fixed(); !why.empty()) return Error{"", std::move(why)};
     const auto turn_wheels = [&]() -> Result<void> {
       driven_.drive(drive, &from);
@@ -398,7 +405,7 @@ class WebServer::Impl final : public net::HttpService,
 
   bool may_be_moved(std::uint32_t row) const { return newest_->traits[row] & replicate::kMovable; }
 
-  Result<void> copy(const replicate::Copy& copy, const WebViewer& from) {
+  Result<void> execute(const replicate::Copy& copy, WebViewer& from) {
     return with_row(copy.model, [&](std::uint32_t row) -> Result<void> {
       if (!may_be_moved(newest_->root[row])) return Error{"", "this model may not be copied"};
       return post_change([copy, tell = teller(from)](world::World& world) {
@@ -410,7 +417,7 @@ class WebServer::Impl final : public net::HttpService,
     });
   }
 
-  Result<void> add(const replicate::Add& add, const WebViewer& from) {
+  Result<void> execute(const replicate::Add& add, WebViewer& from) {
     if (add.robot >= prototypes_.addable().size()) return Error{"", "there is no such robot to add"};
     const std::uint32_t desc = prototypes_.addable()[add.robot].desc;
     return post_change([add, desc, tell = teller(from)](world::World& world) {
@@ -420,7 +427,7 @@ class WebServer::Impl final : public net::HttpService,
     });
   }
 
-  Result<void> join(const replicate::Join& join, const WebViewer& from) {
+  Result<void> execute(const replicate::Join& join, WebViewer& from) {
     const std::string& known = from.guest().name;
     return bodies_->join(join, from.number(), known.empty() ? join.name : known, teller(from));
   }
@@ -430,7 +437,7 @@ class WebServer::Impl final : public net::HttpService,
     tell_people();
   }
 
-  Result<void> say(const replicate::Say& say, const WebViewer& from) {
+  Result<void> execute(const replicate::Say& say, WebViewer& from) {
     const std::optional<world::ModelId> body = bodies_->of(from.number(), *newest_);
     if (!body) return Error{"", "only who has joined can say something"};
     return post_change([say, model = *body](world::World& world) {
@@ -438,7 +445,7 @@ class WebServer::Impl final : public net::HttpService,
     });
   }
 
-  Result<void> remove(const replicate::Remove& remove) {
+  Result<void> execute(const replicate::Remove& remove, WebViewer&) {
     return with_row(remove.model, [&](std::uint32_t row) -> Result<void> {
       if (!may_be_moved(newest_->root[row])) return Error{"", "this model may not be removed"};
       return post_change([remove](world::World& world) {
@@ -450,7 +457,7 @@ class WebServer::Impl final : public net::HttpService,
     });
   }
 
-  Result<void> save(WebViewer& from) {
+  Result<void> execute(const replicate::Save&, WebViewer& from) {
     if (!from.await_text()) return Error{"", "the world is on its way already"};
     const auto posted = post_change([reach = reacher(from)](const world::World& world) {
       const auto standing = std::make_shared<const scene::SceneDesc>(world::as_scene(world));
@@ -460,7 +467,7 @@ class WebServer::Impl final : public net::HttpService,
     return posted;
   }
 
-  Result<void> show_physics(WebViewer& from) {
+  Result<void> execute(const replicate::ShowPhysics&, WebViewer& from) {
     if (!options_.physics_shapes)
       return Error{"", "a recording does not tell what its physics took bodies for"};
     if (!from.await_text()) return Error{"", "a large text is on its way already"};
