@@ -255,7 +255,7 @@ bool ArenaEngine::store_state(std::uint32_t tree) {
     return false;
   }
   const bool is_slow = length(state.v) < kSlow && length(state.w) < kSlowTurn && !is_driven(tree) &&
-                       !physics_.is_woken(body.number);
+                       physics_.may_rest(body.number);
   const std::uint32_t still = is_slow ? models.still[top] + 1 : 0;
   const bool rests = still * world_.scene().interval >= kRestAfter;
   models.still.set(top, still);

@@ -249,6 +249,23 @@ model( name "weight" pose [5 0 3 0] size [0.5 0.5 0.5] gripper_return 1 mass 100
   for (const char* name : {"stuck", "below"}) EXPECT_GT(pose(name).z, -0.05) << name;
 }
 
+TEST_F(ArenaTest, who_was_pressed_into_the_ground_comes_up_again) {
+  start(R"(
+interval_sim 500
+actuator( name "press" type "linear" axis [0 0 -1] size [3 3 0.1] pose [0 0 2.5 0] min_position 0 max_position 2 max_speed 0.5 )
+position( name "ann" drive "walk" size [0.3 0.5 1.75] mass 75 )
+)");
+  const world::ModelRow press = world().find("press");
+  world::subscribe(world(), press);
+  const world::ActuatorRow row{world().models.part[press.index]};
+  ASSERT_TRUE(world::command_joint_position(world(), row, 2));
+  for (int tick = 0; tick < 20; ++tick) engine_->step();
+  EXPECT_LT(pose("ann").z, -0.1) << "it is pressed";
+  ASSERT_TRUE(world::command_joint_position(world(), row, 0));
+  for (int tick = 0; tick < 20; ++tick) engine_->step();
+  EXPECT_NEAR(pose("ann").z, 0, 0.01);
+}
+
 TEST_F(ArenaTest, shapes_are_of_those_who_are_there_also_before_the_next_tick) {
   start(R"(
 define cart position( size [0.4 0.4 0.2] model( size [0.1 0.1 0.1] ) )

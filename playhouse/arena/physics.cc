@@ -23,6 +23,7 @@ constexpr int kIterations = 50, kHeldIterations = 100;
 constexpr double kRoot = 1e-3;  // m within which a solid stands on the ground
 constexpr double kDeep = 1;     // m that it goes on below
 
+constexpr double kSunk = 0.05;    // m in the ground in which no wheel rests
 constexpr double kBeside = 0.01;  // m within which what rests is beside what moves
 
 enum Group : int { kFixed = 1, kMoving = 2, kGround = 4 };
@@ -376,8 +377,10 @@ bool Physics::rests(std::uint32_t body) const {
   return impl_->bodies[body]->rests;
 }
 
-bool Physics::is_woken(std::uint32_t body) const {
-  return impl_->bodies[body]->is_woken;
+bool Physics::may_rest(std::uint32_t body) const {
+  const Moving& moving = *impl_->bodies[body];
+  const auto is_sunk = [](const Footing& footing) { return footing.is_near && footing.gap < -kSunk; };
+  return !moving.is_woken && std::ranges::none_of(moving.footings, is_sunk);
 }
 
 void Physics::drive(std::uint32_t body, const geom::Twist& velocity) {

@@ -55,8 +55,9 @@ class Physics {
   /// A body that rests does not move until another one touches it.
   void put(std::uint32_t body, const BodyState& state, bool rests);
   bool rests(std::uint32_t body) const;
-  /// Whether what moves by itself has woken it since put(): what it rests on may be about to go.
-  bool is_woken(std::uint32_t body) const;
+  /// False where what moves by itself has woken it since put(), for what it rests on may be about to go, and
+  /// of a vehicle whose wheels are pressed into the ground, for whatever did so may have gone.
+  bool may_rest(std::uint32_t body) const;
   /// What the wheels of a vehicle are to do: velocity of B, in B.  [m/s, rad/s]
   void drive(std::uint32_t body, const geom::Twist& velocity);
 
