@@ -950,6 +950,16 @@ TEST_F(BodiesTest, who_leaves_takes_no_part_of_a_robot_along) {
   EXPECT_TRUE(small_.world.row(robot_));
 }
 
+TEST_F(BodiesTest, whose_name_is_taken_get_another_and_hear_it) {
+  ASSERT_TRUE(world::spawn(small_.world, SmallWorld::robot(0), {7, 7, 0, 0}, "Bob"));
+  WebClient guest(port_);
+  ASSERT_TRUE(guest.upgrade_with("somebody-"));
+  guest.message();
+  std::string text = answer(guest, R"({"do":"join","name":"Bob","x":9,"y":9,"a":0})");
+  for (int k = 0; k < 10 && text.find("notice") == std::string::npos; ++k) text = next_text(guest, turning());
+  EXPECT_THAT(text, HasSubstr("somebody is called Bob already: you are Bob"));
+}
+
 TEST_F(BodiesTest, are_not_mistaken_for_a_robot_that_has_their_id) {
   WebClient guest(port_);
   join(guest);

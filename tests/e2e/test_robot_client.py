@@ -150,6 +150,17 @@ class RobotClient(HouseTest):
     def property(name: str, what: str) -> bytes:
         return text(name) + text(what) + struct.pack(">I", 0) + struct.pack(">II", 0, 0)
 
+    def test_a_robot_that_nobody_has_open_is_missed_too_and_its_sensors_go_with_it(self):
+        lab = self.lab()
+        robot = self.robot(lab)
+        self.place(robot, "bob")
+        admin = self.client(lab.port())
+        self.assertTrue(self.has(admin, "bob-scanner"))
+        self.assertEqual(admin.request(SIMULATION, 0, 6, self.property("bob", "remove")).type, ACK)
+        self.wait_until_gone(admin, "bob-scanner")
+        self.assertEqual(robot.wait(), 1)
+        self.assertIn('"bob" was taken out of the world', robot.log())
+
     def test_the_end_of_the_world_ends_it(self):
         lab = self.lab()
         robot = self.robot(lab)
