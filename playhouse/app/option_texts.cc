@@ -12,6 +12,7 @@
 
 #include "playhouse/app/sensor_shapes.h"
 #include "playhouse/base/nearest_word.h"
+#include "playhouse/base/split.h"
 #include "playhouse/record/selection.h"
 
 namespace playhouse::app {
@@ -26,31 +27,21 @@ std::optional<double> number_in(std::string_view text) {
   return value;
 }
 
-std::vector<std::string> split(const std::string& text) {
-  std::vector<std::string> words;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    words.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return words;
-}
-
 /// The names between commas; nothing where one is none, or there twice.
 std::optional<std::set<std::string>> names_in(const std::string& text) {
   std::set<std::string> names;
-  for (const std::string& name : split(text)) {
+  for (const std::string_view name : split(text, ',')) {
     const bool good = !name.empty() && name[0] != '-' && std::ranges::all_of(name, [](unsigned char letter) {
       return std::isalnum(letter) || letter == '-' || letter == '_';
     });
-    if (!good || !names.insert(name).second) return std::nullopt;
+    if (!good || !names.emplace(name).second) return std::nullopt;
   }
   return names;
 }
 
 std::optional<ViewSquare> view_in(const std::string& text) {
   std::vector<double> numbers;
-  for (const std::string& word : split(text)) {
+  for (const std::string_view word : split(text, ',')) {
     const std::optional<double> value = number_in(word);
     if (!value || std::fabs(*value) > kFarthest) return std::nullopt;
     numbers.push_back(*value);

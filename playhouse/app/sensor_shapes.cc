@@ -10,6 +10,7 @@
 
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
+#include "playhouse/base/split.h"
 #include "playhouse/world/columns.h"
 
 namespace playhouse::app {
@@ -156,15 +157,12 @@ std::string SensorShapes::names() {
 Result<SensorShapes> SensorShapes::parse(std::string_view text) {
   const std::vector<std::string_view> names = words();
   SensorShapes shown;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string_view name = text.substr(begin, end - begin);
+  for (const std::string_view name : split(text, ',')) {
     if (std::ranges::find(names, name) == names.end())
       return Error{"", fmt::format("of {} one or more are wanted, not {}{}", SensorShapes::names(),
                                    in_quotes(name), did_you_mean(name, names))};
     for (std::size_t i = 0; i < std::size(kDrawn); ++i)
       if (name == "all" || name == kDrawn[i].name) shown.drawn_.push_back(i);
-    begin = end + 1;
   }
   std::ranges::sort(shown.drawn_);
   shown.drawn_.erase(std::unique(shown.drawn_.begin(), shown.drawn_.end()), shown.drawn_.end());

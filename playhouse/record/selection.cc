@@ -5,6 +5,7 @@
 
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/nearest_word.h"
+#include "playhouse/base/split.h"
 #include "playhouse/record/messages.h"
 
 namespace playhouse::record {
@@ -24,9 +25,7 @@ Result<Selection> Selection::parse(std::string_view text) {
   Selection selection;
   selection.everything_ = false;
   const std::vector<std::string_view> known = words();
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string_view entry = text.substr(begin, end - begin);
+  for (const std::string_view entry : split(text, ',')) {
     const std::size_t at = entry.find('@');
     const std::string_view kind = entry.substr(0, at);
     const std::string_view name = at == std::string_view::npos ? "" : entry.substr(at + 1);
@@ -37,7 +36,6 @@ Result<Selection> Selection::parse(std::string_view text) {
     if (at != std::string_view::npos && name.empty())
       return Error{{}, "a name is wanted behind @ in " + in_quotes(entry)};
     if (kind != kPoses) selection.entries_.push_back({std::string(kind), std::string(name)});
-    begin = end + 1;
   }
   return selection;
 }
