@@ -77,9 +77,11 @@ void ArenaEngine::populated(bool fixed) {
   physics_.clear();
   bodies_.clear();
   tree_of_.clear();
+  has_parts_ = false;
   for (std::uint32_t tree = 0; tree < trees_.size(); ++tree) {
     bodies_.push_back(make_body(tree));
     if (bodies_.back().number != Body::kNone) tree_of_.push_back(tree);
+    has_parts_ = has_parts_ || !parts_of(tree).empty();
   }
 }
 
@@ -193,10 +195,7 @@ void ArenaEngine::bend(std::uint32_t tree) {
 /// Parts that move by themselves, are deep within what has not given way, and would go deeper.
 void ArenaEngine::find_blocked(unsigned steps) {
   blocked_.assign(trees_.movers.size(), 0);
-  const auto trees = static_cast<std::uint32_t>(trees_.size());
-  bool has_parts = false;
-  for (std::uint32_t tree = 0; tree < trees && !has_parts; ++tree) has_parts = !parts_of(tree).empty();
-  if (!has_parts) return;
+  if (!has_parts_) return;
   const double lag = lag_after(steps);
   for (const Press& press : physics_.presses(kPressed)) {
     const std::uint32_t tree = tree_of_[press.body];

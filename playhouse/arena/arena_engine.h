@@ -18,8 +18,6 @@ class ArenaEngine final : public stage::BodyEngine {
   ArenaEngine(const scene::SceneDesc& scene, std::uint64_t seed, unsigned workers, const Surface& ground);
 
  private:
-  /// The hulls that Physics has, without the margin by which Bullet rounds them.
-  world::PhysicsShapes shapes() const override;
   /// A tree of models as a body.
   struct Body {
     static constexpr std::uint32_t kNone = world::ModelRow::kNone;
@@ -32,6 +30,8 @@ class ArenaEngine final : public stage::BodyEngine {
   };
 
   void move() override;
+  /// The hulls that Physics has, without the margin by which Bullet rounds them.
+  world::PhysicsShapes shapes() const override;
   void populated(bool fixed) override;
   void replaced(std::uint32_t) override {}
 
@@ -55,6 +55,7 @@ class ArenaEngine final : public stage::BodyEngine {
   mutable MeshHulls mesh_hulls_;
   std::vector<Body> bodies_;            // (trees)
   std::vector<std::uint32_t> tree_of_;  // (bodies of Physics)
+  bool has_parts_ = false;              // something moves by itself, see parts_of()
   std::vector<std::uint8_t> blocked_;   // (trees_.movers) in this tick
 };
 

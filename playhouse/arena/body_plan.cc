@@ -93,10 +93,10 @@ std::map<std::uint32_t, Pose> poses_in_top(const world::Models& models, const st
 }
 
 /// Cuts off what is below `z`.
-TreeHulls above(const TreeHulls& all, double z) {
+TreeHulls above(TreeHulls all, double z) {
   TreeHulls above;
   for (std::size_t i = 0; i < all.hulls.size(); ++i) {
-    Hull hull = all.hulls[i];
+    Hull& hull = all.hulls[i];
     if (std::ranges::all_of(hull, [z](const Vec3& p) { return p.z <= z; })) continue;
     for (Vec3& p : hull) p.z = std::max(p.z, z);
     above.hulls.push_back(std::move(hull));
@@ -214,8 +214,8 @@ TreeHulls hulls_of(const world::World& world, const stage::Trees& trees, const s
   if (part != Part::kVehicle) return all;
   const Extent extent = extent_of(all.hulls);
   const bool walks = world.desc({trees.root[tree]}).position->drive == scene::Drive::kWalk;
-  return above(all, std::min(walks ? kStep : kClearance,
-                             extent.low.z + kClearanceShare * (extent.high.z - extent.low.z)));
+  return above(std::move(all), std::min(walks ? kStep : kClearance,
+                                        extent.low.z + kClearanceShare * (extent.high.z - extent.low.z)));
 }
 
 BodyDesc plan_body(const world::World& world, const stage::Trees& trees, std::uint32_t tree, Part part,

@@ -46,6 +46,10 @@ struct Moving {
   void write();
   /// The state from Bullet, unless nothing pushes the body.
   void read();
+  void wake() {
+    rests = false;
+    write();
+  }
   /// On by a step, of a body that nothing pushes.
   void advance(double dt);
 };

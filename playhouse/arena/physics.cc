@@ -28,15 +28,18 @@ constexpr double kBeside = 0.01;  // m within which what rests is beside what mo
 
 enum Group : int { kFixed = 1, kMoving = 2, kGround = 4 };
 
+/// The height of the highest corner straight above a corner: its own where there is none.
+double top_above(const Hull& hull, const Vec3& p) {
+  double top = p.z;
+  for (const Vec3& q : hull)
+    if (q.x == p.x && q.y == p.y) top = std::max(top, q.z);
+  return top;
+}
+
 /// The lowest place of a solid that a wheel may stand on: of an upright prism its top, of a wedge its foot.
 double lowest_top(const Hull& hull) {
   double lowest = 1e300;
-  for (const Vec3& p : hull) {
-    double top = p.z;
-    for (const Vec3& q : hull)
-      if (q.x == p.x && q.y == p.y) top = std::max(top, q.z);
-    lowest = std::min(lowest, top);
-  }
+  for (const Vec3& p : hull) lowest = std::min(lowest, top_above(hull, p));
   return lowest;
 }
 
@@ -46,9 +49,7 @@ Hull rooted(Hull hull) {
   for (std::size_t i = 0; i < corners; ++i) {
     const Vec3 p = hull[i];
     if (std::fabs(p.z) > kRoot) continue;
-    const bool has_top =
-        std::ranges::any_of(hull, [&p](const Vec3& q) { return q.x == p.x && q.y == p.y && q.z > kRoot; });
-    if (has_top)
+    if (top_above(hull, p) > kRoot)
       hull[i].z = -kDeep;
     else
       hull.push_back({p.x, p.y, -kDeep});  // the foot of a ramp
@@ -183,9 +184,8 @@ void Physics::Impl::wake_beside(const Moving& guided) {
   for (const std::uint32_t number : near) {
     Moving& other = *bodies[number];
     if (!other.rests || other.is_guided()) continue;
-    other.rests = false;
+    other.wake();
     other.is_woken = true;
-    other.write();
   }
 }
 
@@ -220,8 +220,7 @@ void Physics::Impl::wake() {
       if (below == kNobody || moving->rests == bodies[below]->rests) continue;
       Moving& sleeper = moving->rests ? *moving : *bodies[below];
       if (sleeper.is_guided()) continue;
-      sleeper.rests = false;
-      sleeper.write();
+      sleeper.wake();
       if (&sleeper != moving.get()) find_footings(below);
     }
   }
@@ -396,12 +395,12 @@ void Physics::step(double dt, world::Workers& workers) {
   constexpr std::size_t kGrain = 16;
   impl_->put_in();
   const auto& bodies = impl_->bodies;
-  bool has_vehicles = false, is_guided = false;
+  bool has_vehicles = false, has_guided = false;
   for (const auto& moving : bodies) {
     has_vehicles = has_vehicles || moving->is_vehicle();
-    is_guided = is_guided || (moving->is_guided() && !moving->rests);
+    has_guided = has_guided || (moving->is_guided() && !moving->rests);
   }
-  if (is_guided) {
+  if (has_guided) {
     impl_->find_supports();
     for (const auto& moving : bodies) {
       if (!moving->is_guided() || moving->rests) continue;
