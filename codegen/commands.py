@@ -10,8 +10,8 @@ from pathlib import Path
 
 from codegen.checks import SchemaError, documented, keys, one_of, typed, unique
 
-# Who may have a command carried out: everybody, and whoever has a right (playhouse/web_server/guests.h).
-RIGHTS = ("anybody", "drives", "joins", "manages")
+# Who may have a command carried out, and what the page calls them (playhouse/web_server/guests.h).
+RIGHTS = {"anybody": "everybody", "drives": "those who drive", "joins": "those who join", "manages": "those who manage"}
 PERSON_LETTERS = 24     # of a name at most
 
 

@@ -10,7 +10,6 @@ WEB_FILE = "web/src/protocol/generated/commands.ts"
 PAGE = "docs/viewer-commands.md"
 SOURCE = "viewer/commands.toml"
 NOTE = f"Generated from {SOURCE} by codegen (python3 -m codegen). Do not edit."
-MAY = {"anybody": "everybody", "drives": "those who drive", "joins": "those who join", "manages": "those who manage"}
 
 
 def emit(commands: list[Command]) -> dict[str, str]:
@@ -74,8 +73,8 @@ def _page(commands: list[Command]) -> str:
              "missing one or a number out of its range refuses the command with a notice; the sixteenth refusal closes the connection. Between two pictures (at least 33 ms, and a tick)",
              "64 messages are read; more wait, in order, on the way. What a viewer's role does not allow is refused with a notice ([guests.md](guests.md)). A command for a model that has",
              "gone meanwhile does nothing; one for a model that never was is refused.", ""]
-    for right in RIGHTS:
-        lines += [f"## Of {MAY[right]}", "", "| command | what it does | keys |", "|---|---|---|"]
+    for right, people in RIGHTS.items():
+        lines += [f"## Of {people}", "", "| command | what it does | keys |", "|---|---|---|"]
         for c in (c for c in commands if c.may == right):
             keys = "; ".join(f"`{f.name}`: {f.type.range}" for f in c.fields)
             lines.append(f"| `{c.example()}` | {c.doc} | {keys} |")

@@ -28,8 +28,12 @@ inline std::string pose(const geom::Pose& X) {
   return fmt::format("[{},{},{},{}]", number(X.x), number(X.y), number(X.z), number(X.a));
 }
 
+inline std::string triple(double a, double b, double c) {
+  return fmt::format("[{},{},{}]", number(a), number(b), number(c));
+}
+
 inline std::string size(const geom::Size& s) {
-  return fmt::format("[{},{},{}]", number(s.x), number(s.y), number(s.z));
+  return triple(s.x, s.y, s.z);
 }
 
 inline std::string color(const scene::Color& c) {

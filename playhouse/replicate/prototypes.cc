@@ -68,17 +68,13 @@ std::size_t row_of(const std::shared_ptr<const mesh::Mesh>& mesh, Meshes& meshes
   return meshes.size() - 1;
 }
 
-std::string three(const geom::Vec3& v) {
-  return fmt::format("[{},{},{}]", number(v.x), number(v.y), number(v.z));
-}
-
 /// A light of a mesh that has a place.
 std::string light(const mesh::Light& light) {
-  std::string text = fmt::format(R"({{"p":{},"candela":{})", three(light.p),
-                                 three({light.color[0], light.color[1], light.color[2]}));
+  std::string text = fmt::format(R"({{"p":{},"candela":{})", triple(light.p.x, light.p.y, light.p.z),
+                                 triple(light.color[0], light.color[1], light.color[2]));
   if (light.kind == mesh::LightKind::kSpot)
-    text += fmt::format(R"(,"way":{},"inner":{},"outer":{})", three(light.d), number(light.inner),
-                        number(light.outer));
+    text += fmt::format(R"(,"way":{},"inner":{},"outer":{})", triple(light.d.x, light.d.y, light.d.z),
+                        number(light.inner), number(light.outer));
   return text + "}";
 }
 

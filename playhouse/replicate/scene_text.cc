@@ -35,9 +35,6 @@ std::string light_text(const world::World& world) {
   if (!world.has_light) return "null";
   const scene::SceneDesc& scene = world.scene();
   const scene::Daylight light = scene::daylight_of(scene);
-  const auto triple = [](double a, double b, double c) {
-    return fmt::format("[{},{},{}]", number(a), number(b), number(c));
-  };
   return fmt::format(
       R"({{"to_sun":{},"sun":{},"ambient":{},"day":{},"white_lux":{},"sky":{},"fog":{},"visibility":{},"floor":{}}})",
       triple(light.to_sun.x, light.to_sun.y, light.to_sun.z), number(light.sun), number(light.ambient),
