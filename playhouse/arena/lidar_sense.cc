@@ -235,7 +235,7 @@ void LidarSense::keep_echo(const Look& look, std::size_t k, Scratch& scratch) co
   const LightEcho echo = echo_of(scene_, {look.world, optics_}, beam, met, sensor.weakest);
   if (!echo.is_noticed) return;
   Rng rng(look.world.seed(), look.tick,
-          {Purpose::kLidarEcho, look.world.id(look.model).value, ray.sensor, ray.sample});
+          {Purpose::kLidarEcho, look.world.serial(look.model), ray.sensor, ray.sample});
   const double range = echo.range + sensor.noise_weak * sensor.weakest / echo.power * rng.gaussian();
   if (range >= scratch.range[ray.beam]) return;
   scratch.range[ray.beam] = range;

@@ -21,29 +21,29 @@ enum class Purpose : std::uint64_t {
   kStartSpot = 0,      // entity: robot of a scenario; this and the next two with seed 2026 at tick 0
   kStartOrder = 1,     // entity: place in the order
   kStartHeading = 2,   // entity: robot of a scenario
-  kController = 3,     // entity: id of a model; part: which of its controllers
-  kBeamBearing = 4,    // entity: id of a ranger; part: which of its sensors; detail: beam of the sensor
-  kRangeNoise = 5,     // entity: id of a ranger; part: which of its sensors
-  kOdometryError = 6,  // entity: id of a model; at tick 0
+  kController = 3,     // entity: a model; part: which of its controllers
+  kBeamBearing = 4,    // entity: a ranger; part: which of its sensors; detail: beam of the sensor
+  kRangeNoise = 5,     // entity: a ranger; part: which of its sensors
+  kOdometryError = 6,  // entity: a model; at tick 0
   kColor = 7,          // entity: model; with seed 0 at tick 0
   kSequence = 8,       // Rng(seed): numbers that belong to no run
   kTestScene = 9,      // entity: robot
-  kFading = 10,        // entity: id of a radio; part: id of the one that it hears
-  kAgentPlace = 11,    // entity: id of a model; detail: how often it has been placed
-  kPixel = 12,         // entity: id of a camera
-  kEcho = 13,          // entity: id of a detector; part: which of its beams
-  kDetection = 14,     // entity: id of a detector; part: id of the top of what it may notice
-  kCustomAct = 15,     // entity: id of a custom model
+  kFading = 10,        // entity: a radio; part: the one that it hears
+  kAgentPlace = 11,    // entity: a model; detail: how often it has been placed
+  kPixel = 12,         // entity: a camera
+  kEcho = 13,          // entity: a detector; part: which of its beams
+  kDetection = 14,     // entity: a detector; part: the top of what it may notice
+  kCustomAct = 15,     // entity: a custom model
   kCustomSense = 16,   // the same
-  kMessageLoss = 17,   // entity: id of a radio; part: id of the one that sends; detail: which of its messages
-  kInertia = 18,       // entity: id of an imu
-  kFix = 19,           // entity: id of a gps
-  kLidarEcho = 20,     // entity: id of a ranger; part: which of its sensors; detail: beam of all its rings
+  kMessageLoss = 17,   // entity: a radio; part: the one that sends; detail: which of its messages
+  kInertia = 18,       // entity: an imu
+  kFix = 19,           // entity: a gps
+  kLidarEcho = 20,     // entity: a ranger; part: which of its sensors; detail: beam of all its rings
   kCount
 };
 
 /// A sequence of numbers of its own in every tick of a run: what for, and for whom (and which part of it).
-/// Models are named by id, which no other model that comes or goes changes.
+/// Models are named by serial number (world/serials.h), which no spawn or removal changes.
 struct Stream {
   Purpose purpose;
   std::uint32_t entity = 0, part = 0, detail = 0;

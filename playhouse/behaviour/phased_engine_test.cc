@@ -43,7 +43,7 @@ class Neighbour final : public world::Decider {
       world::set_say(world, {i}, std::string(world.tick() + 1, '!'));
     }
   }
-  void hash(Hash&) const override {}
+  void hash(const world::World&, Hash&) const override {}
   Result<void> save(Packer&) const override { return {}; }
   bool load(world::World&, Unpacker&) override { return true; }
 

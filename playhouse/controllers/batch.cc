@@ -120,11 +120,11 @@ void Batch::join_late(World& world, const Post& post) {
              joined.error().line());
 }
 
-void Batch::hash(Hash& hash) const {
+void Batch::hash(const World& world, Hash& hash) const {
   std::uint64_t sum = 0;
   for (std::size_t i = 0; i < ids_.size(); ++i) {
     Hash one;
-    one.add(std::uint64_t{ids_[i].value});
+    one.add(std::uint64_t{world.serial(ids_[i])});
     hash_of(i, one);
     sum += one.value();
   }

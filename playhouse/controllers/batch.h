@@ -37,7 +37,7 @@ class Batch : public world::Decider {
   std::string_view name() const final { return name_; }
   std::size_t size() const final { return ids_.size(); }
   void follow(world::World& world) final;
-  void hash(Hash& hash) const final;
+  void hash(const world::World& world, Hash& hash) const final;
   Result<void> save(Packer& out) const final;
   bool load(world::World& world, Unpacker& in) final;
 

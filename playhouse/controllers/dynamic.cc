@@ -44,7 +44,7 @@ Result<void> Dynamic::join(world::World& world, const Post& post) {
   if (part == descs.end()) return Error{{}, "the scene does not describe its parts"};
   part_ = static_cast<std::uint32_t>(part - descs.begin());
   model_.push_back(world.row(post.model));
-  stream_.push_back({Purpose::kController, post.model.value, post.order});
+  stream_.push_back({Purpose::kController, world.serial(post.model), post.order});
   done_.push_back(0);
   return {};
 }

@@ -75,7 +75,7 @@ Result<void> Expand::join(world::World& world, const Post& post) {
   const std::vector<float> bearings = bearings_of(world, model, ranger);
   PLAYHOUSE_ASSERT(bearings.size() == beam_count(world, ranger));
   ring_.push_back(ring_of(bearings));
-  stream_.push_back({Purpose::kController, post.model.value, post.order});
+  stream_.push_back({Purpose::kController, world.serial(post.model), post.order});
   seen_.push_back(0);
   robot_.emplace_back();
   ranger_.emplace_back();

@@ -12,7 +12,7 @@ Result<void> LaserNoise::join(world::World& world, const Post& post) {
   if (world.models.kind[model.index] != scene::ModelKind::kRanger)
     return Error{{}, "needs to be on a ranger"};
   ranger_.push_back({world.models.part[model.index]});
-  stream_.push_back({Purpose::kController, post.model.value, post.order});
+  stream_.push_back({Purpose::kController, world.serial(post.model), post.order});
   return {};
 }
 

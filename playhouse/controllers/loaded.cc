@@ -55,7 +55,7 @@ Result<void> Loaded::join(World& world, const Post& post) {
   seat->id = post.model;
   seat->controller_name = post.name;
   seat->arguments = post.arguments;
-  seat->stream = {Purpose::kController, post.model.value, post.order};
+  seat->stream = {Purpose::kController, world.serial(post.model), post.order};
   find_rows(world, *seat);
   seat->name = world.name(seat->model);
   seat->seen.assign(seat->ranger_rows.size(), 0);

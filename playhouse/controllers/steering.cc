@@ -74,7 +74,7 @@ Result<void> Steering::join(world::World& world, const Post& post) {
   world::subscribe_controller(world, model);
   world::subscribe_controller(world, world.rangers.model[world.sensors.ranger[sensor.index].index]);
 
-  stream_.push_back({Purpose::kController, post.model.value, post.order});
+  stream_.push_back({Purpose::kController, world.serial(post.model), post.order});
   seen_.push_back(0);
   avoiding_.push_back(0);
   turn_.push_back(0);

@@ -66,7 +66,7 @@ class OneTickLate final : public world::Decider {
   void decide(world::World& world, std::size_t begin, std::size_t end) override {
     for (std::size_t i = begin; i < end; ++i) std::swap(world.positions.command[i], held_[i]);
   }
-  void hash(Hash&) const override {}
+  void hash(const world::World&, Hash&) const override {}
   Result<void> save(Packer&) const override { return Error{{}, "is for tests"}; }
   bool load(world::World&, Unpacker&) override { return false; }
 

@@ -48,7 +48,7 @@ void expose(world::World& world, std::uint32_t camera, std::uint64_t tick, const
   const scene::CameraDesc& desc = *world.desc(model).camera;
   std::vector<world::Pixel>& pixels = world.cameras.pixels[camera];
   pixels.resize(scene::pixels_of(desc));
-  Rng rng(world.seed(), tick, {Purpose::kPixel, world.id(model).value});
+  Rng rng(world.seed(), tick, {Purpose::kPixel, world.serial(model)});
   const double deviation = desc.image == ImageKind::kSegmentation ? 0 : 255 * desc.noise_value;
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     std::uint32_t& sample = pixels[i].sample;

@@ -112,7 +112,7 @@ class Look {
 
  private:
   Rng draw(Purpose purpose, std::uint32_t part) const {
-    return Rng(world_.seed(), tick_, {purpose, world_.id(model_).value, part});
+    return Rng(world_.seed(), tick_, {purpose, world_.serial(model_), part});
   }
 
   /// Which bodies a line meets that rises by `slope`, the nearest first. One in which it begins is not met.
@@ -157,7 +157,7 @@ class Look {
   bool note(std::uint32_t model, double range, double level, std::uint32_t bodies, const Rotation& ahead) {
     const std::uint32_t root = world_.models.root[model];
     const world::ModelId target = world_.id({root});
-    if (detector_.miss > 0 && draw(Purpose::kDetection, target.value).uniform() < detector_.miss)
+    if (detector_.miss > 0 && draw(Purpose::kDetection, world_.serial(target)).uniform() < detector_.miss)
       return false;
     auto found = std::ranges::find(scratch_.found, root, &Found::root);
     if (found == scratch_.found.end()) {
@@ -184,7 +184,7 @@ class Look {
     finds.clear();
     for (const Found& found : scratch_.found) {
       Detection& told = finds.emplace_back(found.told);
-      Rng rng = draw(Purpose::kDetection, told.target.value);
+      Rng rng = draw(Purpose::kDetection, world_.serial(told.target));
       rng.bits();  // whether it was noticed
       told.range = with_error(told.range, rng);
       told.bearing = geom::atan2(found.sin, found.cos);

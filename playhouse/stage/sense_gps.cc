@@ -55,7 +55,7 @@ void GpsSense::measure(world::World& world, std::uint32_t row, std::uint64_t tic
   const scene::GpsDesc& gps = *world.desc(model).gps;
   const geom::SpatialPose X_WB = body_pose(world, model);
   const Vec3 p{X_WB.X.x, X_WB.X.y, X_WB.X.z};
-  Rng rng(world.seed(), tick, {Purpose::kFix, world.id(model).value});
+  Rng rng(world.seed(), tick, {Purpose::kFix, world.serial(model)});
   const bool is_first = receivers.noted_tick[row] == 0;
   const double dt = static_cast<double>(tick - receivers.noted_tick[row]) * world.scene().interval;
   const double kept = is_first ? 0 : decay(dt / gps.drift_time), drawn = std::sqrt(1 - kept * kept);

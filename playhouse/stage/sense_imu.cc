@@ -97,7 +97,7 @@ void ImuSense::measure(world::World& world, std::uint32_t row, std::uint64_t tic
   const world::ModelRow model = imus.model[row];
   const scene::ImuDesc& imu = *world.desc(model).imu;
   const geom::SpatialPose X_WB = body_pose(world, model);
-  Rng rng(world.seed(), tick, {Purpose::kInertia, world.id(model).value});
+  Rng rng(world.seed(), tick, {Purpose::kInertia, world.serial(model)});
   const bool is_first = imus.noted_tick[row] == 0;
   const std::uint64_t ticks = is_first ? 1 : tick - imus.noted_tick[row];
   if (is_first) begin(world, row, X_WB, rng);

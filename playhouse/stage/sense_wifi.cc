@@ -114,7 +114,7 @@ class WifiSense final : public SensePhase {
       const world::WifiRow sender{world.models.part[world.row(link.station).index]};
       std::uint32_t number = 0;
       world::each_message(world::outgoing_of(wifis, sender), [&](const auto& message, auto bytes) {
-        const Stream lost{Purpose::kMessageLoss, world.id(model).value, link.station.value, number++};
+        const Stream lost{Purpose::kMessageLoss, world.serial(model), world.serial(link.station), number++};
         const bool is_for_it = !message.station || message.station == world.id(model);
         if (is_for_it && !is_lost(radio_of(world, model), Rng(world.seed(), tick, lost)))
           world::receive_message(wifis, {row}, link.station, bytes);
@@ -146,7 +146,7 @@ class WifiSense final : public SensePhase {
       if (radio.propagation == scene::Propagation::kRaytrace)
         level -= radio.wall_factor * walls_between(space, X_WM, X_WS, bit(Observer::kRadio), crossed);
       if (radio.fading > 0) {
-        Rng rng(world.seed(), tick, {Purpose::kFading, world.id(model).value, world.id(other).value});
+        Rng rng(world.seed(), tick, {Purpose::kFading, world.serial(model), world.serial(other)});
         level += radio.fading * rng.gaussian();
       }
       if (level >= radio.sensitivity) links.push_back({world.id(other), level, link_quality(radio, level)});

@@ -33,7 +33,7 @@ CustomModel custom_model(const World& world, CustomRow custom, std::uint64_t tic
           .dt = world.scene().interval,
           .used = is_used(world, model),
           .command = world.customs.command[custom.index],
-          .random = Rng(world.seed(), tick, {purpose, world.id(model).value})};
+          .random = Rng(world.seed(), tick, {purpose, world.serial(model)})};
 }
 
 void begin_custom(World& world, CustomRow custom) {

@@ -50,8 +50,8 @@ class Decider {
     static_cast<void>(world), static_cast<void>(begin), static_cast<void>(end);
   }
 
-  /// Adds what a later tick depends on; part of World::hash(). A sum over robots.
-  virtual void hash(Hash& hash) const = 0;
+  /// Adds what a later tick depends on; part of World::hash(). A sum over robots, named by serial number.
+  virtual void hash(const World& world, Hash& hash) const = 0;
 
   /// Writes what a later tick depends on. Fails where a controller cannot say.
   virtual Result<void> save(Packer& out) const = 0;

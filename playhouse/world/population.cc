@@ -106,6 +106,7 @@ Error no_model() {
 void Population::clear() {
   each_column([](const auto&, auto& values) { values.clear(); }, world_);
   world_.next_id_ = 0;
+  world_.serials_.clear();
   world_.corners_ = world_.pixels_ = 0;
   world_.given_.clear();
   world_.names_known_ = false;

@@ -25,8 +25,8 @@ Result<ModelId> spawn(World& world, std::uint32_t prototype, const geom::Pose& X
 /// have ("r0~3" for "r0~2").
 std::string fresh_name(const World& world, std::string_view like);
 
-/// Another tree like the one that a model is in, with the color and mark that its top has now; at X_WM, but as
-/// high as that. An empty name stands for a fresh one. Gives and fails as spawn().
+/// Another tree like the one that a model is in, with the color and mark that its top has now; at X_WM, but
+/// as high as that. An empty name stands for a fresh one. Gives and fails as spawn().
 Result<ModelId> spawn_like(World& world, ModelRow model, geom::Pose X_WM, std::string name = {});
 
 /// Takes a top-level model and all its own parts out of the world; what was attached to it stays where it
@@ -36,8 +36,9 @@ Result<void> despawn(World& world, ModelId model);
 /// none, is a part, or is named twice.
 Result<void> despawn(World& world, std::span<const ModelId> models);
 
-/// Makes a top-level model a part of another tree, at X_PC in `parent` and upright in that. Fails where the parent is in the
-/// child's own tree, something in that drives or the child is fixed, or either does not exist.
+/// Makes a top-level model a part of another tree, at X_PC in `parent` and upright in that. Fails where the
+/// parent is in the child's own tree, something in that drives or the child is fixed, or either does not
+/// exist.
 Result<void> attach(World& world, ModelId child, ModelId parent, const geom::Pose& X_PC);
 
 /// Makes a model that was attached a top-level one again, where it is now. Fails for any other.
@@ -71,9 +72,11 @@ class Population {
 
   using Given = World::Given;
   std::uint32_t& next_id() { return world_.next_id_; }
+  Serials& serials() { return world_.serials_; }
   std::uint64_t& seed() { return world_.seed_; }
   std::map<ModelId, Given>& given() { return world_.given_; }
   static std::uint32_t next_id(const World& world) { return world.next_id_; }
+  static const Serials& serials(const World& world) { return world.serials_; }
   static const std::map<ModelId, Given>& given(const World& world) { return world.given_; }
   /// Completes what append() leaves open for the models from row `first` on.
   void settle(std::uint32_t first);

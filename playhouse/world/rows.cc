@@ -17,8 +17,8 @@ std::uint32_t count32(const std::vector<T>& column) {
   return static_cast<std::uint32_t>(column.size());
 }
 
-geom::Twist draw_odometry_error(std::uint64_t seed, ModelId model) {
-  Rng rng(seed, 0, {Purpose::kOdometryError, model.value});
+geom::Twist draw_odometry_error(const World& world, ModelRow model) {
+  Rng rng(world.seed(), 0, {Purpose::kOdometryError, world.serial(model)});
   geom::Twist error;
   error.x = rng.uniform(-0.015, 0.015);
   error.y = rng.uniform(-0.015, 0.015);
@@ -36,7 +36,7 @@ void fill_row(World& world, Positions& positions, const scene::ModelDesc& model,
   positions.command.back() = desc.velocity;
   positions.X_OM.back() = geom::compose(geom::inverse(X_WO), X_WM);
   positions.X_WO.back() = X_WO;
-  positions.odom_error.back() = desc.odom_error.value_or(draw_odometry_error(world.seed(), world.id(row)));
+  positions.odom_error.back() = desc.odom_error.value_or(draw_odometry_error(world, row));
   positions.motor_on.back() = 1;
 }
 

@@ -13,7 +13,7 @@ namespace playhouse::world {
 namespace {
 
 constexpr std::string_view kMagic = "playhouse saved run ";
-constexpr std::string_view kVersion = "3\n";
+constexpr std::string_view kVersion = "4\n";
 constexpr std::size_t kHeadBytes = kMagic.size() + kVersion.size() + 8;  // and the hash of what follows
 
 std::uint64_t hash_of(std::span<const std::byte> bytes) {

@@ -12,6 +12,7 @@
 #include "playhouse/base/limits.h"
 #include "playhouse/base/packing.h"
 #include "playhouse/world/columns.h"
+#include "playhouse/world/hash_values.h"
 #include "playhouse/world/population.h"
 #include "playhouse/world/radio_messages.h"
 #include "playhouse/world/speech.h"
@@ -167,13 +168,15 @@ bool is_tree(const Census& census, std::size_t top, const scene::SceneDesc& scen
   return true;
 }
 
-Result<void> check(const Census& census, std::uint32_t next_id, const scene::SceneDesc& scene) {
+Result<void> check(const Census& census, std::uint32_t next_id, const Serials& serials,
+                   const scene::SceneDesc& scene) {
   const std::size_t count = census.id.size();
   if (census.desc.size() != count || census.parent.size() != count)
     return damaged("its columns differ in length");
   for (std::size_t row = 0; row < count; ++row) {
     if (row > 0 && census.id[row] <= census.id[row - 1]) return damaged("its models are out of order");
-    if (census.id[row].value >= next_id) return damaged("a model has an id that was never given");
+    if (census.id[row].value >= next_id || serials.is_in_gap(census.id[row]))
+      return damaged("a model has an id that was never given");
     if (census.desc[row] >= scene.models.size()) return damaged("a model is none of its scene");
   }
   for (std::size_t top = 0, size = 0; top < count; top += size)
@@ -231,6 +234,7 @@ class Loader {
     }
     tick_ = in_.u64();
     next_id_ = in_.u32();
+    if (!read_gaps()) return damaged("a gap of its ids is none");
     const std::uint64_t given = in_.varint();
     if (!in_.ok() || given > in_.left()) return damaged("it ends too early");
     if (tick_ > kTicksMost) return damaged("its time is out of range");
@@ -244,14 +248,25 @@ class Loader {
     return {};
   }
 
+  bool read_gaps() {
+    const std::uint64_t count = in_.varint();
+    if (!in_.ok() || count > in_.left()) return false;
+    for (std::uint64_t i = 0; i < count; ++i) {
+      const std::uint32_t begin = in_.u32(), end = in_.u32();
+      if (!in_.ok() || end >= next_id_ || !serials_.add({begin, end})) return false;
+    }
+    return true;
+  }
+
   Result<void> read_population() {
     Census census;
     Result<void> read = get_column(in_, "models.id", census.id);
     if (read) read = get_column(in_, "models.desc", census.desc);
     if (read) read = get_column(in_, "models.parent_id", census.parent);
-    if (read) read = check(census, next_id_, world_.scene());
+    if (read) read = check(census, next_id_, serials_, world_.scene());
     if (!read) return read;
     population_.clear();
+    population_.serials() = std::move(serials_);
     if (const Result<void> room = population_.check_room(census.desc); !room) return room;
     for (std::size_t row = 0; row < census.id.size(); ++row)
       population_.append(census.id[row], census.desc[row], {}, {});
@@ -340,12 +355,20 @@ class Loader {
   std::optional<std::uint64_t> seed_;  // in place of the state's
   std::uint64_t tick_ = 0;
   std::uint32_t next_id_ = 0;
+  Serials serials_;
   std::map<ModelId, Population::Given> given_;
 };
 
-std::uint64_t hash_of(const Decider& decider) {
+template <typename T>
+std::uint64_t hash_of(const World& world, const T& value) {
   Hash hash;
-  decider.hash(hash);
+  add_value(hash, world, value);
+  return hash.value();
+}
+
+std::uint64_t hash_of(const World& world, const Decider& decider) {
+  Hash hash;
+  decider.hash(world, hash);
   return hash.value();
 }
 
@@ -358,7 +381,8 @@ std::optional<std::string> differing_column(const World& a, const World& b, std:
       [&](const auto& column, const auto& values_a, const auto& values_b, Range range) {
         if (found || !(is_done(column.role) || (sensed && column.role == Role::kSensed))) return;
         bool same = range.end <= values_b.size();
-        for (std::uint32_t i = range.begin; same && i < range.end; ++i) same = values_a[i] == values_b[i];
+        for (std::uint32_t i = range.begin; same && i < range.end; ++i)
+          same = hash_of(a, values_a[i]) == hash_of(b, values_b[i]);
         if (!same) found = column.name;
       },
       a, b);
@@ -376,6 +400,12 @@ Result<void> save_state(const World& world, std::vector<std::byte>& bytes) {
   out.u64(world.seed());
   out.u64(world.tick());
   out.u32(Population::next_id(world));
+  const std::span<const Serials::Gap> gaps = Population::serials(world).gaps();
+  out.varint(gaps.size());
+  for (const Serials::Gap& gap : gaps) {
+    out.u32(gap.begin);
+    out.u32(gap.end);
+  }
   const auto& given = Population::given(world);
   out.varint(given.size());
   for (const auto& [id, entry] : given) {
@@ -412,7 +442,7 @@ std::optional<Difference> first_difference(const World& a, const World& b) {
   if (a.tick() != b.tick()) return Difference{{}, "tick"};
   const std::size_t rows = std::min(a.models.size(), b.models.size());
   for (std::uint32_t row = 0; row < rows; ++row) {
-    if (a.models.id[row] != b.models.id[row])
+    if (a.serial(ModelRow{row}) != b.serial(ModelRow{row}))
       return Difference{std::min(a.models.id[row], b.models.id[row]), "models.id"};
     if (std::optional<std::string> column = differing_column(a, b, row))
       return Difference{a.models.id[row], std::move(*column)};
@@ -422,7 +452,7 @@ std::optional<Difference> first_difference(const World& a, const World& b) {
     return Difference{longer.models.id[rows], "models.id"};
   }
   for (std::size_t i = 0; i < std::min(a.deciders.size(), b.deciders.size()); ++i)
-    if (hash_of(*a.deciders[i]) != hash_of(*b.deciders[i]))
+    if (hash_of(a, *a.deciders[i]) != hash_of(b, *b.deciders[i]))
       return Difference{{}, fmt::format("controller {}", a.deciders[i]->name())};
   if (a.hash() != b.hash()) return Difference{{}, "hash"};
   return std::nullopt;

@@ -6,35 +6,18 @@
 #include <type_traits>
 
 #include "playhouse/base/assert.h"
-#include "playhouse/base/hash.h"
 #include "playhouse/base/limits.h"
 #include "playhouse/scene/actuator.h"
 #include "playhouse/world/columns.h"
+#include "playhouse/world/hash_values.h"
 #include "playhouse/world/population.h"
 #include "playhouse/world/rows.h"
 #include "playhouse/world/speech.h"
-#include "playhouse/world/values.h"
 
 namespace playhouse::world {
 namespace {
 
 constexpr std::uint32_t kNone = ModelRow::kNone;
-
-template <typename T>
-void add(Hash& hash, const T& value) {
-  if constexpr (kIsList<T>) {
-    hash.add(std::uint64_t{value.size()});
-    for (const auto& element : value) add(hash, element);
-  } else {
-    each_number(value, [&](auto number) {
-      if constexpr (std::is_floating_point_v<decltype(number)>) {
-        hash.add(number);
-      } else {
-        hash.add(static_cast<std::uint64_t>(number));
-      }
-    });
-  }
-}
 
 /// Memory that a value has elsewhere. [bytes]
 template <typename T>
@@ -260,13 +243,13 @@ ModelRow World::find(std::string_view name) const {
 template <typename Choose>
 std::uint64_t World::hash_of(std::uint32_t model, const Choose& is_in) const {
   Hash hash;
-  add(hash, models.id[model]);
+  add_value(hash, *this, models.id[model]);
   each_value_of(
       *this, model,
       [&](const auto& column, const auto& values, Range range) {
         if (!is_in(column)) return;
-        if (static_cast<const void*>(&values) == &models.desc) return add(hash, like({model}));
-        for (std::uint32_t i = range.begin; i < range.end; ++i) add(hash, values[i]);
+        if (static_cast<const void*>(&values) == &models.desc) return hash.add(std::uint64_t{like({model})});
+        for (std::uint32_t i = range.begin; i < range.end; ++i) add_value(hash, *this, values[i]);
       },
       *this);
   return hash.value();
@@ -276,7 +259,7 @@ std::uint64_t World::hash() const {
   Hash hash;
   hash.add(seed_);
   hash.add(tick_);
-  hash.add(std::uint64_t{next_id_});
+  hash.add(std::uint64_t{serial(ModelId{next_id_})});
   std::uint64_t sum = 0;
   for (std::uint32_t model = 0; model < models.size(); ++model) {
     const bool sensed = models.controllers[model] > 0;
@@ -285,7 +268,7 @@ std::uint64_t World::hash() const {
     });
   }
   hash.add(sum);
-  for (const std::unique_ptr<Decider>& decider : deciders) decider->hash(hash);
+  for (const std::unique_ptr<Decider>& decider : deciders) decider->hash(*this, hash);
   return hash.value();
 }
 

@@ -19,6 +19,7 @@
 #include "playhouse/world/custom_kind.h"
 #include "playhouse/world/decider.h"
 #include "playhouse/world/generated/tables.h"
+#include "playhouse/world/serials.h"
 
 namespace playhouse::world {
 
@@ -58,6 +59,9 @@ class World : public Tables {
   std::uint64_t said() const { return said_; }
 
   ModelId id(ModelRow row) const { return models.id[row.index]; }
+  /// Serial number of a model, for streams of random numbers and whatever else depends on identity by value.
+  std::uint32_t serial(ModelId id) const { return serials_.of(id); }
+  std::uint32_t serial(ModelRow row) const { return serials_.of(models.id[row.index]); }
   /// None if there is no such model, or no more.
   ModelRow row(ModelId id) const;
   /// Row of a robot's drive; none if there is no such model, no more, or it does not drive.
@@ -138,6 +142,7 @@ class World : public Tables {
   std::vector<std::uint32_t> first_like_;   // id of the first model of each description of the scene
   std::uint64_t seed_;
   std::uint32_t next_id_ = 0;
+  Serials serials_;
   std::size_t corners_ = 0;  // of all bodies
   std::size_t pixels_ = 0;   // of the images of all cameras
   std::uint64_t population_ = 0;

@@ -172,6 +172,32 @@ class LockStep(HouseTest):
                     self.assertEqual(seen, runs[again])
         self.assertNotEqual(runs[1], runs[5])
 
+    def test_an_episode_with_robots_that_come_is_that_of_a_fresh_program(self):
+        def episode(client):
+            world = client.simulation(0)
+            world.spawn("r1", 0.0, 2.0, 0.5, "extra")
+            extra = client.robot("extra")
+            laser, base = extra.laser, extra.position2d
+            seen = []
+            for _ in range(10):
+                base.drive(0.4, 0.2)
+                world.step()
+                seen.append((laser.timestamp, tuple(laser.ranges), base.pose))
+            return seen
+
+        ends, seen = [], []
+        for resets in (0, 3):
+            with self.run_house("--lock-step", "--seed", 5, "--duration", 1, "--json", world=self.world(ARENA)) as house:
+                with connect(f":{house.port()}", mode=Mode.PUSH, timeout=60) as client:
+                    for _ in range(resets):
+                        client.simulation(0).spawn("r0", 0.0, -2.0, 0.0)
+                        client.simulation(0).step()
+                        client.simulation(0).reset(5)
+                    seen.append(episode(client))
+                ends.append(json.loads(house.process.communicate(timeout=60)[0].splitlines()[-1])["hash"])
+        self.assertEqual(seen[0], seen[1])
+        self.assertEqual(ends[0], ends[1])
+
     def test_who_comes_after_a_new_start_is_taken_for_nobody_who_was_there_before(self):
         """A person at the page, and devices of robots, had ids in the run before."""
         person = (ROOT / "worlds" / "person.inc").read_text()

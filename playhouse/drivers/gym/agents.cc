@@ -158,7 +158,7 @@ void Agents::act() {
 void Agents::place(std::size_t i) {
   world::World& world = simulation_.engine().world();
   Agent& agent = agents_[i];
-  Rng rng(world.seed(), world.tick(), {Purpose::kAgentPlace, agent.model.value, 0, ++agent.placed});
+  Rng rng(world.seed(), world.tick(), {Purpose::kAgentPlace, world.serial(agent.model), 0, ++agent.placed});
   const std::size_t first = static_cast<std::size_t>(rng.uniform() * static_cast<double>(agents_.size()));
   for (std::size_t tried = 0; tried < agents_.size(); ++tried) {
     const geom::Pose& at = agents_[(first + tried) % agents_.size()].start;

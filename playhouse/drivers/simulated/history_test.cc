@@ -139,7 +139,7 @@ class Mute final : public world::Decider {
   std::size_t size() const override { return 0; }
   void follow(world::World&) override {}
   void decide(world::World&, std::size_t, std::size_t) override {}
-  void hash(Hash&) const override {}
+  void hash(const world::World&, Hash&) const override {}
   Result<void> save(Packer&) const override { return Error{"", "controller mute cannot be saved"}; }
   bool load(world::World&, Unpacker&) override { return false; }
 };

@@ -240,6 +240,22 @@ TEST(Simulation, gives_no_id_a_second_time_after_it_started_again) {
   EXPECT_LT(came[1], came[2]);
 }
 
+TEST(Simulation, is_after_a_new_start_the_run_of_a_fresh_one_also_where_models_come) {
+  const scene::SceneDesc scene = testing::scene_of(kRobot);
+  world::World fresh(scene, 7);
+  ASSERT_TRUE(world::spawn(fresh, 0, {1, 2, 0, 0}));
+  Simulation simulation(std::make_unique<testing::StillEngine>(scene),
+                        {.speed = 0, .duration = 0, .lock_step = LockStep::Options{}});
+  for (int run = 0; run < 3; ++run) {
+    simulation.post_to_all([&](world::World&) { EXPECT_TRUE(simulation.start_again(7)); });
+    simulation.post([](world::World& world) { EXPECT_TRUE(world::spawn(world, 0, {1, 2, 0, 0})); });
+    simulation.run();
+    const world::World& world = simulation.world();
+    EXPECT_EQ(world.hash(), fresh.hash());
+    EXPECT_EQ(world.positions.odom_error.back(), fresh.positions.odom_error.back());
+  }
+}
+
 TEST(Simulation, without_lock_step_keeps_no_start) {
   testing::StillSimulation still(kRobot);
   EXPECT_FALSE(still.simulation.start_again(1).ok());

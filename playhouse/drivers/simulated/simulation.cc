@@ -237,15 +237,17 @@ void Simulation::take_inbox() {
   show();
 }
 
-/// Who comes after the run was taken back, or began again, is nobody who came before: ids go on from where
-/// they were. The count itself is part of the state, so it stays as it is until somebody comes.
+/// After a rewind or a reset, ids go on from the highest that was ever given, so that none names two models.
+/// The gap is part of the state (world/serials.h), so it is made only by a change that spawns something.
 void Simulation::carry_out(const Change& change) {
-  world::World& world = engine_->world();
-  std::uint32_t& next_id = world::Population(world).next_id();
-  const std::uint32_t before = next_id;
-  const std::uint32_t raised = next_id = std::max(before, ids_given_);
-  change(world);
-  if (next_id == raised) next_id = before;
+  world::Population population(engine_->world());
+  const std::uint32_t before = population.next_id();
+  if (!population.serials().add({before, ids_given_})) return change(engine_->world());
+  population.next_id() = ids_given_;
+  change(engine_->world());
+  if (population.next_id() != ids_given_) return;
+  population.next_id() = before;
+  population.serials().remove_last();
 }
 
 /// Before another state of the run is loaded.

@@ -168,7 +168,7 @@ TEST(Simulation, has_controllers_know_who_came_before_anybody_saves_the_state) {
     std::size_t size() const override { return known; }
     void follow(world::World& world) override { known = world.models.size(); }
     void decide(world::World&, std::size_t, std::size_t) override {}
-    void hash(Hash&) const override {}
+    void hash(const world::World&, Hash&) const override {}
     Result<void> save(Packer&) const override { return {}; }
     bool load(world::World&, Unpacker&) override { return true; }
     std::size_t known = 0;
