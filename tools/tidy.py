@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Checks the rules of the tree that a compiler does not: which module may include which, headers that compile alone,
-names that say nothing, and calls that would make a run depend on more than its seed. Prints file:line: what; exit 1.
+names that say nothing, calls that would make a run depend on more than its seed, test scripts that do not run all of their tests. Prints file:line: what; exit 1.
 Without arguments only files that differ from main are checked; of all files those headers are not compiled that their own
 source file includes first, as the release's build, which precompiles nothing, has compiled them alone."""
 
@@ -86,6 +86,14 @@ def check_header(path):
         yield f"{path.relative_to(ROOT)}:1: does not compile alone: {first}"
 
 
+def check_test_script(path):
+    """Definitions behind unittest.main() never run."""
+    lines = path.read_text().splitlines()
+    calls = [number for number, line in enumerate(lines, 1) if line.strip() == "unittest.main()"]
+    if not calls or any(line and not line.startswith("#") for line in lines[calls[0]:]):
+        yield f"{path.relative_to(ROOT)}:{calls[0] if calls else 1}: a test script ends with unittest.main()"
+
+
 def changed():
     """What differs from main: committed on a branch, or not committed yet."""
     lists = [["git", "diff", "--name-only", "main..."], ["git", "diff", "--name-only", "HEAD"],
@@ -103,6 +111,7 @@ def main():
     findings = [finding for path in checked for finding in check_file(path)]
     findings += [f"playhouse/{path.name}:1: module without a rank in tools/tidy.py and ARCHITECTURE.md"
                  for path in sorted(SOURCE.iterdir()) if path.is_dir() and path.name not in RANK]
+    findings += [finding for path in sorted((ROOT / "tests").glob("*/test_*.py")) for finding in check_test_script(path)]
     headers = [path for path in checked if path.suffix == ".h" and not (check_all and is_compiled_alone(path))]
     with ThreadPoolExecutor(2) as pool:
         for found in pool.map(lambda path: list(check_header(path)), headers):

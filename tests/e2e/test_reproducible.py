@@ -107,10 +107,6 @@ class Reproducible(HouseTest):
                 self.assertEqual(self.hashes_of("--workers", 1, world=world), self.hashes_of("--workers", 4, world=world))
 
 
-if __name__ == "__main__":
-    unittest.main()
-
-
 # All robots of the program share its speed, so that the second run is another.
 FORGETFUL = """
 #include "playhouse/controllers/controller.h"
@@ -171,7 +167,7 @@ class Saved(HouseTest):
         other = self.saved.with_name("other.run")
         for content, why in ((b"", "no saved run"), (b"name \"x\"", "no saved run"), (whole[:15], "no saved run"),
                              (whole[:40], "cut"), (whole[:-1], "cut"), (whole + b"x", "damaged"),
-                             (whole.replace(b"run 2\n", b"run 1\n", 1), "version \"1\""),
+                             (whole.replace(b"saved run 4\n", b"saved run 1\n", 1), "version \"1\""),
                              (whole[:200] + bytes([whole[200] ^ 1]) + whole[201:], "damaged")):
             other.write_bytes(content)
             line = self.refused("--from", other)
@@ -199,9 +195,12 @@ class Saved(HouseTest):
         world = self.world('position( name "a" alwayson 1 )\nposition( name "b" alwayson 1 ctrl "forgetful" )\n')
         done = finish("verify", world, "--ticks", 20, program=release)
         self.assertEqual(done.returncode, 1, done.stderr)
-        self.assertIn('model "b" (id 1), column positions.command', done.stdout)
+        self.assertIn('model "b" (id 1), column models.X_PM', done.stdout)
         done = finish("run", world, "--port", 0, "--headless", "--fast", "--duration", 1, "--save-at", 1, self.saved,
                       program=release)
         self.assertEqual(done.returncode, 1)
         self.assertIn('controller "forgetful" of "b" cannot be saved', done.stderr)
 
+
+if __name__ == "__main__":
+    unittest.main()
