@@ -13,6 +13,8 @@ from codegen.checks import SchemaError, documented, keys, one_of, typed, unique
 # Who may have a command carried out, and what the page calls them (playhouse/web_server/guests.h).
 RIGHTS = {"anybody": "everybody", "drives": "those who drive", "joins": "those who join", "manages": "those who manage"}
 PERSON_LETTERS = 24     # of a name at most
+PERSON_SETS = ("A-Za-z", r"A-Za-z0-9_\-")   # its first character and the others, as patterns have them
+PERSON_RULE = "letters, digits, - and _, the first one a letter"
 
 
 @dataclass(frozen=True)
@@ -38,7 +40,7 @@ TYPES = {
     "flag": Type("bool {} = false", "truth", "boolean", True, "`true` or `false`"),
     "text": Type("std::string {}", "text", "string", "", "a text"),
     "person": Type("std::string {}", "person", "string", "Ada",
-                   f"1 to {PERSON_LETTERS} letters, digits, `-` and `_`, the first one a letter"),
+                   f"1 to {PERSON_LETTERS} {PERSON_RULE}"),
 }
 
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from codegen.commands import PERSON_LETTERS, RIGHTS, Command
+import re
+
+from codegen.commands import PERSON_LETTERS, PERSON_RULE, PERSON_SETS, RIGHTS, Command
 from codegen.emit_kinds_cpp import _comment, enumerator
 
 FOLDER = "playhouse/replicate/generated"
@@ -15,6 +17,7 @@ NOTE = f"Generated from {SOURCE} by codegen (python3 -m codegen). Do not edit."
 def emit(commands: list[Command]) -> dict[str, str]:
     """Path from the root of the tree -> content."""
     return {f"{FOLDER}/commands.h": _structs(commands), f"{FOLDER}/read_commands.cc": _reader(commands),
+            f"{FOLDER}/person_name.h": _person_name(),
             WEB_FILE: _typescript(commands), PAGE: _page(commands)}
 
 
@@ -42,11 +45,25 @@ def _read(field) -> str:
     return f'in.{function}("{field.name}"' + (f", {limit})" if limit else ")")
 
 
+def _person_name() -> str:
+    first, rest = (re.sub("[^ -~]|" + f"[^{PERSON_SETS[i]}]", "", "".join(map(chr, range(32, 127)))) for i in (0, 1))
+    lines = [f"// {NOTE}", "#pragma once", "", "/// The name of a person who joins a world: a word that names of models and clients can have.", "",
+             "#include <string_view>", "", "namespace playhouse::replicate {", "",
+             f"inline constexpr std::size_t kPersonNameBytes = {PERSON_LETTERS};",
+             f'inline constexpr std::string_view kPersonNameRule = "1 to {PERSON_LETTERS} {PERSON_RULE}";', "",
+             "constexpr bool is_person_name(std::string_view name) {",
+             f'  constexpr std::string_view kFirst = "{first}";',
+             f'  constexpr std::string_view kRest = "{rest}";',
+             "  return !name.empty() && name.size() <= kPersonNameBytes && kFirst.find(name[0]) != kFirst.npos &&",
+             "         name.find_first_not_of(kRest) == name.npos;", "}", "", "}  // namespace playhouse::replicate", ""]
+    return "\n".join(lines)
+
+
 def _reader(commands: list[Command]) -> str:
     words = ", ".join(f'"{c.word}"' for c in commands)
-    lines = [f"// {NOTE}", "", "#include <string_view>", "", '#include "playhouse/base/limits.h"', '#include "playhouse/base/nearest_word.h"',
+    lines = [f"// {NOTE}", "", "#include <string_view>", "", '#include "playhouse/base/nearest_word.h"',
              '#include "playhouse/replicate/command_members.h"', "", "namespace playhouse::replicate {", "",
-             f"static_assert(limits::kPersonNameBytes == {PERSON_LETTERS});", "", "Command read_command(Members& in) {",
+             "Command read_command(Members& in) {",
              f"  constexpr std::string_view kWords[] = {{{words}}};", '  const std::string_view word = in.word("do");']
     for c in commands:
         lines.append(f'  if (word == "{c.word}") {{')
@@ -63,7 +80,9 @@ def _typescript(commands: list[Command]) -> str:
     for c in commands:
         members = "".join(f"; {f.name}{'?' if f.type.optional else ''}: {f.type.typescript}" for f in c.fields)
         lines.append(f"  | {{ do: '{c.word}'{members} }}" + (";" if c is commands[-1] else ""))
-    lines += ["", "/** Letters that the name of a person has at most. */", f"export const kNameLetters = {PERSON_LETTERS};", ""]
+    pattern = f"[{PERSON_SETS[0]}][{PERSON_SETS[1]}]*".replace("\\", "\\\\")
+    lines += ["", "/** The name of a person: its longest, its pattern, and that in words. */", f"export const kNameLetters = {PERSON_LETTERS};",
+              f"export const kNamePattern = '{pattern}';", f"export const kNameRule = '{PERSON_RULE}';", ""]
     return "\n".join(lines)
 
 

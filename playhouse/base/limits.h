@@ -87,7 +87,6 @@ inline constexpr std::size_t kStreamTextBytes = 256u << 20;  // of one text to a
 inline constexpr std::size_t kObserverCommandBytes = 4096;   // of one text from an observer
 inline constexpr std::size_t kTokenBytes = 128;              // of a guest's token
 inline constexpr std::size_t kTokenBytesLeast = 8;           // of one that a file of guests gives
-inline constexpr std::size_t kPersonNameBytes = 24;          // of a guest's name, and of one who joins
 
 // The last minutes of a run that somebody watches (drivers/simulated/history.h).
 inline constexpr double kHistorySeconds = 600;            // simulated, back from the newest instant

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <boost/json.hpp>
 #include <cmath>
 #include <cstdint>
@@ -17,19 +16,11 @@
 #include "playhouse/base/limits.h"
 #include "playhouse/base/result.h"
 #include "playhouse/replicate/generated/commands.h"
+#include "playhouse/replicate/generated/person_name.h"
 
 namespace playhouse::replicate {
 
 inline constexpr double kWholeMost = 9007199254740992.0;  // whole numbers are exact up to here
-
-inline bool is_person_name(std::string_view name) {
-  const auto is_letter = [](unsigned char c) { return (c | 0x20) >= 'a' && (c | 0x20) <= 'z'; };
-  const auto fits = [&](unsigned char c) {
-    return is_letter(c) || (c >= '0' && c <= '9') || c == '-' || c == '_';
-  };
-  return !name.empty() && name.size() <= limits::kPersonNameBytes &&
-         is_letter(static_cast<unsigned char>(name[0])) && std::ranges::all_of(name, fits);
-}
 
 /// Reads the members of one object; the first fault sticks. Done with nothing left over.
 class Members {
@@ -45,18 +36,14 @@ class Members {
 
   std::string text(std::string_view key) { return std::string(word(key)); }
 
-  /// What a person may be called: a word that names of models and clients can have.
   std::string person(std::string_view key) {
     std::string name = text(key);
-    if (!is_person_name(name))
-      fault(fmt::format("{} must be 1 to {} letters, digits, - and _, the first one a letter", in_quotes(key),
-                        limits::kPersonNameBytes));
+    if (!is_person_name(name)) fault(fmt::format("{} must be {}", in_quotes(key), kPersonNameRule));
     return name;
   }
 
   double within(std::string_view key, double most) { return number(key, -most, most); }
   double up_to(std::string_view key, double most) { return number(key, 0, most); }
-
 
   std::uint32_t count(std::string_view key) { return static_cast<std::uint32_t>(whole(key, 4294967294.0)); }
 

@@ -11,6 +11,7 @@
 #include "playhouse/base/limits.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/net/fair_share.h"
+#include "playhouse/replicate/generated/person_name.h"
 
 namespace playhouse::web_server {
 namespace {
@@ -20,7 +21,7 @@ constexpr std::array<std::string_view, 4> kRoles = {"observer", "driver", "human
 bool is_letter(unsigned char c) {
   return (c | 0x20) >= 'a' && (c | 0x20) <= 'z';
 }
-/// Of tokens, which stand in links, and of names, which models and clients may have.
+/// Of tokens, which stand in links.
 bool is_word(std::string_view text) {
   return std::ranges::all_of(
       text, [](unsigned char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '-' || c == '_'; });
@@ -53,11 +54,7 @@ std::string fault_of(const std::vector<std::string_view>& words) {
                        limits::kTokenBytes);
   if (words.size() < 3) return {};
   if (token == "*") return "* is for everybody without a token, who cannot all have one name";
-  const std::string_view name = words[2];
-  if (name.size() > limits::kPersonNameBytes || !is_letter(static_cast<unsigned char>(name[0])) ||
-      !is_word(name))
-    return fmt::format("a name has 1 to {} letters, digits, - and _, the first one a letter",
-                       limits::kPersonNameBytes);
+  if (!replicate::is_person_name(words[2])) return fmt::format("a name is {}", replicate::kPersonNameRule);
   return {};
 }
 

@@ -33,7 +33,7 @@ TEST(Guests, faults_name_the_line_and_the_nearest_role) {
   EXPECT_EQ(fault("admin short"), "g.txt:1: a token has 8 to 128 letters, digits, - and _");
   EXPECT_EQ(fault("admin with/slash"), "g.txt:1: a token has 8 to 128 letters, digits, - and _");
   EXPECT_EQ(fault("human abcdefgh 7up"),
-            "g.txt:1: a name has 1 to 24 letters, digits, - and _, the first one a letter");
+            "g.txt:1: a name is 1 to 24 letters, digits, - and _, the first one a letter");
   EXPECT_EQ(fault("human abcdefgh Bob Smith"), "g.txt:1: more than role, token and name");
   EXPECT_EQ(fault("observer * Bob"),
             "g.txt:1: * is for everybody without a token, who cannot all have one name");

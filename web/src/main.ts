@@ -4,7 +4,7 @@ import { Eyes } from './drive/eyes';
 import { HeldKeys, handsOfAxes, sum, velocityOf, type Hands, type Velocity } from './drive/hands';
 import { Link, type LinkState } from './link';
 import { PicturePage } from './picture_page';
-import { type Command, kNameLetters } from './protocol/generated/commands';
+import { type Command, kNameLetters, kNamePattern, kNameRule } from './protocol/generated/commands';
 import type { Replica } from './protocol/replica';
 import { wheelsOf, type Joined, type People, type PhysicsShapes, type Scene } from './protocol/scene';
 import { Ask } from './ui/ask';
@@ -454,8 +454,7 @@ class Page {
     if (given !== undefined) return come(given);
     const taken = new Set(this.scene?.models.map(({ name }) => name));
     const free = freeName(localStorage.getItem(kNameKey) ?? 'visitor', taken, kNameLetters);
-    const rule = 'letters, digits, - and _, the first one a letter';
-    this.ask.open('Your name in this world', { value: free, pattern: '[A-Za-z][A-Za-z0-9_\\-]*', rule, most: kNameLetters }, (name) => {
+    this.ask.open('Your name in this world', { value: free, pattern: kNamePattern, rule: kNameRule, most: kNameLetters }, (name) => {
       if (name !== free) localStorage.setItem(kNameKey, name);
       come(name);
     });

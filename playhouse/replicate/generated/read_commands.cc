@@ -2,13 +2,10 @@
 
 #include <string_view>
 
-#include "playhouse/base/limits.h"
 #include "playhouse/base/nearest_word.h"
 #include "playhouse/replicate/command_members.h"
 
 namespace playhouse::replicate {
-
-static_assert(limits::kPersonNameBytes == 24);
 
 Command read_command(Members& in) {
   constexpr std::string_view kWords[] = {"ack", "look", "select", "physics", "drive", "join", "say", "pause", "resume", "step", "speed", "rewind", "drag", "add", "copy", "remove", "mute", "kick", "save"};

@@ -22,5 +22,7 @@ export type Command =
   | { do: 'kick'; viewer: number }
   | { do: 'save' };
 
-/** Letters that the name of a person has at most. */
+/** The name of a person: its longest, its pattern, and that in words. */
 export const kNameLetters = 24;
+export const kNamePattern = '[A-Za-z][A-Za-z0-9_\\-]*';
+export const kNameRule = 'letters, digits, - and _, the first one a letter';
