@@ -34,502 +34,505 @@ enum class ModelKind : std::uint8_t {
   kGps = 15,
 };
 
-/// A plain body; its words are those of every model, whatever its kind.
+/// A plain body. Models of every kind have its words.
 struct PlainDesc {
-  /// Where the model is in its parent. [frame X_PM, m, m, m, rad]
+  /// Pose in the parent. [frame X_PM, m, m, m, rad]
   geom::Pose X_PM;
-  /// Where body and sensors are, from the pose. [frame X_MB, m, m, m, rad]
+  /// Pose of the body and of the sensors, relative to the model's pose. [frame X_MB, m, m, m, rad]
   geom::Pose X_MB;
-  /// The box that the body fills; 0 in x or y is a wall 0.01 m thick. Else the kind's own. [m]
+  /// Bounding box that the body fills; 0 in x or y makes a wall 0.01 m thick. Else the kind's own. [m]
   geom::Size size;
-  /// The name of an X11 color, or random, which is the same in each run. Else the kind's own.
+  /// Name of an X11 color, or random, which is the same in every run. Else the kind's own.
   Color color;
-  /// It collides.
+  /// Collides with other models.
   bool obstacle_return = true;
-  /// The intensity that rangers report; below 0 they do not see it.
+  /// Intensity that rangers report; below 0 it is invisible to rangers.
   double ranger_return = 1;
-  /// The number that fiducial finders see; 0: none sees it.
+  /// Marker id that fiducial finders report; 0: no marker.
   int fiducial_return = 0;
-  /// Finders see marks of their own key only.
+  /// Finders detect only markers of their own key.
   int fiducial_key = 0;
-  /// Grippers see it, and take it up with all its parts: it has to be at the top level, and holds nothing
-  /// that drives.
+  /// Grippers can lift it, with all its parts: it must be a top-level model without a part that drives.
   bool gripper_return = false;
-  /// Driving it takes 10 W for each kg and m/s, and for each rad/s. In the plane nothing is pushed, so that
-  /// it means nothing else; it is kept for engines with forces. [kg]
+  /// Mass. Driving draws 10 W per kg and m/s, and per kg and rad/s. The stage engine has no dynamics and uses
+  /// it for nothing else; the arena does. [kg]
   double mass = 0;
-  /// How much its faces rub. In the plane nothing slides, so that it means nothing there, as in Stage; the
-  /// arena multiplies it with that of what it touches.
+  /// Friction coefficient of its surface. No effect in the stage engine and in Stage, where nothing slides;
+  /// the arena multiplies the coefficients of the two surfaces in contact.
   double friction = 0;
-  /// Shares of its friction along its x and y, in the arena: with [0.1 1] it slides along its x, as a sledge.
+  /// Fractions of its friction along its x and y, in the arena: with [0.1 1] it slides along its x, like a
+  /// sledge.
   double friction_x = 1;
   double friction_y = 1;
-  /// What it is made of, as "glass": a name that detectors may look for, or through.
+  /// Name of its material, as "glass"; detectors can match it in sees and through.
   std::string material;
-  /// How bright it shines, every way alike, in its color; a bulb of 60 W has 65. A lamp that can be switched
-  /// off shines while it is lit. For cameras of the arena engine, and a light for detectors. [cd]
+  /// Luminous intensity of an omnidirectional light in its color; a bulb of 60 W has 65. A lamp that can be
+  /// switched off shines while it is lit. Rendered by cameras of the arena engine; a light for detectors.
+  /// [cd]
   double lamp = 0;
-  /// Time between two measurements of a sensor, at least a tick. [s]
+  /// Measurement period of a sensor, at least one tick. [s]
   double update_interval = 0.1;
-  /// It moves or measures although nobody has opened it.
+  /// Moves and measures without a subscriber.
   bool alwayson = false;
-  /// A person may drag it in the page. Else 1, inside another model 0.
+  /// A viewer may drag it in the page. Else 1, inside another model 0.
   bool gui_move = false;
-  /// The page draws a point ahead of its body, as it does of everything that drives.
+  /// The page draws a point ahead of its body, as for every model that drives.
   bool gui_nose = false;
-  /// The page draws the edges of its box on the floor.
+  /// The page draws the edges of its bounding box on the floor.
   bool gui_outline = false;
-  /// The page draws a line per metre of its box.
+  /// The page draws a grid on its bounding box, one line per metre.
   bool gui_grid = false;
-  /// What it says at the start, in a bubble of the page: one line, of which 1024 bytes count. Controllers and
-  /// clients have it say something else.
+  /// Text that it says at the start, shown as a speech bubble in the page: one line, truncated to 1024 bytes.
+  /// Controllers and clients can change it.
   std::string say;
-  /// How many places of the past the page draws.
+  /// Number of past positions that the page draws.
   int trail_length = 20;
-  /// The controllers that drive it, each a name and its arguments.
+  /// Its controllers, each a name and arguments.
   std::vector<std::string> ctrl;
-  /// Power that it draws from its battery, or its parent's; kinds that say what they draw have that instead.
-  /// [W]
+  /// Power drawn from its battery, or its parent's. Kinds with a power consumption of their own use that
+  /// instead. [W]
   double watts = 0;
-  /// Energy in its battery, which is full of it; below 0 without end. Else no battery. [J]
+  /// Initial energy of its battery, and its capacity; below 0: infinite. Else no battery. [J]
   std::optional<double> joules;
-  /// Energy that its battery can hold; what does not fit is not in it. Else what is in it. [J]
+  /// Capacity of its battery; initial energy above it is discarded. Else the initial energy. [J]
   std::optional<double> joules_capacity;
-  /// As joules, in thousands; counts after both words in joules. Else no battery. [kJ]
+  /// As joules, in kJ; applied after joules and joules_capacity. Else no battery. [kJ]
   std::optional<double> kjoules;
-  /// As joules_capacity, in thousands; counts last. Else what is in it. [kJ]
+  /// As joules_capacity, in kJ; applied last. Else the initial energy. [kJ]
   std::optional<double> kjoules_capacity;
-  /// Power with which it charges others that touch it. [W]
+  /// Power with which it charges models in contact with it. [W]
   double give_watts = 0;
-  /// Power with which others may charge it. [W]
+  /// Power with which other models may charge it. [W]
   double take_watts = 0;
 
   friend bool operator==(const PlainDesc&, const PlainDesc&) = default;
 };
 
-/// How it can move.
+/// Drive model.
 enum class Drive : std::uint8_t { kDiff, kOmni, kWalk, kCar };
 
-/// What it believes about its pose.
+/// Source of its pose estimate.
 enum class Localization : std::uint8_t { kGps, kOdometry };
 
-/// A robot that drives in the plane.
+/// A mobile base: a robot that drives in the plane.
 struct PositionDesc {
-  /// How it can move.
+  /// Drive model.
   Drive drive = Drive::kDiff;
-  /// What it believes about its pose.
+  /// Source of its pose estimate.
   Localization localization = Localization::kGps;
-  /// Where in the world its coordinates begin. Else odom: the start pose, gps: 0 0 0 0. [frame X_WO, m, m, m,
-  /// rad]
+  /// Pose in the world of the origin of its pose estimate. Else odom: the start pose, gps: 0 0 0 0. [frame
+  /// X_WO, m, m, m, rad]
   std::optional<geom::Pose> localization_origin;
-  /// Its first command. [m/s, m/s, m/s, rad/s]
+  /// Initial command. [m/s, m/s, m/s, rad/s]
   geom::Twist velocity;
-  /// The least and the largest velocity along each axis. [m/s, m/s, m/s, rad/s]
+  /// Minimum and maximum velocity along each axis. [m/s, m/s, m/s, rad/s]
   Bounds velocity_bounds[4] = {{-1, 1}, {-1, 1}, {-1, 1}, {geom::radians(-90), geom::radians(90)}};
-  /// The same of accelerations, which count when a controller commands them. [m/s^2, m/s^2, m/s^2, rad/s^2]
+  /// Minimum and maximum acceleration along each axis, for commanded accelerations of controllers. [m/s^2,
+  /// m/s^2, m/s^2, rad/s^2]
   Bounds acceleration_bounds[4] = {{-1, 1}, {-1, 1}, {-1, 1}, {geom::radians(-90), geom::radians(90)}};
-  /// Of a car, from the front axle to the rear one. [m]
+  /// Distance between the front and the rear axle of a car. [m]
   double wheelbase = 1;
-  /// Errors of odometry along each axis, as fractions of the motion. Else drawn per robot: up to 0.015 in x
-  /// and y, 0.025 in heading.
+  /// Odometry errors along each axis, as fractions of the motion. Else drawn per robot: up to 0.015 in x and
+  /// y, 0.025 in heading.
   std::optional<geom::Twist> odom_error;
 
   friend bool operator==(const PositionDesc&, const PositionDesc&) = default;
 };
 
-/// A finder of marks: sees models with a fiducial_return and tells which they are and where.
+/// A fiducial finder: detects markers (models with a fiducial_return) and reports their ids and poses.
 struct FiducialDesc {
-  /// Nearer marks are not seen. [m]
+  /// Minimum range of detection. [m]
   double range_min = 0;
-  /// Farther marks are not seen. [m]
+  /// Maximum range of detection. [m]
   double range_max = 8;
-  /// Of farther marks the number cannot be told, and is 0. [m]
+  /// Maximum range of identification; the id of a marker beyond it is reported as 0. [m]
   double range_max_id = 5;
-  /// The field of view, half to each side. [rad]
+  /// Horizontal field of view, symmetric about the axis. [rad]
   double fov = geom::radians(180);
-  /// Marks are seen at any height.
+  /// Detects markers at any height.
   bool ignore_zloc = false;
 
   friend bool operator==(const FiducialDesc&, const FiducialDesc&) = default;
 };
 
-/// A camera that finds patches of a colour.
+/// A camera that reports regions of one color (blobs).
 struct BlobfinderDesc {
-  /// How many of the colors it looks for; 0: all that it names, and any color if it names none.
+  /// Number of colors, of those listed, that it detects; 0: all listed ones, and any color if none is listed.
   std::uint32_t colors_count = 0;
-  /// The names of the colors that it looks for.
+  /// Names of the colors that it detects.
   std::vector<Color> colors;
-  /// The size of the image. [px]
+  /// Image size. [px]
   double width = 80;
   double height = 60;
-  /// How far it sees. [m]
+  /// Maximum range. [m]
   double range = 12;
-  /// The field of view, half to each side. [rad]
+  /// Horizontal field of view, symmetric about the axis. [rad]
   double fov = geom::radians(60);
-  /// How far it is turned to the left. [rad]
+  /// Direction of view, positive to the left. [rad]
   double pan = 0;
 
   friend bool operator==(const BlobfinderDesc&, const BlobfinderDesc&) = default;
 };
 
-/// Switches that feel a touch.
+/// Contact switches.
 struct BumperDesc {
-  /// How many switches it has.
+  /// Number of switches.
   std::uint32_t bcount = 0;
-  /// The middle of the face of a switch, counted from 0, and where the face looks; without a number that of
-  /// all others. [frame X_BS, m, m, m, rad]
+  /// Centre of a switch's face and its outward direction, indexed from 0; without an index: of all other
+  /// switches. [frame X_BS, m, m, m, rad]
   std::vector<geom::Pose> X_BS;
-  /// The length of the face of a switch, counted from 0; without a number that of all others. [m]
+  /// Length of a switch's face, indexed from 0; without an index: of all other switches. [m]
   std::vector<double> blength;
 
   friend bool operator==(const BumperDesc&, const BumperDesc&) = default;
 };
 
-/// A lamp that can blink.
+/// A flashing lamp.
 struct BlinkenlightDesc {
-  /// Time from one flash to the next; 0: it burns steadily. [s]
+  /// Period of the flashes; 0: steady light. [s]
   double period = 1.0;
-  /// The share of the period in which it is lit, from its begin on; 1 or more: it burns steadily.
+  /// Fraction of the period in which it is lit, from the start of the period; 1 or more: steady light.
   double dutycycle = 1;
-  /// It is on at the start.
+  /// Switched on at the start.
   bool enabled = true;
 
   friend bool operator==(const BlinkenlightDesc&, const BlinkenlightDesc&) = default;
 };
 
-/// Whether the paddles are apart.
+/// Whether the paddles are open.
 enum class Paddles : std::uint8_t { kOpen, kClosed };
 
 /// Whether the paddles are raised.
 enum class Lift : std::uint8_t { kDown, kUp };
 
-/// Two paddles that close around a thing and carry it.
+/// A gripper: two paddles that close around an object and carry it.
 struct GripperDesc {
-  /// How large a paddle is, as fractions of the model's size.
+  /// Size of a paddle, as fractions of the model's size.
   double paddle_length = 0.66;
   double paddle_width = 0.1;
   double paddle_height = 0.4;
-  /// Whether the paddles are apart.
+  /// Whether the paddles are open.
   Paddles paddles = Paddles::kOpen;
   /// Whether the paddles are raised.
   Lift lift = Lift::kDown;
-  /// It closes by itself when something is between the paddles, and opens when nothing is.
+  /// Closes when an object is between the paddles, and opens when none is.
   bool autosnatch = false;
 
   friend bool operator==(const GripperDesc&, const GripperDesc&) = default;
 };
 
-/// How it moves.
+/// Type of joint.
 enum class ActuatorType : std::uint8_t { kLinear, kRotational };
 
-/// A joint that slides or turns, with what it carries.
+/// A prismatic or revolute joint that moves the models on it.
 struct ActuatorDesc {
-  /// How it moves.
+  /// Type of joint.
   ActuatorType type = ActuatorType::kLinear;
-  /// The direction in which it slides, of any length, in its own frame; [0 0 0] is ahead. It turns about z
+  /// Direction of sliding in its own frame, of any length; [0 0 0] is ahead. A revolute joint turns about z
   /// alone, to the right if z is negative.
   double axis_x = 0;
   double axis_y = 0;
   double axis_z = 0;
-  /// Where it stops at the lower end, counted from its pose. [m or rad]
+  /// Lower limit of travel, relative to its pose. [m or rad]
   double min_position = 0;
-  /// Where it stops at the upper end; where that is below the lower one, it does not move. [m or rad]
+  /// Upper limit of travel; if it is below the lower limit, the joint does not move. [m or rad]
   double max_position = 1;
-  /// How fast it can move. [m/s or rad/s]
+  /// Maximum speed. [m/s or rad/s]
   double max_speed = 1;
-  /// Where it is at the start, counted from its pose. [m or rad]
+  /// Initial position, relative to its pose. [m or rad]
   double start_position = 0;
 
   friend bool operator==(const ActuatorDesc&, const ActuatorDesc&) = default;
 };
 
-/// How what it hears has become weaker on its way.
+/// Propagation model.
 enum class Propagation : std::uint8_t { kFriis, kSimple, kItuIndoor, kLogDistance, kRaytrace };
 
-/// A radio: tells which others of its network it hears, and how well, and carries messages between them.
+/// A radio: reports the received radios of its network with their signal levels, and carries messages between
+/// them.
 struct WifiDesc {
-  /// Its network address; without one 10.x.y.z by its number.
+  /// Network address; default: 10.x.y.z, from its number.
   std::string ip;
-  /// Its hardware address; without one 02:00:00:xx:yy:zz by its number.
+  /// Hardware address; default: 02:00:00:xx:yy:zz, from its number.
   std::string mac;
-  /// The name of its network: radios of other networks are not heard.
+  /// Name of its network; radios of other networks are not received.
   std::string essid;
-  /// Where it sends. [MHz]
+  /// Carrier frequency. [MHz]
   double frequency = 2450;
-  /// What it is set to. [bit/s]
+  /// Reported bit rate. [bit/s]
   double bitrate = 11000000;
-  /// How strongly it sends. [dBm]
+  /// Transmit power. [dBm]
   double power = 15;
-  /// What arrives weaker is not heard. [dBm]
+  /// Minimum received level; weaker signals are not received. [dBm]
   double sensitivity = -70;
-  /// How what it hears has become weaker on its way.
+  /// Propagation model.
   Propagation propagation = Propagation::kFriis;
-  /// How far it hears, with model "simple". [m]
+  /// Maximum range of reception, with model "simple". [m]
   double range = 30;
-  /// Loss for ten times the distance in dB, with model "ITU indoor".
+  /// Path loss in dB per decade of distance, with model "ITU indoor".
   double plc = 30;
-  /// The power of the distance by which it gets weaker, with model "log distance": 2 in free space, 3 to 5 in
-  /// buildings.
+  /// Path loss exponent, with model "log distance": 2 in free space, 3 to 5 in buildings.
   double ple = 3;
-  /// Loss for each wall on the straight line, with model "raytrace". [dB]
+  /// Loss per wall on the straight line, with model "raytrace". [dB]
   double wall_factor = 5;
-  /// Standard deviation of what else makes a link stronger or weaker, drawn anew each time it is measured.
-  /// [dB]
+  /// Standard deviation of the fading of a link, drawn anew for each measurement. [dB]
   double fading = 0;
-  /// Of the messages of radios that it hears, how many are lost, in percent; drawn for each message.
+  /// Percentage of lost messages from received radios, drawn for each message.
   std::uint32_t loss = 0;
 
   friend bool operator==(const WifiDesc&, const WifiDesc&) = default;
 };
 
-/// What a pixel says.
+/// Content of a pixel.
 enum class ImageKind : std::uint8_t { kColor, kGray, kDepth, kSegmentation };
 
-/// How images are sent; those of distances and of models always raw.
+/// Encoding of images; depth and segmentation images are always raw.
 enum class ImageCompression : std::uint8_t { kRaw, kJpeg };
 
-/// A camera: takes images of the bodies, the floor and the sky, in colours, in grey, of distances, or of
-/// which model is where, and pans, tilts and zooms.
+/// A camera with pan, tilt and zoom. It renders color, gray, depth or segmentation images of bodies, floor
+/// and sky.
 struct CameraDesc {
-  /// The size of the image. [px]
+  /// Image size. [px]
   double width = 32;
   double height = 32;
-  /// The nearest and the farthest thing that it shows, along the way it looks. [m]
+  /// Near and far clipping distance, along the optical axis. [m]
   double range_min = 0.2;
   double range_max = 8;
-  /// The field of view at the start. [rad]
+  /// Initial field of view. [rad]
   double fov_horizontal = geom::radians(70);
   double fov_vertical = geom::radians(40);
-  /// Where it looks at the start: to the left, and up. [rad]
+  /// Initial direction of view, positive to the left and upwards. [rad]
   double pan = 0;
   double tilt = 0;
-  /// How far clients may turn it to the right and to the left. [rad]
+  /// Pan limits for clients: right and left. [rad]
   double pan_min = geom::radians(-100);
   double pan_max = geom::radians(100);
-  /// How far clients may turn it down and up. [rad]
+  /// Tilt limits for clients: down and up. [rad]
   double tilt_min = geom::radians(-25);
   double tilt_max = geom::radians(25);
-  /// The smallest and the largest horizontal field of view that clients may ask for. [rad]
+  /// Limits of the horizontal field of view for clients. [rad]
   double zoom_min = geom::radians(5);
   double zoom_max = geom::radians(70);
-  /// How fast it turns at most, and changes its field of view, in a second. [rad]
+  /// Maximum speed of pan, tilt and field of view, per second. [rad]
   double pantilt_speed = geom::radians(90);
-  /// What a pixel says.
+  /// Content of a pixel.
   ImageKind image = ImageKind::kColor;
-  /// How images are sent; those of distances and of models always raw.
+  /// Encoding of images; depth and segmentation images are always raw.
   ImageCompression compression = ImageCompression::kRaw;
-  /// That of JPEG files, in percent.
+  /// JPEG quality, in percent.
   std::uint32_t quality = 85;
-  /// Errors of a pixel: the standard deviation of red, green and blue each, as a share of the brightest, and
-  /// that of distances, as a share of them.
+  /// Pixel noise: standard deviation of each of red, green and blue, as a fraction of full scale, and of
+  /// depth, as a fraction of the distance.
   double noise_value = 0;
   double noise_depth = 0;
 
   friend bool operator==(const CameraDesc&, const CameraDesc&) = default;
 };
 
-/// A sensor made up in the world file: what it sees, what it sees through, how far, how finely and how well
+/// A sensor specified in the world file: what it detects and penetrates, its range, resolution and noise
 /// (docs/detectors.md).
 struct DetectorDesc {
-  /// The field of view, half to each side. Its beams have equal shares of it, the first the rightmost. [rad]
+  /// Horizontal field of view, symmetric about the axis. Beams have equal shares of it; the first is the
+  /// rightmost. [rad]
   double fov = geom::radians(60);
-  /// The field of view upwards and downwards, half to each; with 0 it sees what is at half its own height.
+  /// Vertical field of view, symmetric about the horizontal; 0: lines are horizontal, at half its own height.
   /// [rad]
   double fov_vertical = 0;
-  /// The nearest and the farthest thing that it tells of, along the line to it. [m]
+  /// Minimum and maximum range of reported objects, along the line of sight. [m]
   double range_min = 0;
   double range_max = 8;
-  /// How many beams it has. A beam tells the range of the nearest thing in its share of the field of view.
+  /// Number of beams. A beam reports the range of the nearest object in its share of the field of view.
   std::uint32_t samples = 1;
-  /// The lines along which each beam looks, evenly spread over its share: 1 is as thin as a laser, many are
-  /// as wide as a sonar.
+  /// Number of lines of sight per beam, evenly spaced over its share: 1 is a thin beam like a laser's, many a
+  /// wide one like a sonar's.
   std::uint32_t rays = 1;
-  /// How often each of them looks, evenly spread from below upwards.
+  /// Number of elevations at which each line is cast, evenly spaced from below upwards.
   std::uint32_t layers = 1;
-  /// What it tells of: conditions of which one holds, as "kind=position color=red" (docs/detectors.md);
-  /// without any, everything.
+  /// Conditions that select reported objects, one of which must hold, as "kind=position color=red"
+  /// (docs/detectors.md); without any, everything is reported.
   std::vector<std::string> sees;
-  /// What is no hindrance: conditions as of sees, as "material=glass".
+  /// Conditions for bodies that do not obstruct, with the syntax of sees, as "material=glass".
   std::vector<std::string> through;
-  /// How many bodies it sees through on a line, beside those of through.
+  /// Number of obstructing bodies that a line penetrates, in addition to those that match through.
   std::uint32_t walls = 0;
-  /// What is lost in each body that it sees through, and for each metre of the way in it. [dB]
+  /// Loss in each penetrated body, and per metre of path inside it. [dB]
   double loss_per_body = 0;
   double loss_per_metre = 0;
-  /// The power of the distance by which what comes back gets weaker, from 1 m on: 2 for a lamp, 4 for a
-  /// radar's echo.
+  /// Exponent of the path loss with distance, counted from 1 m: 2 for a lamp, 4 for a radar echo.
   double spread = 0;
-  /// How much may be lost on the way to what it still tells of. What is left of that is told as the level.
-  /// [dB]
+  /// Maximum total loss of a reported object. Its level is the remaining budget. [dB]
   double budget = 100;
-  /// Ranges are told in steps of this; 0: as they are. [m]
+  /// Quantisation step of ranges; 0: none. [m]
   double resolution = 0;
-  /// Standard deviations of errors: of a range, as a length and as a share of it, and of the bearing of what
-  /// is found. [m, 1, rad]
+  /// Standard deviations: of ranges, as a length and as a fraction of the range, and of bearings of detected
+  /// objects. [m, 1, rad]
   double noise_constant = 0;
   double noise_proportional = 0;
   double noise_angular = 0;
-  /// The probability that something in view is not noticed, for each thing in each measurement.
+  /// Probability of missing an object in view, drawn for each object in each measurement.
   double miss = 0;
 
   friend bool operator==(const DetectorDesc&, const DetectorDesc&) = default;
 };
 
-/// A model or a sensor whose code is in a shared library.
+/// A model or sensor implemented in a shared library.
 struct CustomDesc {
-  /// The library's name, and arguments behind it.
+  /// Name of the library, followed by arguments.
   std::string library;
 
   friend bool operator==(const CustomDesc&, const CustomDesc&) = default;
 };
 
-/// An inertial measurement unit: feels how it is accelerated, with gravity, and how fast it turns, and tells
-/// how it stands.
+/// An inertial measurement unit: measures specific force and turn rate, and estimates its orientation.
 struct ImuDesc {
-  /// Errors along each axis: the density of white noise, and that of the noise by which the bias wanders.
-  /// [m/s^2/sqrt(Hz), m/s^3/sqrt(Hz)]
+  /// Noise of the accelerometer along each axis: density of white noise, and density of the noise that drives
+  /// the random walk of the bias. [m/s^2/sqrt(Hz), m/s^3/sqrt(Hz)]
   double acceleration_white = 0;
   double acceleration_walk = 0;
-  /// The same of the turn rate about each axis. [rad/s/sqrt(Hz), rad/s^2/sqrt(Hz)]
+  /// The same for the gyroscope, about each axis. [rad/s/sqrt(Hz), rad/s^2/sqrt(Hz)]
   double gyro_white = 0;
   double gyro_walk = 0;
-  /// The standard deviation of the bias of each axis with which it begins. [m/s^2]
+  /// Standard deviation of the initial bias of each accelerometer axis. [m/s^2]
   double acceleration_bias = 0;
-  /// The same of the turn rate about each axis. [rad/s]
+  /// Standard deviation of the initial bias of each gyroscope axis. [rad/s]
   double gyro_bias = 0;
-  /// More than this along an axis reads as this, here 16 times the gravity of the earth. [m/s^2]
+  /// Measuring range of each accelerometer axis; larger values saturate. The default is 16 times the earth's
+  /// gravity. [m/s^2]
   double acceleration_range = 156.906;
-  /// More than this about an axis reads as this, here 2000 degrees per second. [rad/s]
+  /// Measuring range of each gyroscope axis; larger values saturate. The default is 2000 degrees per second.
+  /// [rad/s]
   double gyro_range = 34.9066;
 
   friend bool operator==(const ImuDesc&, const ImuDesc&) = default;
 };
 
-/// A satellite receiver: tells where on the earth it is, as the world's latitude, longitude and altitude have
-/// it.
+/// A satellite receiver: reports its position on the earth, derived from the world's latitude, longitude and
+/// altitude.
 struct GpsDesc {
-  /// Standard deviations of the errors that every fix has anew, to the east and to the north, and upwards.
-  /// [m]
+  /// Standard deviations of white noise, drawn anew for every fix: east and north, and up. [m]
   double noise_horizontal = 0;
   double noise_vertical = 0;
-  /// Standard deviations of the errors that vary slowly, as what the air and the satellites' clocks add. [m]
+  /// Standard deviations of slowly varying errors, such as those of the atmosphere and of satellite clocks.
+  /// [m]
   double drift_horizontal = 0;
   double drift_vertical = 0;
-  /// After this time the errors that vary slowly have lost all but a share of 1/e of what they were (Gauss-
-  /// Markov process of first order). [s]
+  /// Time constant of the slowly varying errors: their autocorrelation falls to 1/e (Gauss-Markov process of
+  /// first order). [s]
   double drift_time = 300;
-  /// The standard deviation of its velocity, to the east and to the north. [m/s]
+  /// Standard deviation of its velocity: east and north. [m/s]
   double velocity_noise = 0;
-  /// How many it hears; with less than four it has no fix.
+  /// Number of received satellites; with less than four there is no fix.
   std::uint32_t satellites = 8;
-  /// How well they are spread over the sky, as it is told: dilutions of precision.
+  /// Dilutions of precision that it reports.
   double hdop = 1;
   double vdop = 1.5;
 
   friend bool operator==(const GpsDesc&, const GpsDesc&) = default;
 };
 
-/// How its beams fail, beyond their noise, at surfaces that are far away, dark, slanted, shiny or clear.
+/// Error model of its beams, in addition to noise, for distant, dark, oblique, specular or transparent
+/// surfaces.
 enum class RangerErrors : std::uint8_t { kNone, kLidar };
 
 /// One transducer or scanner of a ranger.
 struct RangerSensorDesc {
-  /// Where the sensor is in the ranger. [frame X_BS, m, m, m, rad]
+  /// Pose in the ranger. [frame X_BS, m, m, m, rad]
   geom::Pose X_BS;
-  /// For drawing; beams start at half its height above the pose. [m]
+  /// Size of the drawn transducer; beams start at half its height above the pose. [m]
   geom::Size size{0.02, 0.02, 0.02};
-  /// The nearest and the farthest thing that it reports. [m]
+  /// Minimum and maximum reported range. [m]
   double range_min = 0;
   double range_max = 5;
-  /// Beams spread over this angle, half to each side, the first rightmost; a single one looks ahead. [rad]
+  /// Horizontal angle over which the beams are spread, symmetric about the axis, the first the rightmost; a
+  /// single beam points ahead. [rad]
   double fov = geom::radians(5.729577951308232);
-  /// How many beams it has.
+  /// Number of beams.
   std::uint32_t samples = 1;
-  /// How many rows of beams it has, one above the other, as lidars with several lasers do. `samples` is how
-  /// many beams each row has.
+  /// Number of rows of beams, one above the other, as in lidars with several lasers. `samples` is the number
+  /// of beams per row.
   std::uint32_t rings = 1;
-  /// The elevations of the lowest ring and of the highest, between which the others are spread evenly. With
-  /// the stage engine all are level. [rad]
+  /// Elevations of the lowest and the highest ring; the others are evenly spaced between them. The stage
+  /// engine simulates them as horizontal. [rad]
   double ring_lowest = 0;
   double ring_highest = 0;
-  /// How its beams fail, beyond their noise, at surfaces that are far away, dark, slanted, shiny or clear.
+  /// Error model of its beams, in addition to noise, for distant, dark, oblique, specular or transparent
+  /// surfaces.
   RangerErrors errors = RangerErrors::kNone;
-  /// Of error "lidar": how far away it still sees a surface that it looks at straight on and that returns a
-  /// tenth of the light. [m]
+  /// With error "lidar": maximum range at normal incidence of a surface that returns a tenth of the light.
+  /// [m]
   double range_dark = 10;
-  /// Of error "lidar": the standard deviation of a range that is told by the weakest echo that it notices. It
-  /// falls as echoes get stronger. [m]
+  /// With error "lidar": standard deviation of ranges at the weakest detectable echo. It falls with the power
+  /// of the echo. [m]
   double noise_weak = 0;
-  /// Errors: a standard deviation, a fraction of the range, and the angle by which a beam may be turned. [m,
-  /// 1, rad]
+  /// Range noise: a standard deviation, the largest uniform error as a fraction of the range, and the largest
+  /// uniform error of a beam's direction. [m, 1, rad]
   double noise_constant = 0;
   double noise_proportional = 0;
   double noise_angular = 0;
-  /// The name of an X11 color, or random, which is the same in each run. Else blue, which one can see
-  /// through.
+  /// Name of an X11 color, or random, which is the same in every run. Else transparent blue.
   Color color{0, 0, 1, 0.15f};
 
   friend bool operator==(const RangerSensorDesc&, const RangerSensorDesc&) = default;
 };
 
-/// How to look at the scene; the first window of a file counts.
+/// The view of the scene; the first window of a file is used.
 struct WindowDesc {
-  /// The place in the middle of the window, in metres whatever the file's unit. [m]
+  /// Position in the middle of the window, in metres, independent of the file's unit. [m]
   geom::Vec2 center;
   /// Pixels per metre; 0: the whole scene is shown. [px/m]
   double scale = 0;
-  /// The direction of view, in degrees whatever the file's unit. [rad]
+  /// Direction of view, in degrees, independent of the file's unit. [rad]
   double pitch = 0;
   double yaw = 0;
-  /// Sensors are shown from the start.
+  /// Sensor data are shown from the start.
   bool show_data = false;
-  /// The name of a model that stays in the middle; none: the view stands still.
+  /// Name of the model that the view follows; none: a fixed view.
   std::string follow_model;
 
   friend bool operator==(const WindowDesc&, const WindowDesc&) = default;
 };
 
-/// The world file itself: words that stand outside of all entities, anywhere in the file.
+/// The world file itself: words outside all entities, anywhere in the file.
 struct WorldDesc {
   /// The name of the world. Else the file's path.
   std::string name;
-  /// Simulated time of one tick, in whole microseconds. [s]
+  /// Simulated time per tick, in whole microseconds. [s]
   double interval = 0.1;
-  /// Told to clients as the resolution of ranges; geometry here is exact. [m]
+  /// Resolution of ranges that is reported to clients; geometry here is exact. [m]
   double resolution = 0.02;
-  /// How fast what falls gets faster, in the arena, and what an imu feels that stands still; 1.62 is the
+  /// Acceleration of free fall in the arena, and specific force measured by an imu at rest; 1.62 is the
   /// moon's. [m/s^2]
   double gravity = 9.81;
-  /// What the ground is made of, in the arena: a material, as of models (docs/arena.md).
+  /// Material of the ground in the arena, one of those of models (docs/arena.md).
   std::string ground = "concrete";
-  /// Simulated time after which the run ends; 0: never. [s]
+  /// Simulated time at which the run ends; 0: never. [s]
   double quit_time = 0;
-  /// Times real time; 0 or less: as fast as possible.
+  /// Speed relative to real time; 0 or less: as fast as possible.
   double speedup = 1;
   /// The run starts paused.
   bool paused = false;
-  /// The color of the sky in the images of cameras, as shares from 0 to 1.
+  /// Color of the sky in camera images, as components from 0 to 1.
   double sky_red = 0.6235;
   double sky_green = 0.7686;
   double sky_blue = 0.9098;
-  /// Where the sun is, seen from the world, and how bright; one that is not above the horizon has set. Of
-  /// cameras of the arena engine. [rad, rad, 1]
+  /// Direction of the sun in the world frame, and its brightness; at an elevation of 0 or less it has set.
+  /// For cameras of the arena engine. [rad, rad, 1]
   double sun_heading = geom::radians(-125);
   double sun_elevation = geom::radians(50);
   double sun_brightness = 1;
-  /// How far one sees: at this distance fog leaves 5 % of a contrast; 0: there is none. Of cameras of the
-  /// arena engine. [m]
+  /// Visibility: at this distance fog reduces contrast to 5 %; 0: no fog. For cameras of the arena engine.
+  /// [m]
   double fog = 0;
-  /// The color of the fog, as shares from 0 to 1. Of cameras of the arena engine.
+  /// Color of the fog, as components from 0 to 1. For cameras of the arena engine.
   double fog_red = 0.8;
   double fog_green = 0.82;
   double fog_blue = 0.84;
-  /// Where on the earth the point 0 0 0 is, positive to the north (WGS84): what gps receivers tell follows
-  /// from it. x is east there, y north. [rad]
+  /// Latitude of the point 0 0 0, positive to the north (WGS84), for gps receivers. x is east there, y north.
+  /// [rad]
   double latitude = 0;
-  /// The same, positive to the east. [rad]
+  /// Longitude of the point 0 0 0, positive to the east. [rad]
   double longitude = 0;
-  /// The same, above the ellipsoid. [m]
+  /// Altitude of the point 0 0 0 above the ellipsoid. [m]
   double altitude = 0;
 
   friend bool operator==(const WorldDesc&, const WorldDesc&) = default;
@@ -555,8 +558,7 @@ struct KindDescs {
   friend bool operator==(const KindDescs&, const KindDescs&) = default;
 };
 
-/// Whether a model has a pack: a battery, from which a model draws, and what is inside it and has none of its
-/// own.
+/// Whether a model has a pack: a battery that supplies a model and its descendants without one of their own.
 inline bool has_pack(const PlainDesc& model) {
   return model.joules || model.joules_capacity || model.kjoules || model.kjoules_capacity;
 }

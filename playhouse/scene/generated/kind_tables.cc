@@ -26,43 +26,43 @@ constexpr Meaning kOld_model_blocks{.how = Meaning::How::kCount, .part = "block"
 constexpr SaidWord kOld_model_block_part_words[] = {{"z", "0 1"}};
 constexpr Meaning kOld_model_block{.how = Meaning::How::kNested, .part = "block", .part_words = kOld_model_block_part_words};
 constexpr Word kWordsOfModel[62] = {
-    {.name = "name", .use = Use::kRead, .type = "text", .told = "the type and its number, as position:0", .doc = "What the model is called; inside a parent it is parent.name, with a leading / it stands as it is."},
-    {.name = "pose", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .otherwise = "[0 0 0 0]", .doc = "Where the model is in its parent."},
-    {.name = "origin", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .otherwise = "[0 0 0 0]", .doc = "Where body and sensors are, from the pose."},
-    {.name = "size", .use = Use::kRead, .type = "size", .form = "[x y z]", .unit = "m", .told = "the kind's own", .doc = "The box that the body fills; 0 in x or y is a wall 0.01 m thick."},
-    {.name = "color", .use = Use::kRead, .type = "color", .told = "the kind's own", .doc = "The name of an X11 color, or random, which is the same in each run."},
-    {.name = "color_rgba", .use = Use::kRead, .type = "rgba", .form = "[red green blue alpha]", .told = "the kind's own", .doc = "The color as shares from 0 to 1; counts where there is no color."},
-    {.name = "bitmap", .use = Use::kRead, .type = "text", .doc = "An image, PNG, PGM, PPM, PBM or BMP, whose dark pixels (first channel up to 127) are solid and fill the size."},
-    {.name = "mesh", .use = Use::kRead, .type = "text", .doc = "A file of a modelling program, COLLADA, glTF or OBJ: how the model looks, and its body. It fills the size where that is said, else it has its own. See docs/meshes.md."},
-    {.name = "noblocks", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "There is no box where there are neither blocks nor a bitmap nor a mesh."},
-    {.name = "boundary", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "Four walls stand inside the edges of the size, beside a bitmap or blocks."},
-    {.name = "stack_children", .use = Use::kRead, .type = "flag", .otherwise = "1", .doc = "Models inside this one stand on top of it."},
-    {.name = "obstacle_return", .use = Use::kRead, .type = "flag", .otherwise = "1", .doc = "It collides."},
-    {.name = "ranger_return", .use = Use::kRead, .type = "number", .otherwise = "1", .doc = "The intensity that rangers report; below 0 they do not see it."},
-    {.name = "fiducial_return", .use = Use::kRead, .type = "integer", .otherwise = "0", .doc = "The number that fiducial finders see; 0: none sees it."},
-    {.name = "fiducial_key", .use = Use::kRead, .type = "integer", .otherwise = "0", .doc = "Finders see marks of their own key only."},
-    {.name = "gripper_return", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "Grippers see it, and take it up with all its parts: it has to be at the top level, and holds nothing that drives."},
-    {.name = "mass", .use = Use::kRead, .type = "number", .unit = "kg", .otherwise = "0", .limits = "not negative", .doc = "Driving it takes 10 W for each kg and m/s, and for each rad/s. In the plane nothing is pushed, so that it means nothing else; it is kept for engines with forces."},
-    {.name = "friction", .use = Use::kRead, .type = "number", .otherwise = "0", .limits = "not negative", .doc = "How much its faces rub. In the plane nothing slides, so that it means nothing there, as in Stage; the arena multiplies it with that of what it touches."},
-    {.name = "friction_axes", .use = Use::kRead, .type = "tuple", .form = "[x y]", .otherwise = "[1 1]", .limits = "from 0 to 1", .doc = "Shares of its friction along its x and y, in the arena: with [0.1 1] it slides along its x, as a sledge."},
-    {.name = "material", .use = Use::kRead, .type = "text", .otherwise = "\"\"", .doc = "What it is made of, as \"glass\": a name that detectors may look for, or through."},
-    {.name = "lamp", .use = Use::kRead, .type = "number", .unit = "cd", .otherwise = "0", .limits = "not negative", .doc = "How bright it shines, every way alike, in its color; a bulb of 60 W has 65. A lamp that can be switched off shines while it is lit. For cameras of the arena engine, and a light for detectors."},
-    {.name = "update_interval", .use = Use::kRead, .type = "number", .unit = "ms", .otherwise = "100", .limits = "not negative", .doc = "Time between two measurements of a sensor, at least a tick."},
-    {.name = "alwayson", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "It moves or measures although nobody has opened it."},
-    {.name = "gui_move", .use = Use::kRead, .type = "flag", .told = "1, inside another model 0", .doc = "A person may drag it in the page."},
-    {.name = "gui_nose", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "The page draws a point ahead of its body, as it does of everything that drives."},
-    {.name = "gui_outline", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "The page draws the edges of its box on the floor."},
-    {.name = "gui_grid", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "The page draws a line per metre of its box."},
-    {.name = "say", .use = Use::kRead, .type = "text", .otherwise = "\"\"", .doc = "What it says at the start, in a bubble of the page: one line, of which 1024 bytes count. Controllers and clients have it say something else."},
-    {.name = "trail_length", .use = Use::kRead, .type = "integer", .otherwise = "20", .limits = "not negative", .doc = "How many places of the past the page draws."},
-    {.name = "ctrl", .use = Use::kRead, .type = "texts", .doc = "The controllers that drive it, each a name and its arguments."},
-    {.name = "watts", .use = Use::kRead, .type = "number", .unit = "W", .otherwise = "0", .limits = "not negative", .doc = "Power that it draws from its battery, or its parent's; kinds that say what they draw have that instead."},
-    {.name = "joules", .use = Use::kRead, .type = "number", .unit = "J", .told = "no battery", .doc = "Energy in its battery, which is full of it; below 0 without end."},
-    {.name = "joules_capacity", .use = Use::kRead, .type = "number", .unit = "J", .told = "what is in it", .limits = "not negative", .doc = "Energy that its battery can hold; what does not fit is not in it."},
-    {.name = "kjoules", .use = Use::kRead, .type = "number", .unit = "kJ", .told = "no battery", .doc = "As joules, in thousands; counts after both words in joules."},
-    {.name = "kjoules_capacity", .use = Use::kRead, .type = "number", .unit = "kJ", .told = "what is in it", .limits = "not negative", .doc = "As joules_capacity, in thousands; counts last."},
-    {.name = "give_watts", .use = Use::kRead, .type = "number", .unit = "W", .otherwise = "0", .limits = "not negative", .doc = "Power with which it charges others that touch it."},
-    {.name = "take_watts", .use = Use::kRead, .type = "number", .unit = "W", .otherwise = "0", .limits = "not negative", .doc = "Power with which others may charge it."},
+    {.name = "name", .use = Use::kRead, .type = "text", .told = "the type and its number, as position:0", .doc = "Name of the model. Inside a parent the full name is parent.name; a name with a leading / is used as given."},
+    {.name = "pose", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .otherwise = "[0 0 0 0]", .doc = "Pose in the parent."},
+    {.name = "origin", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .otherwise = "[0 0 0 0]", .doc = "Pose of the body and of the sensors, relative to the model's pose."},
+    {.name = "size", .use = Use::kRead, .type = "size", .form = "[x y z]", .unit = "m", .told = "the kind's own", .doc = "Bounding box that the body fills; 0 in x or y makes a wall 0.01 m thick."},
+    {.name = "color", .use = Use::kRead, .type = "color", .told = "the kind's own", .doc = "Name of an X11 color, or random, which is the same in every run."},
+    {.name = "color_rgba", .use = Use::kRead, .type = "rgba", .form = "[red green blue alpha]", .told = "the kind's own", .doc = "Color components from 0 to 1; used if there is no color."},
+    {.name = "bitmap", .use = Use::kRead, .type = "text", .doc = "An image (PNG, PGM, PPM, PBM or BMP). Its dark pixels (first channel up to 127) are solid; it is scaled to the size."},
+    {.name = "mesh", .use = Use::kRead, .type = "text", .doc = "A mesh file (COLLADA, glTF or OBJ) for the appearance and the body. It is scaled to the size if one is given, else it keeps its own. See docs/meshes.md."},
+    {.name = "noblocks", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "No default box for a model without blocks, bitmap or mesh."},
+    {.name = "boundary", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "Four walls inside the edges of the size, in addition to a bitmap or blocks."},
+    {.name = "stack_children", .use = Use::kRead, .type = "flag", .otherwise = "1", .doc = "Child models stand on top of it."},
+    {.name = "obstacle_return", .use = Use::kRead, .type = "flag", .otherwise = "1", .doc = "Collides with other models."},
+    {.name = "ranger_return", .use = Use::kRead, .type = "number", .otherwise = "1", .doc = "Intensity that rangers report; below 0 it is invisible to rangers."},
+    {.name = "fiducial_return", .use = Use::kRead, .type = "integer", .otherwise = "0", .doc = "Marker id that fiducial finders report; 0: no marker."},
+    {.name = "fiducial_key", .use = Use::kRead, .type = "integer", .otherwise = "0", .doc = "Finders detect only markers of their own key."},
+    {.name = "gripper_return", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "Grippers can lift it, with all its parts: it must be a top-level model without a part that drives."},
+    {.name = "mass", .use = Use::kRead, .type = "number", .unit = "kg", .otherwise = "0", .limits = "not negative", .doc = "Mass. Driving draws 10 W per kg and m/s, and per kg and rad/s. The stage engine has no dynamics and uses it for nothing else; the arena does."},
+    {.name = "friction", .use = Use::kRead, .type = "number", .otherwise = "0", .limits = "not negative", .doc = "Friction coefficient of its surface. No effect in the stage engine and in Stage, where nothing slides; the arena multiplies the coefficients of the two surfaces in contact."},
+    {.name = "friction_axes", .use = Use::kRead, .type = "tuple", .form = "[x y]", .otherwise = "[1 1]", .limits = "from 0 to 1", .doc = "Fractions of its friction along its x and y, in the arena: with [0.1 1] it slides along its x, like a sledge."},
+    {.name = "material", .use = Use::kRead, .type = "text", .otherwise = "\"\"", .doc = "Name of its material, as \"glass\"; detectors can match it in sees and through."},
+    {.name = "lamp", .use = Use::kRead, .type = "number", .unit = "cd", .otherwise = "0", .limits = "not negative", .doc = "Luminous intensity of an omnidirectional light in its color; a bulb of 60 W has 65. A lamp that can be switched off shines while it is lit. Rendered by cameras of the arena engine; a light for detectors."},
+    {.name = "update_interval", .use = Use::kRead, .type = "number", .unit = "ms", .otherwise = "100", .limits = "not negative", .doc = "Measurement period of a sensor, at least one tick."},
+    {.name = "alwayson", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "Moves and measures without a subscriber."},
+    {.name = "gui_move", .use = Use::kRead, .type = "flag", .told = "1, inside another model 0", .doc = "A viewer may drag it in the page."},
+    {.name = "gui_nose", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "The page draws a point ahead of its body, as for every model that drives."},
+    {.name = "gui_outline", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "The page draws the edges of its bounding box on the floor."},
+    {.name = "gui_grid", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "The page draws a grid on its bounding box, one line per metre."},
+    {.name = "say", .use = Use::kRead, .type = "text", .otherwise = "\"\"", .doc = "Text that it says at the start, shown as a speech bubble in the page: one line, truncated to 1024 bytes. Controllers and clients can change it."},
+    {.name = "trail_length", .use = Use::kRead, .type = "integer", .otherwise = "20", .limits = "not negative", .doc = "Number of past positions that the page draws."},
+    {.name = "ctrl", .use = Use::kRead, .type = "texts", .doc = "Its controllers, each a name and arguments."},
+    {.name = "watts", .use = Use::kRead, .type = "number", .unit = "W", .otherwise = "0", .limits = "not negative", .doc = "Power drawn from its battery, or its parent's. Kinds with a power consumption of their own use that instead."},
+    {.name = "joules", .use = Use::kRead, .type = "number", .unit = "J", .told = "no battery", .doc = "Initial energy of its battery, and its capacity; below 0: infinite."},
+    {.name = "joules_capacity", .use = Use::kRead, .type = "number", .unit = "J", .told = "the initial energy", .limits = "not negative", .doc = "Capacity of its battery; initial energy above it is discarded."},
+    {.name = "kjoules", .use = Use::kRead, .type = "number", .unit = "kJ", .told = "no battery", .doc = "As joules, in kJ; applied after joules and joules_capacity."},
+    {.name = "kjoules_capacity", .use = Use::kRead, .type = "number", .unit = "kJ", .told = "the initial energy", .limits = "not negative", .doc = "As joules_capacity, in kJ; applied last."},
+    {.name = "give_watts", .use = Use::kRead, .type = "number", .unit = "W", .otherwise = "0", .limits = "not negative", .doc = "Power with which it charges models in contact with it."},
+    {.name = "take_watts", .use = Use::kRead, .type = "number", .unit = "W", .otherwise = "0", .limits = "not negative", .doc = "Power with which other models may charge it."},
     {.name = "blob_return", .use = Use::kSilent},
     {.name = "map_resolution", .use = Use::kSilent},
     {.name = "trail_interval", .use = Use::kSilent},
@@ -96,14 +96,14 @@ constexpr KindInterface kInterfacesOfModel[2] = {
 };
 
 constexpr Word kWordsOfPosition[12] = {
-    {.name = "drive", .use = Use::kRead, .type = "choice", .form = "\"diff\" | \"omni\" | \"walk\" | \"car\"", .otherwise = "\"diff\"", .doc = "How it can move. \"diff\": ahead and turning, as two wheels do; \"omni\": in any direction and turning; \"walk\": on legs: in any direction and turning; with the arena engine it climbs steps of up to 0.3 m; \"car\": ahead, and turning by the angle of a steered axle."},
-    {.name = "localization", .use = Use::kRead, .type = "choice", .form = "\"gps\" | \"odom\"", .otherwise = "\"gps\"", .doc = "What it believes about its pose. \"gps\": the truth; \"odom\": what its wheels counted, with an error."},
-    {.name = "localization_origin", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .told = "odom: the start pose, gps: 0 0 0 0", .doc = "Where in the world its coordinates begin."},
-    {.name = "velocity", .use = Use::kRead, .type = "twist", .form = "[x y z heading]", .unit = "m/s, m/s, m/s, deg/s", .otherwise = "[0 0 0 0]", .doc = "Its first command."},
-    {.name = "velocity_bounds", .use = Use::kRead, .type = "bounds", .form = "[xmin xmax ymin ymax zmin zmax amin amax]", .unit = "m/s, m/s, m/s, deg/s", .otherwise = "[-1 1 -1 1 -1 1 -90 90]", .doc = "The least and the largest velocity along each axis."},
-    {.name = "acceleration_bounds", .use = Use::kRead, .type = "bounds", .form = "[xmin xmax ymin ymax zmin zmax amin amax]", .unit = "m/s^2, m/s^2, m/s^2, deg/s^2", .otherwise = "[-1 1 -1 1 -1 1 -90 90]", .doc = "The same of accelerations, which count when a controller commands them."},
-    {.name = "wheelbase", .use = Use::kRead, .type = "length", .unit = "m", .otherwise = "1", .limits = "above 0", .doc = "Of a car, from the front axle to the rear one."},
-    {.name = "odom_error", .use = Use::kRead, .type = "twist", .form = "[x y z heading]", .told = "drawn per robot: up to 0.015 in x and y, 0.025 in heading", .doc = "Errors of odometry along each axis, as fractions of the motion."},
+    {.name = "drive", .use = Use::kRead, .type = "choice", .form = "\"diff\" | \"omni\" | \"walk\" | \"car\"", .otherwise = "\"diff\"", .doc = "Drive model. \"diff\": differential: forward velocity and turn rate, like two wheels; \"omni\": omnidirectional; \"walk\": legs: omnidirectional; with the arena engine it climbs steps of up to 0.3 m; \"car\": forward velocity and the steering angle of an axle."},
+    {.name = "localization", .use = Use::kRead, .type = "choice", .form = "\"gps\" | \"odom\"", .otherwise = "\"gps\"", .doc = "Source of its pose estimate. \"gps\": the true pose; \"odom\": wheel odometry, with an error."},
+    {.name = "localization_origin", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .told = "odom: the start pose, gps: 0 0 0 0", .doc = "Pose in the world of the origin of its pose estimate."},
+    {.name = "velocity", .use = Use::kRead, .type = "twist", .form = "[x y z heading]", .unit = "m/s, m/s, m/s, deg/s", .otherwise = "[0 0 0 0]", .doc = "Initial command."},
+    {.name = "velocity_bounds", .use = Use::kRead, .type = "bounds", .form = "[xmin xmax ymin ymax zmin zmax amin amax]", .unit = "m/s, m/s, m/s, deg/s", .otherwise = "[-1 1 -1 1 -1 1 -90 90]", .doc = "Minimum and maximum velocity along each axis."},
+    {.name = "acceleration_bounds", .use = Use::kRead, .type = "bounds", .form = "[xmin xmax ymin ymax zmin zmax amin amax]", .unit = "m/s^2, m/s^2, m/s^2, deg/s^2", .otherwise = "[-1 1 -1 1 -1 1 -90 90]", .doc = "Minimum and maximum acceleration along each axis, for commanded accelerations of controllers."},
+    {.name = "wheelbase", .use = Use::kRead, .type = "length", .unit = "m", .otherwise = "1", .limits = "above 0", .doc = "Distance between the front and the rear axle of a car."},
+    {.name = "odom_error", .use = Use::kRead, .type = "twist", .form = "[x y z heading]", .told = "drawn per robot: up to 0.015 in x and y, 0.025 in heading", .doc = "Odometry errors along each axis, as fractions of the motion."},
     {.name = "show_waypoints", .use = Use::kOld},
     {.name = "odom", .use = Use::kOld, .instead = "write localization \"odom\""},
     {.name = "power", .use = Use::kOld},
@@ -158,11 +158,11 @@ constexpr KindInterface kInterfacesOfRanger[4] = {
 constexpr std::string_view kOld_fiducial_range_to[] = {"range_max"};
 constexpr Meaning kOld_fiducial_range{.how = Meaning::How::kWords, .to = kOld_fiducial_range_to};
 constexpr Word kWordsOfFiducial[6] = {
-    {.name = "range_min", .use = Use::kRead, .type = "length", .unit = "m", .otherwise = "0", .limits = "not negative", .doc = "Nearer marks are not seen."},
-    {.name = "range_max", .use = Use::kRead, .type = "length", .unit = "m", .otherwise = "8", .limits = "not negative", .doc = "Farther marks are not seen."},
-    {.name = "range_max_id", .use = Use::kRead, .type = "length", .unit = "m", .otherwise = "5", .limits = "not negative", .doc = "Of farther marks the number cannot be told, and is 0."},
-    {.name = "fov", .use = Use::kRead, .type = "angle", .unit = "deg", .otherwise = "180", .limits = "not negative", .doc = "The field of view, half to each side."},
-    {.name = "ignore_zloc", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "Marks are seen at any height."},
+    {.name = "range_min", .use = Use::kRead, .type = "length", .unit = "m", .otherwise = "0", .limits = "not negative", .doc = "Minimum range of detection."},
+    {.name = "range_max", .use = Use::kRead, .type = "length", .unit = "m", .otherwise = "8", .limits = "not negative", .doc = "Maximum range of detection."},
+    {.name = "range_max_id", .use = Use::kRead, .type = "length", .unit = "m", .otherwise = "5", .limits = "not negative", .doc = "Maximum range of identification; the id of a marker beyond it is reported as 0."},
+    {.name = "fov", .use = Use::kRead, .type = "angle", .unit = "deg", .otherwise = "180", .limits = "not negative", .doc = "Horizontal field of view, symmetric about the axis."},
+    {.name = "ignore_zloc", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "Detects markers at any height."},
     {.name = "range", .use = Use::kOld, .instead = "write range_max", .meaning = &kOld_fiducial_range},
 };
 
@@ -181,12 +181,12 @@ constexpr Meaning kOld_blobfinder_range_max{.how = Meaning::How::kWords, .to = k
 constexpr std::string_view kOld_blobfinder_ptz_to[] = {"pan", "", "fov"};
 constexpr Meaning kOld_blobfinder_ptz{.how = Meaning::How::kWords, .to = kOld_blobfinder_ptz_to};
 constexpr Word kWordsOfBlobfinder[11] = {
-    {.name = "colors_count", .use = Use::kRead, .type = "count", .otherwise = "0", .limits = "from 0 to 256", .doc = "How many of the colors it looks for; 0: all that it names, and any color if it names none."},
-    {.name = "colors", .use = Use::kRead, .type = "colors", .doc = "The names of the colors that it looks for."},
-    {.name = "image", .use = Use::kRead, .type = "tuple", .form = "[width height]", .unit = "px", .otherwise = "[80 60]", .limits = "from 1 to 4096", .doc = "The size of the image."},
-    {.name = "range", .use = Use::kRead, .type = "number", .unit = "m", .otherwise = "12", .limits = "not negative", .doc = "How far it sees."},
-    {.name = "fov", .use = Use::kRead, .type = "angle", .unit = "deg", .otherwise = "60", .limits = "not negative", .doc = "The field of view, half to each side."},
-    {.name = "pan", .use = Use::kRead, .type = "angle", .unit = "deg", .otherwise = "0", .doc = "How far it is turned to the left."},
+    {.name = "colors_count", .use = Use::kRead, .type = "count", .otherwise = "0", .limits = "from 0 to 256", .doc = "Number of colors, of those listed, that it detects; 0: all listed ones, and any color if none is listed."},
+    {.name = "colors", .use = Use::kRead, .type = "colors", .doc = "Names of the colors that it detects."},
+    {.name = "image", .use = Use::kRead, .type = "tuple", .form = "[width height]", .unit = "px", .otherwise = "[80 60]", .limits = "from 1 to 4096", .doc = "Image size."},
+    {.name = "range", .use = Use::kRead, .type = "number", .unit = "m", .otherwise = "12", .limits = "not negative", .doc = "Maximum range."},
+    {.name = "fov", .use = Use::kRead, .type = "angle", .unit = "deg", .otherwise = "60", .limits = "not negative", .doc = "Horizontal field of view, symmetric about the axis."},
+    {.name = "pan", .use = Use::kRead, .type = "angle", .unit = "deg", .otherwise = "0", .doc = "Direction of view, positive to the left."},
     {.name = "channel_count", .use = Use::kOld, .instead = "write colors_count", .meaning = &kOld_blobfinder_channel_count},
     {.name = "channels", .use = Use::kOld, .instead = "write colors", .meaning = &kOld_blobfinder_channels},
     {.name = "channels_count", .use = Use::kOld, .instead = "write colors_count", .meaning = &kOld_blobfinder_channels_count},
@@ -199,9 +199,9 @@ constexpr KindInterface kInterfacesOfBlobfinder[1] = {
 };
 
 constexpr Word kWordsOfBumper[3] = {
-    {.name = "bcount", .use = Use::kRead, .type = "count", .otherwise = "0", .limits = "from 0 to 256", .doc = "How many switches it has."},
-    {.name = "bpose", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .otherwise = "[0 0 0 0]", .counted_by = "bcount", .doc = "The middle of the face of a switch, counted from 0, and where the face looks; without a number that of all others."},
-    {.name = "blength", .use = Use::kRead, .type = "length", .unit = "m", .otherwise = "0", .limits = "not negative", .counted_by = "bcount", .doc = "The length of the face of a switch, counted from 0; without a number that of all others."},
+    {.name = "bcount", .use = Use::kRead, .type = "count", .otherwise = "0", .limits = "from 0 to 256", .doc = "Number of switches."},
+    {.name = "bpose", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .otherwise = "[0 0 0 0]", .counted_by = "bcount", .doc = "Centre of a switch's face and its outward direction, indexed from 0; without an index: of all other switches."},
+    {.name = "blength", .use = Use::kRead, .type = "length", .unit = "m", .otherwise = "0", .limits = "not negative", .counted_by = "bcount", .doc = "Length of a switch's face, indexed from 0; without an index: of all other switches."},
 };
 
 constexpr KindInterface kInterfacesOfBumper[1] = {
@@ -209,9 +209,9 @@ constexpr KindInterface kInterfacesOfBumper[1] = {
 };
 
 constexpr Word kWordsOfBlinkenlight[3] = {
-    {.name = "period", .use = Use::kRead, .type = "number", .unit = "ms", .otherwise = "1000", .limits = "not negative", .doc = "Time from one flash to the next; 0: it burns steadily."},
-    {.name = "dutycycle", .use = Use::kRead, .type = "number", .otherwise = "1", .limits = "not negative", .doc = "The share of the period in which it is lit, from its begin on; 1 or more: it burns steadily."},
-    {.name = "enabled", .use = Use::kRead, .type = "flag", .otherwise = "1", .doc = "It is on at the start."},
+    {.name = "period", .use = Use::kRead, .type = "number", .unit = "ms", .otherwise = "1000", .limits = "not negative", .doc = "Period of the flashes; 0: steady light."},
+    {.name = "dutycycle", .use = Use::kRead, .type = "number", .otherwise = "1", .limits = "not negative", .doc = "Fraction of the period in which it is lit, from the start of the period; 1 or more: steady light."},
+    {.name = "enabled", .use = Use::kRead, .type = "flag", .otherwise = "1", .doc = "Switched on at the start."},
 };
 
 constexpr KindInterface kInterfacesOfBlinkenlight[1] = {
@@ -223,9 +223,9 @@ constexpr KindInterface kInterfacesOfLightindicator[1] = {
 };
 
 constexpr Word kWordsOfGripper[3] = {
-    {.name = "paddle_size", .use = Use::kRead, .type = "tuple", .form = "[x y z]", .otherwise = "[0.66 0.1 0.4]", .limits = "from 0 to 1", .doc = "How large a paddle is, as fractions of the model's size."},
-    {.name = "paddle_state", .use = Use::kRead, .type = "choices", .form = "[(\"open\" | \"closed\") (\"down\" | \"up\")]", .otherwise = "[\"open\" \"down\"]", .doc = "How the paddles are at the start."},
-    {.name = "autosnatch", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "It closes by itself when something is between the paddles, and opens when nothing is."},
+    {.name = "paddle_size", .use = Use::kRead, .type = "tuple", .form = "[x y z]", .otherwise = "[0.66 0.1 0.4]", .limits = "from 0 to 1", .doc = "Size of a paddle, as fractions of the model's size."},
+    {.name = "paddle_state", .use = Use::kRead, .type = "choices", .form = "[(\"open\" | \"closed\") (\"down\" | \"up\")]", .otherwise = "[\"open\" \"down\"]", .doc = "Initial state of the paddles."},
+    {.name = "autosnatch", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "Closes when an object is between the paddles, and opens when none is."},
 };
 
 constexpr KindInterface kInterfacesOfGripper[1] = {
@@ -233,12 +233,12 @@ constexpr KindInterface kInterfacesOfGripper[1] = {
 };
 
 constexpr Word kWordsOfActuator[6] = {
-    {.name = "type", .use = Use::kRead, .type = "choice", .form = "\"linear\" | \"rotational\"", .otherwise = "\"linear\"", .doc = "How it moves. \"linear\": it slides; \"rotational\": it turns."},
-    {.name = "axis", .use = Use::kRead, .type = "tuple", .form = "[x y z]", .otherwise = "[0 0 0]", .doc = "The direction in which it slides, of any length, in its own frame; [0 0 0] is ahead. It turns about z alone, to the right if z is negative."},
-    {.name = "min_position", .use = Use::kRead, .type = "number", .unit = "m or rad", .otherwise = "0", .doc = "Where it stops at the lower end, counted from its pose."},
-    {.name = "max_position", .use = Use::kRead, .type = "number", .unit = "m or rad", .otherwise = "1", .doc = "Where it stops at the upper end; where that is below the lower one, it does not move."},
-    {.name = "max_speed", .use = Use::kRead, .type = "number", .unit = "m/s or rad/s", .otherwise = "1", .limits = "not negative", .doc = "How fast it can move."},
-    {.name = "start_position", .use = Use::kRead, .type = "number", .unit = "m or rad", .otherwise = "0", .doc = "Where it is at the start, counted from its pose."},
+    {.name = "type", .use = Use::kRead, .type = "choice", .form = "\"linear\" | \"rotational\"", .otherwise = "\"linear\"", .doc = "Type of joint. \"linear\": prismatic, it slides; \"rotational\": revolute, it turns."},
+    {.name = "axis", .use = Use::kRead, .type = "tuple", .form = "[x y z]", .otherwise = "[0 0 0]", .doc = "Direction of sliding in its own frame, of any length; [0 0 0] is ahead. A revolute joint turns about z alone, to the right if z is negative."},
+    {.name = "min_position", .use = Use::kRead, .type = "number", .unit = "m or rad", .otherwise = "0", .doc = "Lower limit of travel, relative to its pose."},
+    {.name = "max_position", .use = Use::kRead, .type = "number", .unit = "m or rad", .otherwise = "1", .doc = "Upper limit of travel; if it is below the lower limit, the joint does not move."},
+    {.name = "max_speed", .use = Use::kRead, .type = "number", .unit = "m/s or rad/s", .otherwise = "1", .limits = "not negative", .doc = "Maximum speed."},
+    {.name = "start_position", .use = Use::kRead, .type = "number", .unit = "m or rad", .otherwise = "0", .doc = "Initial position, relative to its pose."},
 };
 
 constexpr KindInterface kInterfacesOfActuator[1] = {
@@ -246,20 +246,20 @@ constexpr KindInterface kInterfacesOfActuator[1] = {
 };
 
 constexpr Word kWordsOfWifi[16] = {
-    {.name = "ip", .use = Use::kRead, .type = "text", .otherwise = "\"\"", .doc = "Its network address; without one 10.x.y.z by its number."},
-    {.name = "mac", .use = Use::kRead, .type = "text", .otherwise = "\"\"", .doc = "Its hardware address; without one 02:00:00:xx:yy:zz by its number."},
-    {.name = "essid", .use = Use::kRead, .type = "text", .otherwise = "\"\"", .doc = "The name of its network: radios of other networks are not heard."},
-    {.name = "freq", .use = Use::kRead, .type = "number", .unit = "MHz", .otherwise = "2450", .limits = "not negative", .doc = "Where it sends."},
-    {.name = "bitrate", .use = Use::kRead, .type = "number", .unit = "bit/s", .otherwise = "1.1e+07", .limits = "not negative", .doc = "What it is set to."},
-    {.name = "power", .use = Use::kRead, .type = "number", .unit = "dBm", .otherwise = "15", .doc = "How strongly it sends."},
-    {.name = "sensitivity", .use = Use::kRead, .type = "number", .unit = "dBm", .otherwise = "-70", .doc = "What arrives weaker is not heard."},
-    {.name = "model", .use = Use::kRead, .type = "choice", .form = "\"friis\" | \"simple\" | \"ITU indoor\" | \"log distance\" | \"raytrace\"", .otherwise = "\"friis\"", .doc = "How what it hears has become weaker on its way. \"friis\": as in free space; \"simple\": as in free space, and not heard beyond range; \"ITU indoor\": as in a building, by plc (ITU-R P.1238); \"log distance\": as in free space for the first metre, then by ple; \"raytrace\": as in free space, and by wall_factor for each wall."},
-    {.name = "range", .use = Use::kRead, .type = "number", .unit = "m", .otherwise = "30", .limits = "not negative", .doc = "How far it hears, with model \"simple\"."},
-    {.name = "plc", .use = Use::kRead, .type = "number", .otherwise = "30", .limits = "not negative", .doc = "Loss for ten times the distance in dB, with model \"ITU indoor\"."},
-    {.name = "ple", .use = Use::kRead, .type = "number", .otherwise = "3", .limits = "not negative", .doc = "The power of the distance by which it gets weaker, with model \"log distance\": 2 in free space, 3 to 5 in buildings."},
-    {.name = "wall_factor", .use = Use::kRead, .type = "number", .unit = "dB", .otherwise = "5", .limits = "not negative", .doc = "Loss for each wall on the straight line, with model \"raytrace\"."},
-    {.name = "fading", .use = Use::kRead, .type = "number", .unit = "dB", .otherwise = "0", .limits = "not negative", .doc = "Standard deviation of what else makes a link stronger or weaker, drawn anew each time it is measured."},
-    {.name = "loss", .use = Use::kRead, .type = "count", .otherwise = "0", .limits = "from 0 to 100", .doc = "Of the messages of radios that it hears, how many are lost, in percent; drawn for each message."},
+    {.name = "ip", .use = Use::kRead, .type = "text", .otherwise = "\"\"", .doc = "Network address; default: 10.x.y.z, from its number."},
+    {.name = "mac", .use = Use::kRead, .type = "text", .otherwise = "\"\"", .doc = "Hardware address; default: 02:00:00:xx:yy:zz, from its number."},
+    {.name = "essid", .use = Use::kRead, .type = "text", .otherwise = "\"\"", .doc = "Name of its network; radios of other networks are not received."},
+    {.name = "freq", .use = Use::kRead, .type = "number", .unit = "MHz", .otherwise = "2450", .limits = "not negative", .doc = "Carrier frequency."},
+    {.name = "bitrate", .use = Use::kRead, .type = "number", .unit = "bit/s", .otherwise = "1.1e+07", .limits = "not negative", .doc = "Reported bit rate."},
+    {.name = "power", .use = Use::kRead, .type = "number", .unit = "dBm", .otherwise = "15", .doc = "Transmit power."},
+    {.name = "sensitivity", .use = Use::kRead, .type = "number", .unit = "dBm", .otherwise = "-70", .doc = "Minimum received level; weaker signals are not received."},
+    {.name = "model", .use = Use::kRead, .type = "choice", .form = "\"friis\" | \"simple\" | \"ITU indoor\" | \"log distance\" | \"raytrace\"", .otherwise = "\"friis\"", .doc = "Propagation model. \"friis\": free space; \"simple\": free space, no reception beyond range; \"ITU indoor\": indoor, with plc (ITU-R P.1238); \"log distance\": free space up to 1 m, then with ple; \"raytrace\": free space, and wall_factor for each wall."},
+    {.name = "range", .use = Use::kRead, .type = "number", .unit = "m", .otherwise = "30", .limits = "not negative", .doc = "Maximum range of reception, with model \"simple\"."},
+    {.name = "plc", .use = Use::kRead, .type = "number", .otherwise = "30", .limits = "not negative", .doc = "Path loss in dB per decade of distance, with model \"ITU indoor\"."},
+    {.name = "ple", .use = Use::kRead, .type = "number", .otherwise = "3", .limits = "not negative", .doc = "Path loss exponent, with model \"log distance\": 2 in free space, 3 to 5 in buildings."},
+    {.name = "wall_factor", .use = Use::kRead, .type = "number", .unit = "dB", .otherwise = "5", .limits = "not negative", .doc = "Loss per wall on the straight line, with model \"raytrace\"."},
+    {.name = "fading", .use = Use::kRead, .type = "number", .unit = "dB", .otherwise = "0", .limits = "not negative", .doc = "Standard deviation of the fading of a link, drawn anew for each measurement."},
+    {.name = "loss", .use = Use::kRead, .type = "count", .otherwise = "0", .limits = "from 0 to 100", .doc = "Percentage of lost messages from received radios, drawn for each message."},
     {.name = "range_db", .use = Use::kOld, .instead = "write sensitivity"},
     {.name = "random_seed", .use = Use::kOld},
 };
@@ -270,18 +270,18 @@ constexpr KindInterface kInterfacesOfWifi[2] = {
 };
 
 constexpr Word kWordsOfCamera[12] = {
-    {.name = "resolution", .use = Use::kRead, .type = "tuple", .form = "[width height]", .unit = "px", .otherwise = "[32 32]", .limits = "from 1 to 2048", .doc = "The size of the image."},
-    {.name = "range", .use = Use::kRead, .type = "tuple", .form = "[min max]", .unit = "m", .otherwise = "[0.2 8]", .limits = "0 <= min <= max", .doc = "The nearest and the farthest thing that it shows, along the way it looks."},
-    {.name = "fov", .use = Use::kRead, .type = "tuple", .form = "[horizontal vertical]", .unit = "deg", .otherwise = "[70 40]", .limits = "from 1 to 170", .doc = "The field of view at the start."},
-    {.name = "pantilt", .use = Use::kRead, .type = "tuple", .form = "[pan tilt]", .unit = "deg", .otherwise = "[0 0]", .doc = "Where it looks at the start: to the left, and up."},
-    {.name = "pan_limits", .use = Use::kRead, .type = "tuple", .form = "[min max]", .unit = "deg", .otherwise = "[-100 100]", .doc = "How far clients may turn it to the right and to the left."},
-    {.name = "tilt_limits", .use = Use::kRead, .type = "tuple", .form = "[min max]", .unit = "deg", .otherwise = "[-25 25]", .doc = "How far clients may turn it down and up."},
-    {.name = "zoom_limits", .use = Use::kRead, .type = "tuple", .form = "[min max]", .unit = "deg", .otherwise = "[5 70]", .limits = "from 1 to 170", .doc = "The smallest and the largest horizontal field of view that clients may ask for."},
-    {.name = "pantilt_speed", .use = Use::kRead, .type = "angle", .unit = "deg", .otherwise = "90", .limits = "not negative", .doc = "How fast it turns at most, and changes its field of view, in a second."},
-    {.name = "image", .use = Use::kRead, .type = "choice", .form = "\"color\" | \"gray\" | \"depth\" | \"segmentation\"", .otherwise = "\"color\"", .doc = "What a pixel says. \"color\": red, green and blue; \"gray\": how bright it is; \"depth\": how far it is along the way that the camera looks, in mm; 0 where nothing is in range; \"segmentation\": which model it is: its id plus 1, in 24 bits; 0 where there is none in range."},
-    {.name = "compression", .use = Use::kRead, .type = "choice", .form = "\"raw\" | \"jpeg\"", .otherwise = "\"raw\"", .doc = "How images are sent; those of distances and of models always raw. \"raw\": as rows of pixels; \"jpeg\": as a JPEG file."},
-    {.name = "quality", .use = Use::kRead, .type = "count", .otherwise = "85", .limits = "from 1 to 100", .doc = "That of JPEG files, in percent."},
-    {.name = "noise", .use = Use::kRead, .type = "tuple", .form = "[value depth]", .otherwise = "[0 0]", .limits = "from 0 to 1", .doc = "Errors of a pixel: the standard deviation of red, green and blue each, as a share of the brightest, and that of distances, as a share of them."},
+    {.name = "resolution", .use = Use::kRead, .type = "tuple", .form = "[width height]", .unit = "px", .otherwise = "[32 32]", .limits = "from 1 to 2048", .doc = "Image size."},
+    {.name = "range", .use = Use::kRead, .type = "tuple", .form = "[min max]", .unit = "m", .otherwise = "[0.2 8]", .limits = "0 <= min <= max", .doc = "Near and far clipping distance, along the optical axis."},
+    {.name = "fov", .use = Use::kRead, .type = "tuple", .form = "[horizontal vertical]", .unit = "deg", .otherwise = "[70 40]", .limits = "from 1 to 170", .doc = "Initial field of view."},
+    {.name = "pantilt", .use = Use::kRead, .type = "tuple", .form = "[pan tilt]", .unit = "deg", .otherwise = "[0 0]", .doc = "Initial direction of view, positive to the left and upwards."},
+    {.name = "pan_limits", .use = Use::kRead, .type = "tuple", .form = "[min max]", .unit = "deg", .otherwise = "[-100 100]", .doc = "Pan limits for clients: right and left."},
+    {.name = "tilt_limits", .use = Use::kRead, .type = "tuple", .form = "[min max]", .unit = "deg", .otherwise = "[-25 25]", .doc = "Tilt limits for clients: down and up."},
+    {.name = "zoom_limits", .use = Use::kRead, .type = "tuple", .form = "[min max]", .unit = "deg", .otherwise = "[5 70]", .limits = "from 1 to 170", .doc = "Limits of the horizontal field of view for clients."},
+    {.name = "pantilt_speed", .use = Use::kRead, .type = "angle", .unit = "deg", .otherwise = "90", .limits = "not negative", .doc = "Maximum speed of pan, tilt and field of view, per second."},
+    {.name = "image", .use = Use::kRead, .type = "choice", .form = "\"color\" | \"gray\" | \"depth\" | \"segmentation\"", .otherwise = "\"color\"", .doc = "Content of a pixel. \"color\": red, green and blue; \"gray\": brightness; \"depth\": distance along the optical axis, in mm; 0 if nothing is in range; \"segmentation\": the model's id plus 1, in 24 bits; 0 if none is in range."},
+    {.name = "compression", .use = Use::kRead, .type = "choice", .form = "\"raw\" | \"jpeg\"", .otherwise = "\"raw\"", .doc = "Encoding of images; depth and segmentation images are always raw. \"raw\": rows of pixels; \"jpeg\": a JPEG file."},
+    {.name = "quality", .use = Use::kRead, .type = "count", .otherwise = "85", .limits = "from 1 to 100", .doc = "JPEG quality, in percent."},
+    {.name = "noise", .use = Use::kRead, .type = "tuple", .form = "[value depth]", .otherwise = "[0 0]", .limits = "from 0 to 1", .doc = "Pixel noise: standard deviation of each of red, green and blue, as a fraction of full scale, and of depth, as a fraction of the distance."},
 };
 
 constexpr KindInterface kInterfacesOfCamera[2] = {
@@ -290,21 +290,21 @@ constexpr KindInterface kInterfacesOfCamera[2] = {
 };
 
 constexpr Word kWordsOfDetector[15] = {
-    {.name = "fov", .use = Use::kRead, .type = "angle", .unit = "deg", .otherwise = "60", .limits = "from 0 to 360", .doc = "The field of view, half to each side. Its beams have equal shares of it, the first the rightmost."},
-    {.name = "fov_vertical", .use = Use::kRead, .type = "angle", .unit = "deg", .otherwise = "0", .limits = "from 0 to 170", .doc = "The field of view upwards and downwards, half to each; with 0 it sees what is at half its own height."},
-    {.name = "range", .use = Use::kRead, .type = "tuple", .form = "[min max]", .unit = "m", .otherwise = "[0 8]", .limits = "0 <= min <= max", .doc = "The nearest and the farthest thing that it tells of, along the line to it."},
-    {.name = "samples", .use = Use::kRead, .type = "count", .otherwise = "1", .limits = "from 1 to 65536", .doc = "How many beams it has. A beam tells the range of the nearest thing in its share of the field of view."},
-    {.name = "rays", .use = Use::kRead, .type = "count", .otherwise = "1", .limits = "from 1 to 1024", .doc = "The lines along which each beam looks, evenly spread over its share: 1 is as thin as a laser, many are as wide as a sonar."},
-    {.name = "layers", .use = Use::kRead, .type = "count", .otherwise = "1", .limits = "from 1 to 256", .doc = "How often each of them looks, evenly spread from below upwards."},
-    {.name = "sees", .use = Use::kRead, .type = "texts", .doc = "What it tells of: conditions of which one holds, as \"kind=position color=red\" (docs/detectors.md); without any, everything."},
-    {.name = "through", .use = Use::kRead, .type = "texts", .doc = "What is no hindrance: conditions as of sees, as \"material=glass\"."},
-    {.name = "walls", .use = Use::kRead, .type = "count", .otherwise = "0", .limits = "from 0 to 1000", .doc = "How many bodies it sees through on a line, beside those of through."},
-    {.name = "attenuation", .use = Use::kRead, .type = "tuple", .form = "[body metre]", .unit = "dB", .otherwise = "[0 0]", .limits = "from 0 to 1000", .doc = "What is lost in each body that it sees through, and for each metre of the way in it."},
-    {.name = "spread", .use = Use::kRead, .type = "number", .otherwise = "0", .limits = "not negative", .doc = "The power of the distance by which what comes back gets weaker, from 1 m on: 2 for a lamp, 4 for a radar's echo."},
-    {.name = "budget", .use = Use::kRead, .type = "number", .unit = "dB", .otherwise = "100", .limits = "not negative", .doc = "How much may be lost on the way to what it still tells of. What is left of that is told as the level."},
-    {.name = "resolution", .use = Use::kRead, .type = "length", .unit = "m", .otherwise = "0", .limits = "not negative", .doc = "Ranges are told in steps of this; 0: as they are."},
-    {.name = "noise", .use = Use::kRead, .type = "tuple", .form = "[constant proportional angular]", .unit = "m, 1, deg", .otherwise = "[0 0 0]", .limits = "from 0 to 360", .doc = "Standard deviations of errors: of a range, as a length and as a share of it, and of the bearing of what is found."},
-    {.name = "miss", .use = Use::kRead, .type = "number", .otherwise = "0", .limits = "from 0 to 1", .doc = "The probability that something in view is not noticed, for each thing in each measurement."},
+    {.name = "fov", .use = Use::kRead, .type = "angle", .unit = "deg", .otherwise = "60", .limits = "from 0 to 360", .doc = "Horizontal field of view, symmetric about the axis. Beams have equal shares of it; the first is the rightmost."},
+    {.name = "fov_vertical", .use = Use::kRead, .type = "angle", .unit = "deg", .otherwise = "0", .limits = "from 0 to 170", .doc = "Vertical field of view, symmetric about the horizontal; 0: lines are horizontal, at half its own height."},
+    {.name = "range", .use = Use::kRead, .type = "tuple", .form = "[min max]", .unit = "m", .otherwise = "[0 8]", .limits = "0 <= min <= max", .doc = "Minimum and maximum range of reported objects, along the line of sight."},
+    {.name = "samples", .use = Use::kRead, .type = "count", .otherwise = "1", .limits = "from 1 to 65536", .doc = "Number of beams. A beam reports the range of the nearest object in its share of the field of view."},
+    {.name = "rays", .use = Use::kRead, .type = "count", .otherwise = "1", .limits = "from 1 to 1024", .doc = "Number of lines of sight per beam, evenly spaced over its share: 1 is a thin beam like a laser's, many a wide one like a sonar's."},
+    {.name = "layers", .use = Use::kRead, .type = "count", .otherwise = "1", .limits = "from 1 to 256", .doc = "Number of elevations at which each line is cast, evenly spaced from below upwards."},
+    {.name = "sees", .use = Use::kRead, .type = "texts", .doc = "Conditions that select reported objects, one of which must hold, as \"kind=position color=red\" (docs/detectors.md); without any, everything is reported."},
+    {.name = "through", .use = Use::kRead, .type = "texts", .doc = "Conditions for bodies that do not obstruct, with the syntax of sees, as \"material=glass\"."},
+    {.name = "walls", .use = Use::kRead, .type = "count", .otherwise = "0", .limits = "from 0 to 1000", .doc = "Number of obstructing bodies that a line penetrates, in addition to those that match through."},
+    {.name = "attenuation", .use = Use::kRead, .type = "tuple", .form = "[body metre]", .unit = "dB", .otherwise = "[0 0]", .limits = "from 0 to 1000", .doc = "Loss in each penetrated body, and per metre of path inside it."},
+    {.name = "spread", .use = Use::kRead, .type = "number", .otherwise = "0", .limits = "not negative", .doc = "Exponent of the path loss with distance, counted from 1 m: 2 for a lamp, 4 for a radar echo."},
+    {.name = "budget", .use = Use::kRead, .type = "number", .unit = "dB", .otherwise = "100", .limits = "not negative", .doc = "Maximum total loss of a reported object. Its level is the remaining budget."},
+    {.name = "resolution", .use = Use::kRead, .type = "length", .unit = "m", .otherwise = "0", .limits = "not negative", .doc = "Quantisation step of ranges; 0: none."},
+    {.name = "noise", .use = Use::kRead, .type = "tuple", .form = "[constant proportional angular]", .unit = "m, 1, deg", .otherwise = "[0 0 0]", .limits = "from 0 to 360", .doc = "Standard deviations: of ranges, as a length and as a fraction of the range, and of bearings of detected objects."},
+    {.name = "miss", .use = Use::kRead, .type = "number", .otherwise = "0", .limits = "from 0 to 1", .doc = "Probability of missing an object in view, drawn for each object in each measurement."},
 };
 
 constexpr KindInterface kInterfacesOfDetector[2] = {
@@ -313,7 +313,7 @@ constexpr KindInterface kInterfacesOfDetector[2] = {
 };
 
 constexpr Word kWordsOfCustom[1] = {
-    {.name = "library", .use = Use::kRead, .type = "text", .otherwise = "\"\"", .doc = "The library's name, and arguments behind it."},
+    {.name = "library", .use = Use::kRead, .type = "text", .otherwise = "\"\"", .doc = "Name of the library, followed by arguments."},
 };
 
 constexpr KindInterface kInterfacesOfCustom[1] = {
@@ -321,12 +321,12 @@ constexpr KindInterface kInterfacesOfCustom[1] = {
 };
 
 constexpr Word kWordsOfImu[6] = {
-    {.name = "acceleration_noise", .use = Use::kRead, .type = "tuple", .form = "[white walk]", .unit = "m/s^2/sqrt(Hz), m/s^3/sqrt(Hz)", .otherwise = "[0 0]", .limits = "from 0 to 1000", .doc = "Errors along each axis: the density of white noise, and that of the noise by which the bias wanders."},
-    {.name = "gyro_noise", .use = Use::kRead, .type = "tuple", .form = "[white walk]", .unit = "rad/s/sqrt(Hz), rad/s^2/sqrt(Hz)", .otherwise = "[0 0]", .limits = "from 0 to 1000", .doc = "The same of the turn rate about each axis."},
-    {.name = "acceleration_bias", .use = Use::kRead, .type = "number", .unit = "m/s^2", .otherwise = "0", .limits = "not negative", .doc = "The standard deviation of the bias of each axis with which it begins."},
-    {.name = "gyro_bias", .use = Use::kRead, .type = "number", .unit = "rad/s", .otherwise = "0", .limits = "not negative", .doc = "The same of the turn rate about each axis."},
-    {.name = "acceleration_range", .use = Use::kRead, .type = "number", .unit = "m/s^2", .otherwise = "156.906", .limits = "above 0", .doc = "More than this along an axis reads as this, here 16 times the gravity of the earth."},
-    {.name = "gyro_range", .use = Use::kRead, .type = "number", .unit = "rad/s", .otherwise = "34.9066", .limits = "above 0", .doc = "More than this about an axis reads as this, here 2000 degrees per second."},
+    {.name = "acceleration_noise", .use = Use::kRead, .type = "tuple", .form = "[white walk]", .unit = "m/s^2/sqrt(Hz), m/s^3/sqrt(Hz)", .otherwise = "[0 0]", .limits = "from 0 to 1000", .doc = "Noise of the accelerometer along each axis: density of white noise, and density of the noise that drives the random walk of the bias."},
+    {.name = "gyro_noise", .use = Use::kRead, .type = "tuple", .form = "[white walk]", .unit = "rad/s/sqrt(Hz), rad/s^2/sqrt(Hz)", .otherwise = "[0 0]", .limits = "from 0 to 1000", .doc = "The same for the gyroscope, about each axis."},
+    {.name = "acceleration_bias", .use = Use::kRead, .type = "number", .unit = "m/s^2", .otherwise = "0", .limits = "not negative", .doc = "Standard deviation of the initial bias of each accelerometer axis."},
+    {.name = "gyro_bias", .use = Use::kRead, .type = "number", .unit = "rad/s", .otherwise = "0", .limits = "not negative", .doc = "Standard deviation of the initial bias of each gyroscope axis."},
+    {.name = "acceleration_range", .use = Use::kRead, .type = "number", .unit = "m/s^2", .otherwise = "156.906", .limits = "above 0", .doc = "Measuring range of each accelerometer axis; larger values saturate. The default is 16 times the earth's gravity."},
+    {.name = "gyro_range", .use = Use::kRead, .type = "number", .unit = "rad/s", .otherwise = "34.9066", .limits = "above 0", .doc = "Measuring range of each gyroscope axis; larger values saturate. The default is 2000 degrees per second."},
 };
 
 constexpr KindInterface kInterfacesOfImu[1] = {
@@ -334,12 +334,12 @@ constexpr KindInterface kInterfacesOfImu[1] = {
 };
 
 constexpr Word kWordsOfGps[6] = {
-    {.name = "noise", .use = Use::kRead, .type = "tuple", .form = "[horizontal vertical]", .unit = "m", .otherwise = "[0 0]", .limits = "from 0 to 1000000", .doc = "Standard deviations of the errors that every fix has anew, to the east and to the north, and upwards."},
-    {.name = "drift", .use = Use::kRead, .type = "tuple", .form = "[horizontal vertical]", .unit = "m", .otherwise = "[0 0]", .limits = "from 0 to 1000000", .doc = "Standard deviations of the errors that vary slowly, as what the air and the satellites' clocks add."},
-    {.name = "drift_time", .use = Use::kRead, .type = "number", .unit = "s", .otherwise = "300", .limits = "above 0", .doc = "After this time the errors that vary slowly have lost all but a share of 1/e of what they were (Gauss-Markov process of first order)."},
-    {.name = "velocity_noise", .use = Use::kRead, .type = "number", .unit = "m/s", .otherwise = "0", .limits = "not negative", .doc = "The standard deviation of its velocity, to the east and to the north."},
-    {.name = "satellites", .use = Use::kRead, .type = "count", .otherwise = "8", .limits = "from 0 to 64", .doc = "How many it hears; with less than four it has no fix."},
-    {.name = "dop", .use = Use::kRead, .type = "tuple", .form = "[horizontal vertical]", .otherwise = "[1 1.5]", .limits = "from 0 to 100", .doc = "How well they are spread over the sky, as it is told: dilutions of precision."},
+    {.name = "noise", .use = Use::kRead, .type = "tuple", .form = "[horizontal vertical]", .unit = "m", .otherwise = "[0 0]", .limits = "from 0 to 1000000", .doc = "Standard deviations of white noise, drawn anew for every fix: east and north, and up."},
+    {.name = "drift", .use = Use::kRead, .type = "tuple", .form = "[horizontal vertical]", .unit = "m", .otherwise = "[0 0]", .limits = "from 0 to 1000000", .doc = "Standard deviations of slowly varying errors, such as those of the atmosphere and of satellite clocks."},
+    {.name = "drift_time", .use = Use::kRead, .type = "number", .unit = "s", .otherwise = "300", .limits = "above 0", .doc = "Time constant of the slowly varying errors: their autocorrelation falls to 1/e (Gauss-Markov process of first order)."},
+    {.name = "velocity_noise", .use = Use::kRead, .type = "number", .unit = "m/s", .otherwise = "0", .limits = "not negative", .doc = "Standard deviation of its velocity: east and north."},
+    {.name = "satellites", .use = Use::kRead, .type = "count", .otherwise = "8", .limits = "from 0 to 64", .doc = "Number of received satellites; with less than four there is no fix."},
+    {.name = "dop", .use = Use::kRead, .type = "tuple", .form = "[horizontal vertical]", .otherwise = "[1 1.5]", .limits = "from 0 to 100", .doc = "Dilutions of precision that it reports."},
 };
 
 constexpr KindInterface kInterfacesOfGps[1] = {
@@ -349,9 +349,9 @@ constexpr KindInterface kInterfacesOfGps[1] = {
 constexpr std::string_view kOld_block_height_to[] = {"z.1"};
 constexpr Meaning kOld_block_height{.how = Meaning::How::kWords, .to = kOld_block_height_to};
 constexpr Word kWordsOfBlock[7] = {
-    {.name = "points", .use = Use::kRead, .type = "integer", .doc = "How many corners the outline has, at least 2; two are a wall 0.01 m thick."},
-    {.name = "point", .use = Use::kRead, .type = "tuple", .form = "[x y]", .unit = "m", .otherwise = "[0 0]", .doc = "A corner, counted from 0; beside a bitmap in its pixels."},
-    {.name = "z", .use = Use::kRead, .type = "tuple", .form = "[min max]", .unit = "m", .told = "as high as the model", .doc = "From where to where the prism reaches, the floor being 0."},
+    {.name = "points", .use = Use::kRead, .type = "integer", .doc = "Number of vertices of the outline, at least 2; two make a wall 0.01 m thick."},
+    {.name = "point", .use = Use::kRead, .type = "tuple", .form = "[x y]", .unit = "m", .otherwise = "[0 0]", .doc = "A vertex, indexed from 0; in pixels if the model has a bitmap as well."},
+    {.name = "z", .use = Use::kRead, .type = "tuple", .form = "[min max]", .unit = "m", .told = "the model's full height", .doc = "Lower and upper end of the prism, above the floor."},
     {.name = "height", .use = Use::kOld, .instead = "write z [min max]", .meaning = &kOld_block_height},
     {.name = "fill", .use = Use::kOld},
     {.name = "filled", .use = Use::kOld},
@@ -365,19 +365,19 @@ constexpr Meaning kOld_sensor_range_min{.how = Meaning::How::kWords, .to = kOld_
 constexpr std::string_view kOld_sensor_view_to[] = {"range.0", "range.1", "fov"};
 constexpr Meaning kOld_sensor_view{.how = Meaning::How::kWords, .to = kOld_sensor_view_to};
 constexpr Word kWordsOfSensor[19] = {
-    {.name = "pose", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .otherwise = "[0 0 0 0]", .doc = "Where the sensor is in the ranger."},
-    {.name = "size", .use = Use::kRead, .type = "size", .form = "[x y z]", .unit = "m", .otherwise = "[0.02 0.02 0.02]", .doc = "For drawing; beams start at half its height above the pose."},
-    {.name = "range", .use = Use::kRead, .type = "tuple", .form = "[min max]", .unit = "m", .otherwise = "[0 5]", .limits = "0 <= min <= max", .doc = "The nearest and the farthest thing that it reports."},
-    {.name = "fov", .use = Use::kRead, .type = "angle", .unit = "deg", .otherwise = "5.729577951308232", .limits = "not negative", .doc = "Beams spread over this angle, half to each side, the first rightmost; a single one looks ahead."},
-    {.name = "samples", .use = Use::kRead, .type = "count", .otherwise = "1", .limits = "from 1 to 65536", .doc = "How many beams it has."},
-    {.name = "rings", .use = Use::kRead, .type = "count", .otherwise = "1", .limits = "from 1 to 256", .doc = "How many rows of beams it has, one above the other, as lidars with several lasers do. `samples` is how many beams each row has."},
-    {.name = "ring_fov", .use = Use::kRead, .type = "tuple", .form = "[lowest highest]", .unit = "deg", .otherwise = "[0 0]", .limits = "from -89 to 89", .doc = "The elevations of the lowest ring and of the highest, between which the others are spread evenly. With the stage engine all are level."},
-    {.name = "error", .use = Use::kRead, .type = "choice", .form = "\"none\" | \"lidar\"", .otherwise = "\"none\"", .doc = "How its beams fail, beyond their noise, at surfaces that are far away, dark, slanted, shiny or clear. \"none\": they do not; \"lidar\": as light does: what comes back of it follows from colour, material, incidence and distance, and what is too weak is not seen; with the arena engine (docs/arena.md)."},
-    {.name = "range_dark", .use = Use::kRead, .type = "length", .unit = "m", .otherwise = "10", .limits = "above 0", .doc = "Of error \"lidar\": how far away it still sees a surface that it looks at straight on and that returns a tenth of the light."},
-    {.name = "noise_weak", .use = Use::kRead, .type = "length", .unit = "m", .otherwise = "0", .limits = "not negative", .doc = "Of error \"lidar\": the standard deviation of a range that is told by the weakest echo that it notices. It falls as echoes get stronger."},
-    {.name = "noise", .use = Use::kRead, .type = "tuple", .form = "[constant proportional angular]", .unit = "m, 1, deg", .otherwise = "[0 0 0]", .doc = "Errors: a standard deviation, a fraction of the range, and the angle by which a beam may be turned."},
-    {.name = "color", .use = Use::kRead, .type = "color", .told = "blue, which one can see through", .doc = "The name of an X11 color, or random, which is the same in each run."},
-    {.name = "color_rgba", .use = Use::kRead, .type = "rgba", .form = "[red green blue alpha]", .otherwise = "[0 0 1 0.15]", .doc = "The color as shares from 0 to 1; counts where there is no color."},
+    {.name = "pose", .use = Use::kRead, .type = "pose", .form = "[x y z heading]", .unit = "m, m, m, deg", .otherwise = "[0 0 0 0]", .doc = "Pose in the ranger."},
+    {.name = "size", .use = Use::kRead, .type = "size", .form = "[x y z]", .unit = "m", .otherwise = "[0.02 0.02 0.02]", .doc = "Size of the drawn transducer; beams start at half its height above the pose."},
+    {.name = "range", .use = Use::kRead, .type = "tuple", .form = "[min max]", .unit = "m", .otherwise = "[0 5]", .limits = "0 <= min <= max", .doc = "Minimum and maximum reported range."},
+    {.name = "fov", .use = Use::kRead, .type = "angle", .unit = "deg", .otherwise = "5.729577951308232", .limits = "not negative", .doc = "Horizontal angle over which the beams are spread, symmetric about the axis, the first the rightmost; a single beam points ahead."},
+    {.name = "samples", .use = Use::kRead, .type = "count", .otherwise = "1", .limits = "from 1 to 65536", .doc = "Number of beams."},
+    {.name = "rings", .use = Use::kRead, .type = "count", .otherwise = "1", .limits = "from 1 to 256", .doc = "Number of rows of beams, one above the other, as in lidars with several lasers. `samples` is the number of beams per row."},
+    {.name = "ring_fov", .use = Use::kRead, .type = "tuple", .form = "[lowest highest]", .unit = "deg", .otherwise = "[0 0]", .limits = "from -89 to 89", .doc = "Elevations of the lowest and the highest ring; the others are evenly spaced between them. The stage engine simulates them as horizontal."},
+    {.name = "error", .use = Use::kRead, .type = "choice", .form = "\"none\" | \"lidar\"", .otherwise = "\"none\"", .doc = "Error model of its beams, in addition to noise, for distant, dark, oblique, specular or transparent surfaces. \"none\": no error model; \"lidar\": the power of returned light depends on color, material, incidence and distance, and weak echoes are not detected; with the arena engine (docs/arena.md)."},
+    {.name = "range_dark", .use = Use::kRead, .type = "length", .unit = "m", .otherwise = "10", .limits = "above 0", .doc = "With error \"lidar\": maximum range at normal incidence of a surface that returns a tenth of the light."},
+    {.name = "noise_weak", .use = Use::kRead, .type = "length", .unit = "m", .otherwise = "0", .limits = "not negative", .doc = "With error \"lidar\": standard deviation of ranges at the weakest detectable echo. It falls with the power of the echo."},
+    {.name = "noise", .use = Use::kRead, .type = "tuple", .form = "[constant proportional angular]", .unit = "m, 1, deg", .otherwise = "[0 0 0]", .doc = "Range noise: a standard deviation, the largest uniform error as a fraction of the range, and the largest uniform error of a beam's direction."},
+    {.name = "color", .use = Use::kRead, .type = "color", .told = "transparent blue", .doc = "Name of an X11 color, or random, which is the same in every run."},
+    {.name = "color_rgba", .use = Use::kRead, .type = "rgba", .form = "[red green blue alpha]", .otherwise = "[0 0 1 0.15]", .doc = "Color components from 0 to 1; used if there is no color."},
     {.name = "range_max", .use = Use::kOld, .instead = "write range [min max]", .meaning = &kOld_sensor_range_max},
     {.name = "range_min", .use = Use::kOld, .instead = "write range [min max]", .meaning = &kOld_sensor_range_min},
     {.name = "view", .use = Use::kOld, .instead = "write range [min max] fov degrees", .meaning = &kOld_sensor_view},
@@ -391,11 +391,11 @@ constexpr KindInterface kInterfacesOfPack[1] = {
 };
 
 constexpr Word kWordsOfWindow[51] = {
-    {.name = "center", .use = Use::kRead, .type = "point", .form = "[x y]", .unit = "m", .otherwise = "[0 0]", .doc = "The place in the middle of the window, in metres whatever the file's unit."},
+    {.name = "center", .use = Use::kRead, .type = "point", .form = "[x y]", .unit = "m", .otherwise = "[0 0]", .doc = "Position in the middle of the window, in metres, independent of the file's unit."},
     {.name = "scale", .use = Use::kRead, .type = "number", .unit = "px/m", .otherwise = "0", .limits = "not negative", .doc = "Pixels per metre; 0: the whole scene is shown."},
-    {.name = "rotate", .use = Use::kRead, .type = "tuple", .form = "[pitch yaw]", .unit = "deg", .otherwise = "[0 0]", .doc = "The direction of view, in degrees whatever the file's unit."},
-    {.name = "show_data", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "Sensors are shown from the start."},
-    {.name = "follow_model", .use = Use::kRead, .type = "text", .otherwise = "\"\"", .doc = "The name of a model that stays in the middle; none: the view stands still."},
+    {.name = "rotate", .use = Use::kRead, .type = "tuple", .form = "[pitch yaw]", .unit = "deg", .otherwise = "[0 0]", .doc = "Direction of view, in degrees, independent of the file's unit."},
+    {.name = "show_data", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "Sensor data are shown from the start."},
+    {.name = "follow_model", .use = Use::kRead, .type = "text", .otherwise = "\"\"", .doc = "Name of the model that the view follows; none: a fixed view."},
     {.name = "size", .use = Use::kSilent},
     {.name = "pcam_loc", .use = Use::kSilent},
     {.name = "pcam_angle", .use = Use::kSilent},
@@ -448,23 +448,23 @@ constexpr std::string_view kOld_world_threadpool_to[] = {"threads"};
 constexpr Meaning kOld_world_threadpool{.how = Meaning::How::kWords, .to = kOld_world_threadpool_to};
 constexpr Word kWordsOfWorld[31] = {
     {.name = "name", .use = Use::kRead, .type = "text", .told = "the file's path", .doc = "The name of the world."},
-    {.name = "interval_sim", .use = Use::kRead, .type = "number", .unit = "ms", .otherwise = "100", .limits = "above 0", .doc = "Simulated time of one tick, in whole microseconds."},
-    {.name = "resolution", .use = Use::kRead, .type = "number", .unit = "m", .otherwise = "0.02", .limits = "above 0", .doc = "Told to clients as the resolution of ranges; geometry here is exact."},
-    {.name = "gravity", .use = Use::kRead, .type = "number", .unit = "m/s^2", .otherwise = "9.81", .limits = "not negative", .doc = "How fast what falls gets faster, in the arena, and what an imu feels that stands still; 1.62 is the moon's."},
-    {.name = "ground", .use = Use::kRead, .type = "text", .otherwise = "\"concrete\"", .doc = "What the ground is made of, in the arena: a material, as of models (docs/arena.md)."},
-    {.name = "quit_time", .use = Use::kRead, .type = "number", .unit = "s", .otherwise = "0", .limits = "not negative", .doc = "Simulated time after which the run ends; 0: never."},
-    {.name = "robot_types", .use = Use::kRead, .type = "texts", .doc = "Words of defines, of robots and of sensors that these may carry: `playhouse robot` makes robots of them while the world runs (docs/robot-client.md). None of them stands in the world at the start."},
-    {.name = "unit_length", .use = Use::kRead, .type = "choice", .form = "\"m\" | \"cm\" | \"mm\"", .otherwise = "\"m\"", .doc = "The unit of all lengths in the file."},
-    {.name = "unit_angle", .use = Use::kRead, .type = "choice", .form = "\"degrees\" | \"radians\"", .otherwise = "\"degrees\"", .doc = "The unit of all angles in the file."},
-    {.name = "speedup", .use = Use::kRead, .type = "number", .otherwise = "1", .doc = "Times real time; 0 or less: as fast as possible."},
+    {.name = "interval_sim", .use = Use::kRead, .type = "number", .unit = "ms", .otherwise = "100", .limits = "above 0", .doc = "Simulated time per tick, in whole microseconds."},
+    {.name = "resolution", .use = Use::kRead, .type = "number", .unit = "m", .otherwise = "0.02", .limits = "above 0", .doc = "Resolution of ranges that is reported to clients; geometry here is exact."},
+    {.name = "gravity", .use = Use::kRead, .type = "number", .unit = "m/s^2", .otherwise = "9.81", .limits = "not negative", .doc = "Acceleration of free fall in the arena, and specific force measured by an imu at rest; 1.62 is the moon's."},
+    {.name = "ground", .use = Use::kRead, .type = "text", .otherwise = "\"concrete\"", .doc = "Material of the ground in the arena, one of those of models (docs/arena.md)."},
+    {.name = "quit_time", .use = Use::kRead, .type = "number", .unit = "s", .otherwise = "0", .limits = "not negative", .doc = "Simulated time at which the run ends; 0: never."},
+    {.name = "robot_types", .use = Use::kRead, .type = "texts", .doc = "Names of defines: of robots, and of sensors that they may carry. `playhouse robot` spawns robots of these types during the run (docs/robot-client.md). None of them is in the world at the start."},
+    {.name = "unit_length", .use = Use::kRead, .type = "choice", .form = "\"m\" | \"cm\" | \"mm\"", .otherwise = "\"m\"", .doc = "Unit of all lengths in the file."},
+    {.name = "unit_angle", .use = Use::kRead, .type = "choice", .form = "\"degrees\" | \"radians\"", .otherwise = "\"degrees\"", .doc = "Unit of all angles in the file."},
+    {.name = "speedup", .use = Use::kRead, .type = "number", .otherwise = "1", .doc = "Speed relative to real time; 0 or less: as fast as possible."},
     {.name = "paused", .use = Use::kRead, .type = "flag", .otherwise = "0", .doc = "The run starts paused."},
-    {.name = "sky", .use = Use::kRead, .type = "tuple", .form = "[red green blue]", .otherwise = "[0.6235 0.7686 0.9098]", .limits = "from 0 to 1", .doc = "The color of the sky in the images of cameras, as shares from 0 to 1."},
-    {.name = "sun", .use = Use::kRead, .type = "tuple", .form = "[heading elevation brightness]", .unit = "deg, deg, 1", .otherwise = "[-125 50 1]", .doc = "Where the sun is, seen from the world, and how bright; one that is not above the horizon has set. Of cameras of the arena engine."},
-    {.name = "fog", .use = Use::kRead, .type = "length", .unit = "m", .otherwise = "0", .limits = "not negative", .doc = "How far one sees: at this distance fog leaves 5 % of a contrast; 0: there is none. Of cameras of the arena engine."},
-    {.name = "fog_color", .use = Use::kRead, .type = "tuple", .form = "[red green blue]", .otherwise = "[0.8 0.82 0.84]", .limits = "from 0 to 1", .doc = "The color of the fog, as shares from 0 to 1. Of cameras of the arena engine."},
-    {.name = "latitude", .use = Use::kRead, .type = "angle", .unit = "deg", .otherwise = "0", .doc = "Where on the earth the point 0 0 0 is, positive to the north (WGS84): what gps receivers tell follows from it. x is east there, y north."},
-    {.name = "longitude", .use = Use::kRead, .type = "angle", .unit = "deg", .otherwise = "0", .doc = "The same, positive to the east."},
-    {.name = "altitude", .use = Use::kRead, .type = "number", .unit = "m", .otherwise = "0", .doc = "The same, above the ellipsoid."},
+    {.name = "sky", .use = Use::kRead, .type = "tuple", .form = "[red green blue]", .otherwise = "[0.6235 0.7686 0.9098]", .limits = "from 0 to 1", .doc = "Color of the sky in camera images, as components from 0 to 1."},
+    {.name = "sun", .use = Use::kRead, .type = "tuple", .form = "[heading elevation brightness]", .unit = "deg, deg, 1", .otherwise = "[-125 50 1]", .doc = "Direction of the sun in the world frame, and its brightness; at an elevation of 0 or less it has set. For cameras of the arena engine."},
+    {.name = "fog", .use = Use::kRead, .type = "length", .unit = "m", .otherwise = "0", .limits = "not negative", .doc = "Visibility: at this distance fog reduces contrast to 5 %; 0: no fog. For cameras of the arena engine."},
+    {.name = "fog_color", .use = Use::kRead, .type = "tuple", .form = "[red green blue]", .otherwise = "[0.8 0.82 0.84]", .limits = "from 0 to 1", .doc = "Color of the fog, as components from 0 to 1. For cameras of the arena engine."},
+    {.name = "latitude", .use = Use::kRead, .type = "angle", .unit = "deg", .otherwise = "0", .doc = "Latitude of the point 0 0 0, positive to the north (WGS84), for gps receivers. x is east there, y north."},
+    {.name = "longitude", .use = Use::kRead, .type = "angle", .unit = "deg", .otherwise = "0", .doc = "Longitude of the point 0 0 0, positive to the east."},
+    {.name = "altitude", .use = Use::kRead, .type = "number", .unit = "m", .otherwise = "0", .doc = "Altitude of the point 0 0 0 above the ellipsoid."},
     {.name = "show_clock", .use = Use::kSilent},
     {.name = "show_clock_interval", .use = Use::kSilent},
     {.name = "threads", .use = Use::kSilent},
@@ -485,27 +485,27 @@ constexpr KindInterface kInterfacesOfWorld[1] = {
 };
 
 constexpr Kind kKinds[21] = {
-    {.name = "model", .doc = "A plain body; its words are those of every model, whatever its kind.", .entity = EntityForm::kModel, .table = "models", .kind = ModelKind::kPlain, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfModel, .interfaces = kInterfacesOfModel},
-    {.name = "position", .doc = "A robot that drives in the plane.", .entity = EntityForm::kModel, .table = "positions", .kind = ModelKind::kPosition, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfPosition, .interfaces = kInterfacesOfPosition},
-    {.name = "ranger", .doc = "Range finders of any kind: a laser has one sensor with many samples, a ring of sonars many with one.", .entity = EntityForm::kModel, .table = "rangers", .kind = ModelKind::kRanger, .simulated = true, .solid = false, .size = {0.15, 0.15, 0.2}, .color = {0, 0, 0.5f, 1}, .words = kWordsOfRanger, .interfaces = kInterfacesOfRanger},
-    {.name = "fiducial", .doc = "A finder of marks: sees models with a fiducial_return and tells which they are and where.", .entity = EntityForm::kModel, .table = "fiducials", .kind = ModelKind::kFiducial, .simulated = true, .solid = false, .size = {0, 0, 0}, .color = {1, 0, 0, 1}, .words = kWordsOfFiducial, .interfaces = kInterfacesOfFiducial},
-    {.name = "blobfinder", .doc = "A camera that finds patches of a colour.", .entity = EntityForm::kModel, .table = "blobfinders", .kind = ModelKind::kBlobfinder, .simulated = true, .solid = false, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfBlobfinder, .interfaces = kInterfacesOfBlobfinder},
-    {.name = "bumper", .doc = "Switches that feel a touch.", .entity = EntityForm::kModel, .table = "bumpers", .kind = ModelKind::kBumper, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfBumper, .interfaces = kInterfacesOfBumper},
-    {.name = "blinkenlight", .doc = "A lamp that can blink.", .entity = EntityForm::kModel, .table = "blinkenlights", .kind = ModelKind::kBlinkenlight, .simulated = true, .solid = true, .size = {0.02, 0.02, 0.02}, .color = {0, 1, 0, 1}, .words = kWordsOfBlinkenlight, .interfaces = kInterfacesOfBlinkenlight},
-    {.name = "lightindicator", .doc = "A body that is darker while it is off, as it is at the start.", .entity = EntityForm::kModel, .table = "lightindicators", .kind = ModelKind::kLightindicator, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .interfaces = kInterfacesOfLightindicator},
-    {.name = "gripper", .doc = "Two paddles that close around a thing and carry it.", .entity = EntityForm::kModel, .table = "grippers", .kind = ModelKind::kGripper, .simulated = true, .solid = true, .size = {0.2, 0.3, 0.2}, .color = {0.3f, 0.3f, 0.3f, 1}, .words = kWordsOfGripper, .interfaces = kInterfacesOfGripper},
-    {.name = "actuator", .doc = "A joint that slides or turns, with what it carries.", .entity = EntityForm::kModel, .table = "actuators", .kind = ModelKind::kActuator, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfActuator, .interfaces = kInterfacesOfActuator},
-    {.name = "wifi", .doc = "A radio: tells which others of its network it hears, and how well, and carries messages between them.", .entity = EntityForm::kModel, .table = "wifis", .kind = ModelKind::kWifi, .simulated = true, .solid = false, .size = {0, 0, 0}, .color = {0.2f, 0.6f, 0.9f, 1}, .words = kWordsOfWifi, .interfaces = kInterfacesOfWifi},
-    {.name = "camera", .doc = "A camera: takes images of the bodies, the floor and the sky, in colours, in grey, of distances, or of which model is where, and pans, tilts and zooms.", .entity = EntityForm::kModel, .table = "cameras", .kind = ModelKind::kCamera, .simulated = true, .solid = true, .size = {0.1, 0.07, 0.05}, .color = {0, 0, 0, 1}, .words = kWordsOfCamera, .interfaces = kInterfacesOfCamera},
-    {.name = "detector", .doc = "A sensor made up in the world file: what it sees, what it sees through, how far, how finely and how well (docs/detectors.md).", .entity = EntityForm::kModel, .table = "detectors", .kind = ModelKind::kDetector, .simulated = true, .solid = false, .size = {0.1, 0.1, 0.1}, .color = {0.4f, 0.1f, 0.6f, 1}, .words = kWordsOfDetector, .interfaces = kInterfacesOfDetector},
-    {.name = "custom", .doc = "A model or a sensor whose code is in a shared library.", .entity = EntityForm::kModel, .table = "customs", .kind = ModelKind::kCustom, .simulated = true, .solid = true, .size = {0.1, 0.1, 0.1}, .color = {1, 0.5f, 0, 1}, .words = kWordsOfCustom, .interfaces = kInterfacesOfCustom},
-    {.name = "imu", .doc = "An inertial measurement unit: feels how it is accelerated, with gravity, and how fast it turns, and tells how it stands.", .entity = EntityForm::kModel, .table = "imus", .kind = ModelKind::kImu, .simulated = true, .solid = false, .size = {0.03, 0.03, 0.01}, .color = {0.1f, 0.4f, 0.2f, 1}, .words = kWordsOfImu, .interfaces = kInterfacesOfImu},
-    {.name = "gps", .doc = "A satellite receiver: tells where on the earth it is, as the world's latitude, longitude and altitude have it.", .entity = EntityForm::kModel, .table = "receivers", .kind = ModelKind::kGps, .simulated = true, .solid = false, .size = {0.06, 0.06, 0.02}, .color = {0.9f, 0.9f, 0.9f, 1}, .words = kWordsOfGps, .interfaces = kInterfacesOfGps},
-    {.name = "block", .doc = "A prism, as a part of a model's body; all blocks together are stretched to fill the model's size.", .entity = EntityForm::kPart, .inside = "model", .simulated = true, .words = kWordsOfBlock},
+    {.name = "model", .doc = "A plain body. Models of every kind have its words.", .entity = EntityForm::kModel, .table = "models", .kind = ModelKind::kPlain, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfModel, .interfaces = kInterfacesOfModel},
+    {.name = "position", .doc = "A mobile base: a robot that drives in the plane.", .entity = EntityForm::kModel, .table = "positions", .kind = ModelKind::kPosition, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfPosition, .interfaces = kInterfacesOfPosition},
+    {.name = "ranger", .doc = "Range finders of any type: a laser has one sensor with many samples, a sonar ring many sensors with one.", .entity = EntityForm::kModel, .table = "rangers", .kind = ModelKind::kRanger, .simulated = true, .solid = false, .size = {0.15, 0.15, 0.2}, .color = {0, 0, 0.5f, 1}, .words = kWordsOfRanger, .interfaces = kInterfacesOfRanger},
+    {.name = "fiducial", .doc = "A fiducial finder: detects markers (models with a fiducial_return) and reports their ids and poses.", .entity = EntityForm::kModel, .table = "fiducials", .kind = ModelKind::kFiducial, .simulated = true, .solid = false, .size = {0, 0, 0}, .color = {1, 0, 0, 1}, .words = kWordsOfFiducial, .interfaces = kInterfacesOfFiducial},
+    {.name = "blobfinder", .doc = "A camera that reports regions of one color (blobs).", .entity = EntityForm::kModel, .table = "blobfinders", .kind = ModelKind::kBlobfinder, .simulated = true, .solid = false, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfBlobfinder, .interfaces = kInterfacesOfBlobfinder},
+    {.name = "bumper", .doc = "Contact switches.", .entity = EntityForm::kModel, .table = "bumpers", .kind = ModelKind::kBumper, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfBumper, .interfaces = kInterfacesOfBumper},
+    {.name = "blinkenlight", .doc = "A flashing lamp.", .entity = EntityForm::kModel, .table = "blinkenlights", .kind = ModelKind::kBlinkenlight, .simulated = true, .solid = true, .size = {0.02, 0.02, 0.02}, .color = {0, 1, 0, 1}, .words = kWordsOfBlinkenlight, .interfaces = kInterfacesOfBlinkenlight},
+    {.name = "lightindicator", .doc = "A body that indicates an on/off state; it is darker while off, its initial state.", .entity = EntityForm::kModel, .table = "lightindicators", .kind = ModelKind::kLightindicator, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .interfaces = kInterfacesOfLightindicator},
+    {.name = "gripper", .doc = "A gripper: two paddles that close around an object and carry it.", .entity = EntityForm::kModel, .table = "grippers", .kind = ModelKind::kGripper, .simulated = true, .solid = true, .size = {0.2, 0.3, 0.2}, .color = {0.3f, 0.3f, 0.3f, 1}, .words = kWordsOfGripper, .interfaces = kInterfacesOfGripper},
+    {.name = "actuator", .doc = "A prismatic or revolute joint that moves the models on it.", .entity = EntityForm::kModel, .table = "actuators", .kind = ModelKind::kActuator, .simulated = true, .solid = true, .size = {0.4, 0.4, 1.0}, .color = {1, 0, 0, 1}, .words = kWordsOfActuator, .interfaces = kInterfacesOfActuator},
+    {.name = "wifi", .doc = "A radio: reports the received radios of its network with their signal levels, and carries messages between them.", .entity = EntityForm::kModel, .table = "wifis", .kind = ModelKind::kWifi, .simulated = true, .solid = false, .size = {0, 0, 0}, .color = {0.2f, 0.6f, 0.9f, 1}, .words = kWordsOfWifi, .interfaces = kInterfacesOfWifi},
+    {.name = "camera", .doc = "A camera with pan, tilt and zoom. It renders color, gray, depth or segmentation images of bodies, floor and sky.", .entity = EntityForm::kModel, .table = "cameras", .kind = ModelKind::kCamera, .simulated = true, .solid = true, .size = {0.1, 0.07, 0.05}, .color = {0, 0, 0, 1}, .words = kWordsOfCamera, .interfaces = kInterfacesOfCamera},
+    {.name = "detector", .doc = "A sensor specified in the world file: what it detects and penetrates, its range, resolution and noise (docs/detectors.md).", .entity = EntityForm::kModel, .table = "detectors", .kind = ModelKind::kDetector, .simulated = true, .solid = false, .size = {0.1, 0.1, 0.1}, .color = {0.4f, 0.1f, 0.6f, 1}, .words = kWordsOfDetector, .interfaces = kInterfacesOfDetector},
+    {.name = "custom", .doc = "A model or sensor implemented in a shared library.", .entity = EntityForm::kModel, .table = "customs", .kind = ModelKind::kCustom, .simulated = true, .solid = true, .size = {0.1, 0.1, 0.1}, .color = {1, 0.5f, 0, 1}, .words = kWordsOfCustom, .interfaces = kInterfacesOfCustom},
+    {.name = "imu", .doc = "An inertial measurement unit: measures specific force and turn rate, and estimates its orientation.", .entity = EntityForm::kModel, .table = "imus", .kind = ModelKind::kImu, .simulated = true, .solid = false, .size = {0.03, 0.03, 0.01}, .color = {0.1f, 0.4f, 0.2f, 1}, .words = kWordsOfImu, .interfaces = kInterfacesOfImu},
+    {.name = "gps", .doc = "A satellite receiver: reports its position on the earth, derived from the world's latitude, longitude and altitude.", .entity = EntityForm::kModel, .table = "receivers", .kind = ModelKind::kGps, .simulated = true, .solid = false, .size = {0.06, 0.06, 0.02}, .color = {0.9f, 0.9f, 0.9f, 1}, .words = kWordsOfGps, .interfaces = kInterfacesOfGps},
+    {.name = "block", .doc = "A prism, part of a model's body. All blocks together are scaled to the model's size.", .entity = EntityForm::kPart, .inside = "model", .simulated = true, .words = kWordsOfBlock},
     {.name = "sensor", .doc = "One transducer or scanner of a ranger.", .entity = EntityForm::kPart, .inside = "ranger", .table = "sensors", .simulated = true, .words = kWordsOfSensor},
-    {.name = "pack", .doc = "A battery, from which a model draws, and what is inside it and has none of its own.", .entity = EntityForm::kTrait, .table = "packs", .simulated = true, .interfaces = kInterfacesOfPack, .has = has_pack},
-    {.name = "window", .doc = "How to look at the scene; the first window of a file counts.", .entity = EntityForm::kWindow, .simulated = true, .words = kWordsOfWindow},
-    {.name = "world", .doc = "The world file itself: words that stand outside of all entities, anywhere in the file.", .entity = EntityForm::kWorld, .simulated = true, .words = kWordsOfWorld, .interfaces = kInterfacesOfWorld},
+    {.name = "pack", .doc = "A battery that supplies a model and its descendants without one of their own.", .entity = EntityForm::kTrait, .table = "packs", .simulated = true, .interfaces = kInterfacesOfPack, .has = has_pack},
+    {.name = "window", .doc = "The view of the scene; the first window of a file is used.", .entity = EntityForm::kWindow, .simulated = true, .words = kWordsOfWindow},
+    {.name = "world", .doc = "The world file itself: words outside all entities, anywhere in the file.", .entity = EntityForm::kWorld, .simulated = true, .words = kWordsOfWorld, .interfaces = kInterfacesOfWorld},
 };
 
 constexpr SaidWord kOldType_map_words[] = {{"boundary", "1"}, {"color", "gray30"}, {"gui_move", "0"}};

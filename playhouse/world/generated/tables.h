@@ -30,50 +30,50 @@ using ImuRow = Row<struct ImuTable>;
 using GpsRow = Row<struct GpsTable>;
 using PackRow = Row<struct PackTable>;
 
-/// A robot that drives in the plane.
+/// A mobile base: a robot that drives in the plane.
 struct Positions {
-  std::vector<ModelRow> model;  // The model that drives.
-  std::vector<ControlMode> mode;  // What the command means.
-  std::vector<geom::Twist> command;  // Wanted velocity or acceleration; of a car the steering angle, by heading the heading itself, stands for the turn rate. [m/s, m/s, m/s, rad/s or m/s^2, m/s^2, m/s^2, rad/s^2]
-  std::vector<geom::Pose> goal;  // Wanted pose, for control by position. [m, m, m, rad]
-  std::vector<geom::Twist> velocity;  // Velocity within the bounds. [m/s, m/s, m/s, rad/s]
-  std::vector<geom::Pose> X_OM;  // What the robot believes. [m, m, m, rad]
-  std::vector<geom::Pose> X_WO;  // Where the frame of odometry is in the world. [m, m, m, rad]
-  std::vector<geom::Twist> odom_error;  // Errors as fractions of the motion.
+  std::vector<ModelRow> model;  // The model of the base.
+  std::vector<ControlMode> mode;  // Control mode, the meaning of the command.
+  std::vector<geom::Twist> command;  // Commanded velocity or acceleration; for a car the turn rate is the steering angle, in heading mode the heading. [m/s, m/s, m/s, rad/s or m/s^2, m/s^2, m/s^2, rad/s^2]
+  std::vector<geom::Pose> goal;  // Commanded pose, for position control. [m, m, m, rad]
+  std::vector<geom::Twist> velocity;  // Velocity, within the bounds. [m/s, m/s, m/s, rad/s]
+  std::vector<geom::Pose> X_OM;  // Estimated pose. [m, m, m, rad]
+  std::vector<geom::Pose> X_WO;  // Pose of the odometry frame in the world. [m, m, m, rad]
+  std::vector<geom::Twist> odom_error;  // Odometry errors, as fractions of the motion.
   std::vector<std::uint8_t> stall;  // The last motion was blocked.
-  std::vector<std::uint8_t> motor_on;  // Where it is 0 commands are kept and move nothing.
+  std::vector<std::uint8_t> motor_on;  // 0: commands are stored and not executed.
   std::size_t size() const { return model.size(); }
 };
 
-/// Range finders of any kind: a laser has one sensor with many samples, a ring of sonars many with one.
+/// Range finders of any type: a laser has one sensor with many samples, a sonar ring many sensors with one.
 struct Rangers {
-  std::vector<ModelRow> model;  // The model that measures.
-  std::vector<std::uint32_t> first_sensor;  // The first of its sensors.
-  std::vector<std::uint32_t> sensor_count;  // How many sensors it has.
+  std::vector<ModelRow> model;  // The model of the ranger.
+  std::vector<std::uint32_t> first_sensor;  // Row of its first sensor.
+  std::vector<std::uint32_t> sensor_count;  // Number of sensors.
   std::vector<std::uint64_t> measured_tick;  // Tick of the newest scan; 0: none yet.
-  std::vector<std::vector<float>> ring_ranges;  // Along the beams of all rings of those of its sensors that have several, sensor by sensor: from the lowest ring to the highest, each from the right to the left; empty with the stage engine. [m]
-  std::vector<std::vector<float>> ring_intensities;  // What came back along those beams.
+  std::vector<std::vector<float>> ring_ranges;  // Ranges of the beams of all rings, of its sensors with several rings: sensor by sensor, rings from the lowest to the highest, each from right to left; empty with the stage engine. [m]
+  std::vector<std::vector<float>> ring_intensities;  // Intensities of those beams.
   std::size_t size() const { return model.size(); }
 };
 
 /// One transducer or scanner of a ranger.
 struct Sensors {
-  std::vector<RangerRow> ranger;  // The ranger that it is part of.
-  std::vector<std::uint32_t> first_beam;  // Its first beam, the rightmost.
-  std::vector<std::uint32_t> beam_count;  // How many beams it has.
-  std::vector<float> ranges;  // Along the beam; the largest range where nothing is hit. Of several rings the one that is nearest to level. [m] (beams)
-  std::vector<float> intensities;  // The ranger_return of what was hit, else 0. (beams)
+  std::vector<RangerRow> ranger;  // Row of its ranger.
+  std::vector<std::uint32_t> first_beam;  // Row of its first beam, the rightmost.
+  std::vector<std::uint32_t> beam_count;  // Number of beams.
+  std::vector<float> ranges;  // Range of a beam; the maximum range without a hit. Of several rings the one nearest to level. [m] (beams)
+  std::vector<float> intensities;  // The ranger_return of the hit surface; 0 without a hit. (beams)
   std::size_t size() const { return ranger.size(); }
 };
 
-/// A mark in view.
+/// A marker in view.
 struct FiducialHit {
-  ModelId target;  // The model that is marked.
-  std::int32_t id = 0;  // Its number; 0 beyond range_max_id.
-  double range = 0;  // From centre to centre. [m]
-  double bearing = 0;  // Where it is seen. [rad]
-  double heading = 0;  // How it is turned. [rad]
-  geom::Size size;  // How large it is. [m]
+  ModelId target;  // The marked model.
+  std::int32_t id = 0;  // Its id; 0 beyond range_max_id.
+  double range = 0;  // Range from centre to centre. [m]
+  double bearing = 0;  // Bearing of the marker. [rad]
+  double heading = 0;  // Orientation of the marker. [rad]
+  geom::Size size;  // Size of the marker. [m]
   friend bool operator==(const FiducialHit&, const FiducialHit&) = default;
 };
 
@@ -89,23 +89,23 @@ void each_part(const FiducialHit& value, const Visit& visit) {
   visit(target), visit(id), visit(range), visit(bearing), visit(heading), visit(size);
 }
 
-/// A finder of marks: sees models with a fiducial_return and tells which they are and where.
+/// A fiducial finder: detects markers (models with a fiducial_return) and reports their ids and poses.
 struct Fiducials {
-  std::vector<ModelRow> model;  // The model that sees.
-  std::vector<std::vector<FiducialHit>> hits;  // The marks in view, by row.
+  std::vector<ModelRow> model;  // The model of the finder.
+  std::vector<std::vector<FiducialHit>> hits;  // Markers in view, by row.
   std::vector<std::uint64_t> measured_tick;  // Tick of the newest list; 0: none yet.
   std::size_t size() const { return model.size(); }
 };
 
-/// A patch of one color. Pixels count from the top left corner of the image.
+/// A region of one color. Pixel coordinates start at the top left corner of the image.
 struct Blob {
-  scene::Color color;  // As it is seen; its alpha says nothing.
-  std::uint32_t channel = 0;  // The place of the color among those that are looked for; 0 where any is.
-  std::uint32_t left = 0;  // Its first column. [px]
-  std::uint32_t right = 0;  // Its last column. [px]
-  std::uint32_t top = 0;  // Its first row. [px]
-  std::uint32_t bottom = 0;  // Its last row. [px]
-  double range = 0;  // The mean over its columns. [m]
+  scene::Color color;  // Color of the region; alpha is meaningless.
+  std::uint32_t channel = 0;  // Index of the color among the detected ones; 0 if any color is detected.
+  std::uint32_t left = 0;  // First column. [px]
+  std::uint32_t right = 0;  // Last column. [px]
+  std::uint32_t top = 0;  // First row. [px]
+  std::uint32_t bottom = 0;  // Last row. [px]
+  double range = 0;  // Mean range over its columns. [m]
   friend bool operator==(const Blob&, const Blob&) = default;
 };
 
@@ -121,76 +121,76 @@ void each_part(const Blob& value, const Visit& visit) {
   visit(color), visit(channel), visit(left), visit(right), visit(top), visit(bottom), visit(range);
 }
 
-/// A camera that finds patches of a colour.
+/// A camera that reports regions of one color (blobs).
 struct Blobfinders {
-  std::vector<ModelRow> model;  // The model that sees.
-  std::vector<std::vector<Blob>> blobs;  // What it sees, from right to left.
+  std::vector<ModelRow> model;  // The model of the camera.
+  std::vector<std::vector<Blob>> blobs;  // Detected blobs, from right to left.
   std::vector<std::uint64_t> measured_tick;  // Tick of the newest image; 0: none yet.
   std::size_t size() const { return model.size(); }
 };
 
-/// Switches that feel a touch.
+/// Contact switches.
 struct Bumpers {
-  std::vector<ModelRow> model;  // The model that feels.
-  std::vector<std::vector<ModelId>> hits;  // Who presses each switch, none where it is free.
-  std::vector<std::uint64_t> measured_tick;  // Tick at which it felt last; 0: never.
+  std::vector<ModelRow> model;  // The model of the bumper.
+  std::vector<std::vector<ModelId>> hits;  // Model that presses each switch, or none.
+  std::vector<std::uint64_t> measured_tick;  // Tick of the newest measurement; 0: none yet.
   std::size_t size() const { return model.size(); }
 };
 
-/// A lamp that can blink.
+/// A flashing lamp.
 struct Blinkenlights {
-  std::vector<ModelRow> model;  // The model that is a lamp.
-  std::vector<std::uint8_t> enabled;  // It is on, if need be between two flashes.
-  std::vector<double> period;  // Time from one flash to the next; 0: it burns steadily. [s]
-  std::vector<double> dutycycle;  // The share of the period in which it is lit.
-  std::vector<std::uint8_t> lit;  // It is on, and this is a flash.
+  std::vector<ModelRow> model;  // The model of the lamp.
+  std::vector<std::uint8_t> enabled;  // Switched on, also between two flashes.
+  std::vector<double> period;  // Period of the flashes; 0: steady light. [s]
+  std::vector<double> dutycycle;  // Fraction of the period in which it is lit.
+  std::vector<std::uint8_t> lit;  // Emits light now: it is switched on and in a flash.
   std::size_t size() const { return model.size(); }
 };
 
-/// A body that is darker while it is off, as it is at the start.
+/// A body that indicates an on/off state; it is darker while off, its initial state.
 struct Lightindicators {
-  std::vector<ModelRow> model;  // The model that shows it.
-  std::vector<std::uint8_t> lit;  // It is on.
+  std::vector<ModelRow> model;  // The model of the indicator.
+  std::vector<std::uint8_t> lit;  // Switched on.
   std::size_t size() const { return model.size(); }
 };
 
-/// Two paddles that close around a thing and carry it.
+/// A gripper: two paddles that close around an object and carry it.
 struct Grippers {
-  std::vector<ModelRow> model;  // The model that grips.
-  std::vector<double> paddles;  // How far they are closed: 0 open, 1 closed.
-  std::vector<std::int32_t> closing;  // What the paddles do: 1 they close, -1 they open, 0 they stand.
-  std::vector<double> lift;  // How far the paddles are raised: 0 down, 1 up.
-  std::vector<std::int32_t> rising;  // What the lift does: 1 it rises, -1 it sinks, 0 it stands.
-  std::vector<double> close_limit;  // How far the paddles can close: less than 1 around a thing.
-  std::vector<ModelId> held;  // What it took up, or none.
-  std::vector<std::uint32_t> beams;  // Which beams between the paddles are broken: 1 the inner one, 2 the outer one, 3 both.
-  std::vector<std::uint32_t> contacts;  // Which paddles touch something: 1 the left one, 2 the right one, 3 both.
-  std::vector<ModelId> touched;  // What they met while they closed, the left one's first; else none.
-  std::vector<std::uint64_t> measured_tick;  // Tick in which beams and contacts were measured; 0: not yet.
+  std::vector<ModelRow> model;  // The model of the gripper.
+  std::vector<double> paddles;  // Closure of the paddles: 0 open, 1 closed.
+  std::vector<std::int32_t> closing;  // Motion of the paddles: 1 closing, -1 opening, 0 at rest.
+  std::vector<double> lift;  // Height of the lift: 0 down, 1 up.
+  std::vector<std::int32_t> rising;  // Motion of the lift: 1 rising, -1 sinking, 0 at rest.
+  std::vector<double> close_limit;  // Maximum closure: less than 1 around an object.
+  std::vector<ModelId> held;  // The held model, or none.
+  std::vector<std::uint32_t> beams;  // Broken beams between the paddles: 1 the inner one, 2 the outer one, 3 both.
+  std::vector<std::uint32_t> contacts;  // Paddles in contact: 1 the left one, 2 the right one, 3 both.
+  std::vector<ModelId> touched;  // Model in contact with the closing paddles, the left one's first; else none.
+  std::vector<std::uint64_t> measured_tick;  // Tick of the newest measurement of beams and contacts; 0: none yet.
   std::size_t size() const { return model.size(); }
 };
 
-/// A joint that slides or turns, with what it carries.
+/// A prismatic or revolute joint that moves the models on it.
 struct Actuators {
-  std::vector<ModelRow> model;  // The model that moves.
-  std::vector<ControlMode> mode;  // What the command means: a velocity, or a position.
-  std::vector<double> command;  // Wanted velocity. [m/s or rad/s]
-  std::vector<double> goal;  // Wanted position, for control by position. [m or rad]
-  std::vector<double> speed;  // How fast it goes to a position, at most. [m/s or rad/s]
-  std::vector<double> velocity;  // Velocity along its axis, within its speed and its ends. [m/s or rad/s]
-  std::vector<double> position;  // How far it is along its axis. [m or rad]
-  std::vector<geom::Pose> X_PJ;  // Where it is in its parent when its position is 0. [m, m, m, rad]
+  std::vector<ModelRow> model;  // The model of the joint.
+  std::vector<ControlMode> mode;  // Control mode: velocity or position.
+  std::vector<double> command;  // Commanded velocity. [m/s or rad/s]
+  std::vector<double> goal;  // Commanded position, for position control. [m or rad]
+  std::vector<double> speed;  // Maximum speed in position control. [m/s or rad/s]
+  std::vector<double> velocity;  // Velocity along its axis, within its speed and travel limits. [m/s or rad/s]
+  std::vector<double> position;  // Position along its axis. [m or rad]
+  std::vector<geom::Pose> X_PJ;  // Pose in its parent at position 0. [m, m, m, rad]
   std::vector<std::uint8_t> stall;  // The last motion was blocked.
-  std::vector<std::uint8_t> motor_on;  // Where it is 0 commands are kept and move nothing.
-  std::vector<std::uint8_t> braked;  // Where it is 1 commands are kept and move nothing.
+  std::vector<std::uint8_t> motor_on;  // 0: commands are stored and not executed.
+  std::vector<std::uint8_t> braked;  // 1: commands are stored and not executed.
   std::size_t size() const { return model.size(); }
 };
 
-/// A radio that is heard.
+/// A received radio.
 struct WifiLink {
   ModelId station;  // The radio.
-  double level = 0;  // How strongly it arrives. [dBm]
-  std::uint32_t quality = 0;  // How far that is above the sensitivity: 100 from 30 dB on. [%]
+  double level = 0;  // Received level. [dBm]
+  std::uint32_t quality = 0;  // Margin above the sensitivity: 100 from 30 dB on. [%]
   friend bool operator==(const WifiLink&, const WifiLink&) = default;
 };
 
@@ -206,10 +206,10 @@ void each_part(const WifiLink& value, const Visit& visit) {
   visit(station), visit(level), visit(quality);
 }
 
-/// A message between radios; its bytes are in a list of their own, behind those of the messages before it.
+/// A message between radios; its bytes are in a separate list, after those of the previous messages.
 struct RadioMessage {
-  ModelId station;  // Of one to be sent: for whom it is, or none: for all; of one that arrived: who sent it.
-  std::uint32_t size = 0;  // How long it is. [byte]
+  ModelId station;  // Outgoing: the receiver, or none for a broadcast; incoming: the sender.
+  std::uint32_t size = 0;  // Length of the payload. [byte]
   friend bool operator==(const RadioMessage&, const RadioMessage&) = default;
 };
 
@@ -225,22 +225,23 @@ void each_part(const RadioMessage& value, const Visit& visit) {
   visit(station), visit(size);
 }
 
-/// A radio: tells which others of its network it hears, and how well, and carries messages between them.
+/// A radio: reports the received radios of its network with their signal levels, and carries messages between
+/// them.
 struct Wifis {
-  std::vector<ModelRow> model;  // The model that hears.
-  std::vector<std::vector<WifiLink>> links;  // The radios that it hears, by id.
-  std::vector<std::uint64_t> measured_tick;  // Tick at which it listened last; 0: never.
-  std::vector<std::vector<RadioMessage>> outgoing;  // What it sends in the next tick.
-  std::vector<std::vector<std::uint8_t>> outgoing_bytes;  // The bytes of those messages, one after the other.
-  std::vector<std::vector<RadioMessage>> incoming;  // What arrived in the last tick, by the id of the sender and then as it was sent.
-  std::vector<std::vector<std::uint8_t>> incoming_bytes;  // The bytes of those messages, one after the other.
-  std::vector<std::uint64_t> dropped;  // How many messages had no room, to be sent or as they arrived, since the start.
+  std::vector<ModelRow> model;  // The model of the radio.
+  std::vector<std::vector<WifiLink>> links;  // Received radios, by id.
+  std::vector<std::uint64_t> measured_tick;  // Tick of the newest measurement; 0: none yet.
+  std::vector<std::vector<RadioMessage>> outgoing;  // Messages to send in the next tick.
+  std::vector<std::vector<std::uint8_t>> outgoing_bytes;  // Payloads of those messages, concatenated.
+  std::vector<std::vector<RadioMessage>> incoming;  // Messages received in the last tick, by the id of the sender, then in the order of sending.
+  std::vector<std::vector<std::uint8_t>> incoming_bytes;  // Payloads of those messages, concatenated.
+  std::vector<std::uint64_t> dropped;  // Number of messages dropped for lack of space since the start, outgoing and incoming.
   std::size_t size() const { return model.size(); }
 };
 
 /// A pixel of an image.
 struct Pixel {
-  std::uint32_t sample = 0;  // 0xRRGGBB, brightness from 0 to 255, mm, or an id plus 1; the last two 0 where nothing is in range.
+  std::uint32_t sample = 0;  // 0xRRGGBB, brightness from 0 to 255, depth in mm, or an id plus 1; the last two are 0 if nothing is in range.
   friend bool operator==(const Pixel&, const Pixel&) = default;
 };
 
@@ -256,30 +257,30 @@ void each_part(const Pixel& value, const Visit& visit) {
   visit(sample);
 }
 
-/// A camera: takes images of the bodies, the floor and the sky, in colours, in grey, of distances, or of
-/// which model is where, and pans, tilts and zooms.
+/// A camera with pan, tilt and zoom. It renders color, gray, depth or segmentation images of bodies, floor
+/// and sky.
 struct Cameras {
-  std::vector<ModelRow> model;  // The model that sees.
-  std::vector<ControlMode> mode;  // What commands mean: a velocity, or a position.
-  std::vector<double> goal_pan;  // Where it shall look, to the left. [rad]
-  std::vector<double> goal_tilt;  // Where it shall look, up. [rad]
-  std::vector<double> goal_zoom;  // The field of view that it shall have. [rad]
-  std::vector<double> command_pan;  // Wanted velocity to the left. [rad/s]
-  std::vector<double> command_tilt;  // Wanted velocity upwards. [rad/s]
-  std::vector<double> pan;  // Where it looks, to the left. [rad]
-  std::vector<double> tilt;  // Where it looks, up. [rad]
-  std::vector<double> zoom;  // Its horizontal field of view. [rad]
-  std::vector<double> pan_speed;  // How fast it turns to the left. [rad/s]
-  std::vector<double> tilt_speed;  // How fast it turns upwards. [rad/s]
-  std::vector<std::vector<Pixel>> pixels;  // The image, row by row from the top, from left to right.
+  std::vector<ModelRow> model;  // The model of the camera.
+  std::vector<ControlMode> mode;  // Control mode: velocity or position.
+  std::vector<double> goal_pan;  // Commanded pan, positive to the left. [rad]
+  std::vector<double> goal_tilt;  // Commanded tilt, positive upwards. [rad]
+  std::vector<double> goal_zoom;  // Commanded horizontal field of view. [rad]
+  std::vector<double> command_pan;  // Commanded pan velocity, positive to the left. [rad/s]
+  std::vector<double> command_tilt;  // Commanded tilt velocity, positive upwards. [rad/s]
+  std::vector<double> pan;  // Pan angle, positive to the left. [rad]
+  std::vector<double> tilt;  // Tilt angle, positive upwards. [rad]
+  std::vector<double> zoom;  // Horizontal field of view. [rad]
+  std::vector<double> pan_speed;  // Pan velocity, positive to the left. [rad/s]
+  std::vector<double> tilt_speed;  // Tilt velocity, positive upwards. [rad/s]
+  std::vector<std::vector<Pixel>> pixels;  // The image, in rows from top to bottom, each from left to right.
   std::vector<std::uint64_t> measured_tick;  // Tick of the newest image; 0: none yet.
   std::size_t size() const { return model.size(); }
 };
 
-/// What a beam tells.
+/// Measurement of a beam.
 struct Echo {
-  float range = 0;  // The nearest thing; the largest range where there is none. [m]
-  float level = 0;  // How far that is above the faintest that it tells of; 0 where there is none. [dB]
+  float range = 0;  // Range of the nearest object; the maximum range if there is none. [m]
+  float level = 0;  // Remaining budget of that object; 0 if there is none. [dB]
   friend bool operator==(const Echo&, const Echo&) = default;
 };
 
@@ -295,14 +296,14 @@ void each_part(const Echo& value, const Visit& visit) {
   visit(range), visit(level);
 }
 
-/// A thing that is found: a model of the top level with all that is part of it.
+/// A detected object: a top-level model with all its parts.
 struct Detection {
-  ModelId target;  // The model of the top level.
-  std::int32_t number = 0;  // The fiducial_return of what is seen of it.
-  double range = 0;  // To the nearest that is seen of it. [m]
-  double bearing = 0;  // The middle of the lines along which it is seen. [rad]
-  double level = 0;  // How far it is above the faintest that is told of, where it is nearest. [dB]
-  std::uint32_t bodies = 0;  // How many bodies are before it there.
+  ModelId target;  // The top-level model.
+  std::int32_t number = 0;  // The fiducial_return of its detected part.
+  double range = 0;  // Range of its nearest detected point. [m]
+  double bearing = 0;  // Middle of the lines that detect it. [rad]
+  double level = 0;  // Remaining budget at its nearest point. [dB]
+  std::uint32_t bodies = 0;  // Number of bodies in front of that point.
   friend bool operator==(const Detection&, const Detection&) = default;
 };
 
@@ -318,71 +319,70 @@ void each_part(const Detection& value, const Visit& visit) {
   visit(target), visit(number), visit(range), visit(bearing), visit(level), visit(bodies);
 }
 
-/// A sensor made up in the world file: what it sees, what it sees through, how far, how finely and how well
+/// A sensor specified in the world file: what it detects and penetrates, its range, resolution and noise
 /// (docs/detectors.md).
 struct Detectors {
-  std::vector<ModelRow> model;  // The model that sees.
-  std::vector<std::vector<Echo>> echoes;  // What each beam tells, from right to left.
-  std::vector<std::vector<Detection>> finds;  // The things that are found, by id.
+  std::vector<ModelRow> model;  // The model of the detector.
+  std::vector<std::vector<Echo>> echoes;  // Measurement of each beam, from right to left.
+  std::vector<std::vector<Detection>> finds;  // Detected objects, by id.
   std::vector<std::uint64_t> measured_tick;  // Tick of the newest measurement; 0: none yet.
   std::size_t size() const { return model.size(); }
 };
 
-/// A model or a sensor whose code is in a shared library.
+/// A model or sensor implemented in a shared library.
 struct Customs {
-  std::vector<ModelRow> model;  // The model that it is.
-  std::vector<std::vector<double>> command;  // What it is told, as its library means it.
-  std::vector<std::vector<double>> state;  // What its library remembers from tick to tick.
-  std::vector<geom::Twist> velocity;  // How it moves. [m/s, m/s, m/s, rad/s]
+  std::vector<ModelRow> model;  // The model itself.
+  std::vector<std::vector<double>> command;  // Command values, interpreted by its library.
+  std::vector<std::vector<double>> state;  // State that its library keeps from tick to tick.
+  std::vector<geom::Twist> velocity;  // Velocity. [m/s, m/s, m/s, rad/s]
   std::vector<std::uint8_t> stall;  // The last motion was blocked.
-  std::vector<std::vector<double>> readings;  // What it measured, as its library means it.
+  std::vector<std::vector<double>> readings;  // Measured values, interpreted by its library.
   std::vector<std::uint64_t> measured_tick;  // Tick of the newest readings; 0: none yet.
   std::size_t size() const { return model.size(); }
 };
 
-/// An inertial measurement unit: feels how it is accelerated, with gravity, and how fast it turns, and tells
-/// how it stands.
+/// An inertial measurement unit: measures specific force and turn rate, and estimates its orientation.
 struct Imus {
-  std::vector<ModelRow> model;  // The model that measures.
-  std::vector<geom::SpatialVelocity> reading;  // What it feels, with its errors: acceleration without that of free fall, and turn rates, means since the measurement before. [m/s^2, m/s^2, m/s^2, rad/s, rad/s, rad/s]
-  std::vector<geom::SpatialVelocity> bias;  // Errors that wander. [m/s^2, m/s^2, m/s^2, rad/s, rad/s, rad/s]
-  std::vector<geom::Pose> X_WB;  // Where it was when it measured. [m, m, m, rad]
-  std::vector<geom::Tilt> tilt_WB;  // How it stood then. [rad]
-  std::vector<geom::Vec3> v_WB;  // How it moved then, along x, y and z. [m/s]
-  std::vector<geom::Pose> X_WE;  // Where it believes to be: its reading integrated twice, from where it measured first. [m, m, m, rad]
-  std::vector<geom::Tilt> tilt_WE;  // How it believes to stand. [rad]
-  std::vector<geom::Vec3> v_WE;  // How it believes to move, along x, y and z. [m/s]
-  std::vector<double> heading_error;  // By how much its heading has drifted: the errors of its turn rate, integrated. [rad]
-  std::vector<double> reference_heading;  // The heading that is 0 for it, as a client has it. [rad]
-  std::vector<geom::Tilt> reference_tilt;  // The tilt that is none for it, as a client has it. [rad]
-  std::vector<std::uint64_t> noted_tick;  // Tick at which it was there; 0: it never measured.
+  std::vector<ModelRow> model;  // The model of the unit.
+  std::vector<geom::SpatialVelocity> reading;  // Measured specific force and turn rates, with errors: means since the previous measurement. [m/s^2, m/s^2, m/s^2, rad/s, rad/s, rad/s]
+  std::vector<geom::SpatialVelocity> bias;  // Current biases (random walk). [m/s^2, m/s^2, m/s^2, rad/s, rad/s, rad/s]
+  std::vector<geom::Pose> X_WB;  // True pose at the newest measurement. [m, m, m, rad]
+  std::vector<geom::Tilt> tilt_WB;  // True tilt at the newest measurement. [rad]
+  std::vector<geom::Vec3> v_WB;  // True velocity at the newest measurement, along x, y and z. [m/s]
+  std::vector<geom::Pose> X_WE;  // Estimated pose: its readings integrated from the pose at the first measurement. [m, m, m, rad]
+  std::vector<geom::Tilt> tilt_WE;  // Estimated tilt. [rad]
+  std::vector<geom::Vec3> v_WE;  // Estimated velocity, along x, y and z. [m/s]
+  std::vector<double> heading_error;  // Drift of the heading: the integral of the errors of its turn rate. [rad]
+  std::vector<double> reference_heading;  // Reference heading, reported as 0; set by a client. [rad]
+  std::vector<geom::Tilt> reference_tilt;  // Reference tilt, reported as none; set by a client. [rad]
+  std::vector<std::uint64_t> noted_tick;  // Tick of the true pose; 0: no measurement yet.
   std::vector<std::uint64_t> measured_tick;  // Tick of the newest measurement; 0: none yet.
   std::size_t size() const { return model.size(); }
 };
 
-/// A satellite receiver: tells where on the earth it is, as the world's latitude, longitude and altitude have
-/// it.
+/// A satellite receiver: reports its position on the earth, derived from the world's latitude, longitude and
+/// altitude.
 struct Receivers {
-  std::vector<ModelRow> model;  // The model that receives.
-  std::vector<geom::Vec3> position;  // Where it believes to be, x, y and z. [m]
-  std::vector<geom::Vec3> velocity;  // How fast it believes to move along x, y and z, a mean since the fix before. [m/s]
-  std::vector<geom::Vec3> drift;  // The part of its error that varies slowly, along x, y and z. [m]
-  std::vector<geom::Vec3> p_WB;  // Where it was when it measured, x, y and z. [m]
-  std::vector<std::uint64_t> noted_tick;  // Tick at which it was there; 0: it never measured.
+  std::vector<ModelRow> model;  // The model of the receiver.
+  std::vector<geom::Vec3> position;  // Measured position: x, y and z. [m]
+  std::vector<geom::Vec3> velocity;  // Measured velocity along x, y and z, the mean since the previous fix. [m/s]
+  std::vector<geom::Vec3> drift;  // Slowly varying part of its error, along x, y and z. [m]
+  std::vector<geom::Vec3> p_WB;  // True position at the newest measurement: x, y and z. [m]
+  std::vector<std::uint64_t> noted_tick;  // Tick of that position; 0: no measurement yet.
   std::vector<std::uint64_t> measured_tick;  // Tick of the newest fix; 0: none yet.
   std::size_t size() const { return model.size(); }
 };
 
-/// A battery, from which a model draws, and what is inside it and has none of its own.
+/// A battery that supplies a model and its descendants without one of their own.
 struct Packs {
-  std::vector<ModelRow> model;  // The model that has it.
-  std::vector<double> stored;  // What is in it; below 0 it never ends. [J]
-  std::vector<double> capacity;  // What it can hold. [J]
-  std::vector<double> dissipated;  // What was drawn from it since the start, without what it gave to others. [J]
-  std::vector<double> watts;  // What flowed out of it in the last tick; below 0 it was charged with more than it lost. [W]
-  std::vector<std::uint8_t> charging;  // It was charged in the last tick.
-  std::vector<std::uint8_t> takes;  // It may be charged.
-  std::vector<std::uint8_t> gives;  // It may charge others.
+  std::vector<ModelRow> model;  // The model with the battery.
+  std::vector<double> stored;  // Stored energy; below 0: infinite. [J]
+  std::vector<double> capacity;  // Capacity. [J]
+  std::vector<double> dissipated;  // Energy consumed since the start, without energy given to other models. [J]
+  std::vector<double> watts;  // Net power drawn in the last tick; below 0: charging exceeded consumption. [W]
+  std::vector<std::uint8_t> charging;  // Charged in the last tick.
+  std::vector<std::uint8_t> takes;  // May be charged.
+  std::vector<std::uint8_t> gives;  // May charge other models.
   std::size_t size() const { return model.size(); }
 };
 

@@ -16,7 +16,7 @@ export const kBits = {
   actuator: { stalled: 2, motor_on: 4, braked: 8 },
 } as const;
 
-/** A robot that drives in the plane. SI units and radians. */
+/** A mobile base: a robot that drives in the plane. SI units and radians. */
 export interface PositionView {
   vx: number; // m/s
   vy: number; // m/s
@@ -26,7 +26,7 @@ export interface PositionView {
   oa: number; // rad, in (-pi, pi]
 }
 
-/** A finder of marks: sees models with a fiducial_return and tells which they are and where. SI units and radians. */
+/** A fiducial finder: detects markers (models with a fiducial_return) and reports their ids and poses. SI units and radians. */
 export interface FiducialView {
   target: number;
   id: number;
@@ -35,7 +35,7 @@ export interface FiducialView {
   heading: number; // rad, in (-pi, pi]
 }
 
-/** A camera that finds patches of a colour. SI units and radians. */
+/** A camera that reports regions of one color (blobs). SI units and radians. */
 export interface BlobfinderView {
   color: number;
   left: number;
@@ -43,18 +43,18 @@ export interface BlobfinderView {
   range: number; // m
 }
 
-/** Switches that feel a touch. SI units and radians. */
+/** Contact switches. SI units and radians. */
 export interface BumperView {
   hit: number;
 }
 
-/** A lamp that can blink. SI units and radians. */
+/** A flashing lamp. SI units and radians. */
 export interface BlinkenlightView {
   period: number; // s
   dutycycle: number;
 }
 
-/** Two paddles that close around a thing and carry it. SI units and radians. */
+/** A gripper: two paddles that close around an object and carry it. SI units and radians. */
 export interface GripperView {
   paddles: number;
   closing: number;
@@ -65,25 +65,25 @@ export interface GripperView {
   contacts: number;
 }
 
-/** A joint that slides or turns, with what it carries. SI units and radians. */
+/** A prismatic or revolute joint that moves the models on it. SI units and radians. */
 export interface ActuatorView {
   position: number; // m or rad
   velocity: number; // m/s or rad/s
 }
 
-/** A radio: tells which others of its network it hears, and how well, and carries messages between them. SI units and radians. */
+/** A radio: reports the received radios of its network with their signal levels, and carries messages between them. SI units and radians. */
 export interface WifiView {
   station: number;
   level: number;
   quality: number;
 }
 
-/** A camera: takes images of the bodies, the floor and the sky, in colours, in grey, of distances, or of which model is where, and pans, tilts and zooms. SI units and radians. */
+/** A camera with pan, tilt and zoom. It renders color, gray, depth or segmentation images of bodies, floor and sky. SI units and radians. */
 export interface CameraView {
   sample: number;
 }
 
-/** A sensor made up in the world file: what it sees, what it sees through, how far, how finely and how well (docs/detectors.md). SI units and radians. */
+/** A sensor specified in the world file: what it detects and penetrates, its range, resolution and noise (docs/detectors.md). SI units and radians. */
 export interface DetectorView {
   target: number;
   range: number; // m
@@ -92,12 +92,12 @@ export interface DetectorView {
   bodies: number;
 }
 
-/** A model or a sensor whose code is in a shared library. SI units and radians. */
+/** A model or sensor implemented in a shared library. SI units and radians. */
 export interface CustomView {
   reading: number;
 }
 
-/** An inertial measurement unit: feels how it is accelerated, with gravity, and how fast it turns, and tells how it stands. SI units and radians. */
+/** An inertial measurement unit: measures specific force and turn rate, and estimates its orientation. SI units and radians. */
 export interface ImuView {
   ax: number;
   ay: number;
@@ -108,14 +108,14 @@ export interface ImuView {
   heading: number; // rad, in (-pi, pi]
 }
 
-/** A satellite receiver: tells where on the earth it is, as the world's latitude, longitude and altitude have it. SI units and radians. */
+/** A satellite receiver: reports its position on the earth, derived from the world's latitude, longitude and altitude. SI units and radians. */
 export interface GpsView {
   x: number; // m
   y: number; // m
   z: number; // m
 }
 
-/** A battery, from which a model draws, and what is inside it and has none of its own. SI units and radians. */
+/** A battery that supplies a model and its descendants without one of their own. SI units and radians. */
 export interface PackView {
   stored: number; // J
   capacity: number; // J
