@@ -1,4 +1,4 @@
-"""How people read a word: its form, unit, default and limits. The tables in C++ and the reference pages both have it so."""
+"""Text of a word for readers: form, unit, default and limits, shared by the tables in C++ and the reference pages."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ SI = {"m": "m", "deg": "rad"}
 
 
 def form_text(word: Word) -> str:
-    """What a file has behind the word: `[x y z]`, `"diff" | "omni" | "car"`."""
+    """Syntax of the value in a file: `[x y z]`, `"diff" | "omni" | "car"`."""
     if word.type == "choice":
         return " | ".join(f'"{v.word}"' for v in word.values)
     if word.type == "choices":
@@ -17,7 +17,7 @@ def form_text(word: Word) -> str:
 
 
 def unit_text(word: Word, inside: bool = False) -> str:
-    """Of the file by default, or `inside` of the member; one for all where they are the same."""
+    """Unit in the file, or with `inside` of the member; a single one if all are equal."""
     units = word.units()
     if inside:
         units = [_inside(unit) for unit in units]
@@ -34,7 +34,7 @@ def _inside(unit: str) -> str:
 
 
 def default_text(word: Word) -> str:
-    """As a file would say it; "" where the definition tells it in words."""
+    """In world-file syntax; "" if the definition has it in words."""
     value = word.default
     if word.default_text or value is None:
         return ""
@@ -52,7 +52,7 @@ def _number(value: float) -> str:
 
 
 def doc_text(word: Word) -> str:
-    """With what each word of a choice means."""
+    """The description, with the meanings of the values of a choice."""
     told = [f'"{v.word}": {v.doc}' for choice in [word, *word.choices] for v in choice.values if v.doc]
     return word.doc + (" " + "; ".join(told) + "." if told else "")
 

@@ -1,4 +1,4 @@
-"""docs/stage-words.md: every word of Stage 4 world files, and what is made of it here."""
+"""docs/stage-words.md: every word of Stage 4 world files, and its support here."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ VERDICTS = {"same": "same", "better": "better", "other": "other", "none": "only 
 
 def emit(kinds: Kinds) -> dict[str, str]:
     lines = [_banner("kinds/"), "# Words of Stage, one by one", "",
-             "What each word of a Stage 4 world file does here: the **same**; **better**, where Stage has a fault or leaves out what its manual promises;",
-             "something **other**; **nothing**, and why; or **not yet**. Words that Stage has not are **only here**. Behaviour beyond words is in",
-             "[stage-compatibility.md](stage-compatibility.md), what words mean in [kinds/](kinds/README.md), those of older versions in [worldfile.md](worldfile.md).", ""]
+             "Effect of each word of a Stage 4 world file compared with Stage: the **same**; **better**, where Stage has a fault or does not implement its manual;",
+             "**other**: different; **nothing**: no effect, with the reason; **not yet**: not implemented. Words that Stage does not have are **only here**. Differences in behaviour are listed in",
+             "[stage-compatibility.md](stage-compatibility.md), meanings of words in [kinds/](kinds/README.md), words of older versions in [worldfile.md](worldfile.md).", ""]
     for kind in kinds.all:
         rows = _rows(kind)
         if rows:
@@ -27,7 +27,7 @@ def _rows(kind: Kind) -> list[list[str]]:
         later = word.use == "later" or not kind.simulated
         rows.append([f"`{word.name}{'[i]' if word.indexed else ''}`", VERDICTS["later" if later else word.stage], word.stage_why])
     told = {name: kind.silent_why.get(name, kind.silent_why.get("", "")) for name in kind.silent}
-    for why in dict.fromkeys(told.values()):  # those of one reason are one row
+    for why in dict.fromkeys(told.values()):  # one row per reason
         names = ", ".join(f"`{name}`" for name in kind.silent if told[name] == why)
         rows.append([names, "nothing", why])
     return rows

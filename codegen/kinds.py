@@ -1,8 +1,7 @@
-"""Loads kinds/*.toml into plain values and refuses what a world file cannot mean.
+"""Loads and validates kinds/*.toml.
 
-A kind is what a scene can hold: a model type, a part of one, a trait that models of any type may have, the window, or the
-world file itself. Emitters read the
-values below and nothing else. A `SchemaError` names the file, the line and entry, the key, and what is wrong.
+A kind is a type of scene entity: a model type, a part of one, a trait that models of any type may have, the window, or the
+world file itself. Emitters read only the values below. A `SchemaError` names the file, the line and entry, the key, and the fault.
 """
 
 from __future__ import annotations
@@ -18,28 +17,28 @@ from codegen.kind_state import State, state
 from codegen.kind_words import WORD, Word, check_together, word
 from codegen.model import Schema
 
-# Where an entity stands.
+# Place of an entity in a file.
 ENTITIES = {
     "model": "at the top level, or inside another model",
-    "part": "inside a model of the type `inside`; of any, where that is \"model\"",
-    "trait": "nowhere: words of a model of any type give it one",
+    "part": "inside a model of the type `inside`, or of any type if that is \"model\"",
+    "trait": "none: words of a model of any type define it",
     "window": "at the top level",
-    "world": "it is the file",
+    "world": "the file itself",
 }
 BASE = "model"  # the type whose words every model has
 
-# How the indices of an interface count in the automatic map.
+# Numbering of the devices of an interface in the automatic map.
 INDICES = {
-    "one": "0, there is one",
-    "robot": "that of the robot; of further ones, and where no robot carries it, from behind all robots on",
-    "count": "all are counted, over all robots",
+    "one": "0, the only one",
+    "robot": "the robot's index; further ones, and those without a robot, are numbered after all robots",
+    "count": "numbered over all robots",
 }
 # What a model must have for an interface.
 NEEDS = {
     "": "nothing",
     "scanner": "a sensor with several samples",
     "several sensors": "several sensors",
-    "robot": "a model at the top level that drives",
+    "robot": "a top-level model with a drive",
     "rings": "a sensor with several rings",
 }
 

@@ -13,13 +13,13 @@ namespace playhouse::scene {
 enum class EntityForm : std::uint8_t {
   /// at the top level, or inside another model
   kModel,
-  /// inside a model of the type `inside`; of any, where that is "model"
+  /// inside a model of the type `inside`, or of any type if that is "model"
   kPart,
-  /// nowhere: words of a model of any type give it one
+  /// none: words of a model of any type define it
   kTrait,
   /// at the top level
   kWindow,
-  /// it is the file
+  /// the file itself
   kWorld,
 };
 constexpr std::string_view name_of(EntityForm value) {
@@ -29,11 +29,11 @@ constexpr std::string_view name_of(EntityForm value) {
 
 /// How the indices of an interface count in the automatic map.
 enum class Index : std::uint8_t {
-  /// 0, there is one
+  /// 0, the only one
   kOne,
-  /// that of the robot; of further ones, and where no robot carries it, from behind all robots on
+  /// the robot's index; further ones, and those without a robot, are numbered after all robots
   kRobot,
-  /// all are counted, over all robots
+  /// numbered over all robots
   kCount,
 };
 constexpr std::string_view name_of(Index value) {
@@ -49,7 +49,7 @@ enum class Need : std::uint8_t {
   kScanner,
   /// several sensors
   kSeveralSensors,
-  /// a model at the top level that drives
+  /// a top-level model with a drive
   kRobot,
   /// a sensor with several rings
   kRings,
