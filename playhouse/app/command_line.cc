@@ -19,29 +19,29 @@ constexpr const char* kExamples = R"(Examples:
   playhouse run worlds/cave.world                    robots, Player clients on 6665, a page on 8080
   playhouse run my.world --port 7000 --web off       Player clients alone
   playhouse run my.world --fast --headless --duration 60 --json
-                                                     a minute of simulated time, as fast as it goes
-  playhouse run my.world --engine arena              the same world with rigid bodies that push and fall
-  playhouse run my.world --save-at 60 minute.run     the state after a minute, into a file
-  playhouse run --from minute.run                    on from there
-  playhouse run my.world --save-at 60 later.world    where everybody is after a minute, as a world file
-  playhouse run my.world --record my.mcap            a recording, for Foxglove, ROS and what follows
-  playhouse run --again my.mcap                      the same run once more, to the bit
-  playhouse replay my.mcap                           the same run in the page, with its time on a slider
-  playhouse export my.mcap --csv                     what it has, as tables
-  playhouse verify my.world --ticks 100              whether it is the same run on any number of workers
-  playhouse serve simple.cfg                         devices as a Player configuration file names them
-  playhouse robot my.toml --server lab               a robot of this machine in the world of another one
-  playhouse devices 127.0.0.1:6665                   what a server offers
-  playhouse watch 127.0.0.1 laser:0                  a device's data as JSON lines
-  playhouse observe 127.0.0.1                        who is where, as JSON lines, by UDP (run --observers)
-  playhouse drive 127.0.0.1 guest                    a robot by the keyboard
-  playhouse check my.world                           what is wrong with a file
-  playhouse convert old.world -o new.world           a world for older versions of Stage in today's words
-  playhouse convert plan.png --scale 0.05 -o w.world a floor plan as a world; also a map.yaml of ROS, and back
-  playhouse picture my.world --at 10 -o a.png        how it looks from above after ten seconds
-  playhouse kinds ranger                             what a world file can say of a ranger
-  playhouse bench laser --robots 1000                one line of figures
-`playhouse COMMAND --help` tells more. Documentation: docs/cli.md)";
+                                                     a minute of simulated time, as fast as possible
+  playhouse run my.world --engine arena              the same world with rigid-body physics
+  playhouse run my.world --save-at 60 minute.run     save the state after a minute
+  playhouse run --from minute.run                    resume it
+  playhouse run my.world --save-at 60 later.world    save the world after a minute as a world file
+  playhouse run my.world --record my.mcap            record it, for Foxglove, ROS and the next three
+  playhouse run --again my.mcap                      repeat it bit-identically
+  playhouse replay my.mcap                           replay it in the page, with its time on a slider
+  playhouse export my.mcap --csv                     export it as tables
+  playhouse verify my.world --ticks 100              compare runs with different numbers of workers
+  playhouse serve simple.cfg                         serve the devices of a Player configuration file
+  playhouse robot my.toml --server lab               spawn a robot in the world of another machine
+  playhouse devices 127.0.0.1:6665                   list the devices of a server
+  playhouse watch 127.0.0.1 laser:0                  print a device's data as JSON lines
+  playhouse observe 127.0.0.1                        print poses as JSON lines, by UDP (run --observers)
+  playhouse drive 127.0.0.1 guest                    drive a robot by the keyboard
+  playhouse check my.world                           report errors in a file
+  playhouse convert old.world -o new.world           convert a world of an older version of Stage
+  playhouse convert plan.png --scale 0.05 -o w.world convert a floor plan to a world; also a ROS map.yaml, and back
+  playhouse picture my.world --at 10 -o a.png        render it from above after ten seconds
+  playhouse kinds ranger                             list the words of a ranger
+  playhouse bench laser --robots 1000                print one line of figures
+`playhouse COMMAND --help` lists all options. Documentation: docs/cli.md)";
 
 // Set where this file is compiled (CMakeLists.txt); sources without their history have none.
 #ifndef PLAYHOUSE_COMMIT

@@ -19,20 +19,19 @@ namespace {
 constexpr auto check_robots = check_count<std::uint32_t, 1, scenarios::kMostRobots>;
 constexpr auto check_width = check_count<int, 16, 16384>;
 
-/// How a run is drawn, and what it depends on: for PictureOptions and FilmOptions.
+/// Options of a rendered run, for PictureOptions and FilmOptions.
 template <typename Options>
 void add_drawn_run(CLI::App& app, Options& options) {
   app.add_option("--width", options.width, "pixels; the height follows from the world")
       ->check(check_width)
       ->capture_default_str();
   app.add_option("--show", options.show,
-                 "what sensors see as well: " + SensorShapes::names() + ", between commas (nothing)")
+                 "also draw sensor data: " + SensorShapes::names() + ", comma-separated (none)")
       ->type_name("SENSOR,...")
       ->check(check_show);
-  app.add_option(
-         "--renderer", options.renderer,
-         "what draws: chromium, the page in a browser without a window, or playhouse, which needs none "
-         "(chromium, where there is one that draws)")
+  app.add_option("--renderer", options.renderer,
+                 "chromium, the page in a headless browser, or playhouse, built in "
+                 "(chromium, if one that renders is installed)")
       ->type_name("NAME")
       ->check(check_renderer);
   add_engine(app, options.running.engine);
@@ -49,7 +48,7 @@ void keep_saves(const std::vector<std::pair<double, std::string>>& saves, RunOpt
   }
 }
 
-/// Why this cannot be measured; empty: it can.
+/// Why these options are invalid; empty if they are valid.
 std::string why_no_bench(const BenchOptions& options) {
   const std::string& scenario = options.scenario;
   const auto is_one_of = [&scenario](std::initializer_list<std::string_view> names) {
@@ -72,14 +71,15 @@ void add_run(CLI::App& app, RunOptions& options) {
   add_serving(app, options.serving);
   add_running(app, options.running);
   app.add_option("--from", options.from,
-                 "go on with a saved run instead; --duration counts from the start of its world")
+                 "resume a saved run instead; --duration counts from the start of its world")
       ->type_name("FILE")
       ->excludes(world)
       ->excludes(app.get_option("--engine"))
       ->excludes(app.get_option("--seed"));
   auto* again =
-      app.add_option("--again", options.again,
-                     "run a recording again, as fast as it goes, and compare: exit code 1 where it differs")
+      app.add_option(
+             "--again", options.again,
+             "run a recording again, as fast as possible, and compare: exit code 1 if the runs differ")
           ->type_name("FILE.mcap")
           ->excludes(world);
   for (const char* const other : {"--from", "--engine", "--seed", "--duration", "--record", "--lock-step",
@@ -87,8 +87,8 @@ void add_run(CLI::App& app, RunOptions& options) {
     again->excludes(app.get_option(other));
   app.add_option_function<std::vector<std::pair<double, std::string>>>(
          "--save-at", [&options](const auto& saves) { keep_saves(saves, options); },
-         "save the state at a simulated time, or the world as it stands into FILE.world, and go on; may be "
-         "given again")
+         "save the state at a simulated time, or the current world if FILE ends in .world, and continue; "
+         "may be repeated")
       ->type_name("SECONDS FILE")
       ->expected(1)
       ->allow_extra_args(false)
@@ -110,13 +110,13 @@ void add_replay(CLI::App& app, ReplayOptions& options) {
       ->check(check_not_negative);
   add_workers(app, options.running.workers);
   add_allowed_libraries(app, options.running);
-  app.add_flag("--paused", options.running.paused, "wait for a viewer to let it go on");
+  app.add_flag("--paused", options.running.paused, "start paused, until a viewer resumes the replay");
 }
 
 void add_export(CLI::App& app, ExportOptions& options) {
   app.add_option("FILE", options.file, "a recording of run --record")->required();
-  app.add_flag("--csv", options.csv, "comma-separated values, one file for each channel")->required();
-  app.add_option("-o,--output", options.folder, "the folder of the tables (FILE without .mcap)")
+  app.add_flag("--csv", options.csv, "comma-separated values, one file per topic")->required();
+  app.add_option("-o,--output", options.folder, "folder of the tables (FILE without .mcap)")
       ->type_name("DIR");
 }
 
@@ -127,11 +127,12 @@ void add_serve(CLI::App& app, ServeOptions& options) {
 }
 
 void add_robot(CLI::App& app, RobotOptions& options) {
-  app.add_option("FILE", options.files, "a .toml file of one robot or several (docs/robot-client.md)")
+  app.add_option("FILE", options.files, "a .toml file of one or several robots (docs/robot-client.md)")
       ->required();
-  app.add_option("--server", options.server, "the server of the world")->type_name("HOST[:PORT]")->required();
+  app.add_option("--server", options.server, "server of the world")->type_name("HOST[:PORT]")->required();
   app.add_option("--port", options.port,
-                 "port of the first robot whose file names none, and so on; 0: any free ones, printed")
+                 "port of the first robot without one in its file, counting up for further ones; "
+                 "0: any free ones, printed")
       ->check(check_port)
       ->capture_default_str();
   add_bind(app, options.bind);
@@ -139,7 +140,7 @@ void add_robot(CLI::App& app, RobotOptions& options) {
 
 void add_gym(CLI::App& app, GymOptions& options) {
   app.add_option("WORLD", options.world, "a .world file")->required();
-  app.add_option("--socket", options.socket, "descriptor of the socket to the program that started this one")
+  app.add_option("--socket", options.socket, "file descriptor of the socket to the parent program")
       ->check(check_count<std::uint16_t, 3>)
       ->required();
   options.serving.port = 0;
@@ -156,7 +157,7 @@ void add_gym(CLI::App& app, GymOptions& options) {
 
 void add_verify(CLI::App& app, VerifyOptions& options) {
   app.add_option("WORLD", options.world, "a .world file")->required();
-  app.add_option("--ticks", options.ticks, "how many ticks")
+  app.add_option("--ticks", options.ticks, "number of ticks")
       ->check(check_count<std::uint64_t, 1>)
       ->required();
   app.add_option("--workers", options.workers, "threads of each run (1,2,4)")
@@ -170,7 +171,7 @@ void add_verify(CLI::App& app, VerifyOptions& options) {
 
 void add_devices(CLI::App& app, DevicesOptions& options) {
   app.add_option("HOST[:PORT]", options.server, "the server (127.0.0.1:6665)");
-  app.add_flag("--json", options.json, "a JSON object per device, one a line");
+  app.add_flag("--json", options.json, "one JSON object per line and device");
 }
 
 void add_watch(CLI::App& app, WatchOptions& options) {
@@ -182,28 +183,28 @@ void add_watch(CLI::App& app, WatchOptions& options) {
 
 void add_observe(CLI::App& app, ObserveOptions& options) {
   app.add_option("SERVER", options.server, "HOST or HOST:PORT (6670)")->required();
-  app.add_option("--token", options.token, "of a guest, where the run has --guests")->check(check_token);
+  app.add_option("--token", options.token, "token of a guest, for a run with --guests")->check(check_token);
   app.add_option("--name", options.names,
-                 "of a model to print, and no others; may be given again (those that stand for themselves)")
+                 "print only the model of this name; may be repeated (all top-level models)")
       ->expected(1)
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   add_parsed(app, "--view", parse_view, options.view,
-             "a square of the world: what is in it comes first, the rest once a second (everything)")
+             "a square of the world: models inside have priority, others are sent once a second (everything)")
       ->type_name("X,Y,RADIUS");
-  app.add_option("--rate", options.rate, "lines a second of each model (when it changes)")
+  app.add_option("--rate", options.rate, "lines per second for each model (on change)")
       ->check(check_positive);
-  app.add_option("--seconds", options.seconds, "until the end (never)")->check(check_positive);
+  app.add_option("--seconds", options.seconds, "seconds until the end (never)")->check(check_positive);
   app.add_option("--bytes-per-second", options.bytes_per_second,
-                 "to ask for, at most what the run gives (that)")
+                 "requested rate, at most the limit of the run (the limit)")
       ->type_name("N")
       ->check(check_observer_bytes);
-  app.add_flag("--stats", options.stats, "a last line of figures: bytes, packets, losses");
+  app.add_flag("--stats", options.stats, "print statistics in a last line: bytes, packets, losses");
 }
 
 void add_drive(CLI::App& app, DriveOptions& options) {
   app.add_option("HOST[:PORT]", options.server, "the server")->required();
-  app.add_option("ROBOT", options.device, "its name, or its device, e.g. position2d:0")->required();
+  app.add_option("ROBOT", options.device, "a model's name, or a device, e.g. position2d:0")->required();
 }
 
 void add_check(CLI::App& app, CheckOptions& options) {
@@ -211,22 +212,22 @@ void add_check(CLI::App& app, CheckOptions& options) {
 }
 
 void add_convert(CLI::App& app, ConvertOptions& options) {
-  app.add_option("FILE", options.input, "a .world file of any version, an image, or a map.yaml of ROS")
+  app.add_option("FILE", options.input, "a .world file of any version, an image, or a ROS map.yaml")
       ->required();
   app.add_option("-o,--output", options.output,
-                 "where to write (standard output); a .yaml: the walls of a world as a map of ROS; a "
+                 "output file (standard output); .yaml: the walls of a world as a ROS map; "
                  ".glb: its bodies as glTF");
-  app.add_option("--scale", options.scale, "metres that a pixel of an image measures (of a map 0.05)")
+  app.add_option("--scale", options.scale, "metres per pixel of an image (of a map 0.05)")
       ->check(check_positive);
   app.add_option("--height", options.height,
-                 "metres: of the walls that are made (0.6), or at which they are looked for (0.2)")
+                 "metres: height of generated walls (0.6), or height of the section through the world (0.2)")
       ->check(check_positive);
 }
 
 void add_picture(CLI::App& app, PictureOptions& options) {
   app.add_option("WORLD", options.world, "a .world file")->required();
-  app.add_option("-o,--output", options.output, "the picture")->type_name("FILE.png")->required();
-  app.add_option("--at", options.at, "after so many simulated seconds")
+  app.add_option("-o,--output", options.output, "output file")->type_name("FILE.png")->required();
+  app.add_option("--at", options.at, "simulated seconds before the picture")
       ->check(check_not_negative)
       ->capture_default_str();
   add_drawn_run(app, options);
@@ -235,7 +236,7 @@ void add_picture(CLI::App& app, PictureOptions& options) {
 void add_film(CLI::App& app, FilmOptions& options) {
   app.add_option("WORLD", options.world, "a .world file")->required();
   app.add_option("-o,--output", options.output,
-                 "the film: an animated .png, or what ffmpeg makes of its ending")
+                 "output file: an animated .png, or a format that ffmpeg derives from the extension")
       ->type_name("FILE")
       ->required();
   app.add_option("--duration", options.duration, "simulated seconds")
@@ -248,8 +249,8 @@ void add_film(CLI::App& app, FilmOptions& options) {
 }
 
 void add_kinds(CLI::App& app, KindsOptions& options) {
-  app.add_option("NAME", options.name, "one of them, with its words");
-  app.add_flag("--json", options.json, "a JSON object per kind, one a line");
+  app.add_option("NAME", options.name, "a kind: print all its words");
+  app.add_flag("--json", options.json, "one JSON object per line and kind");
 }
 
 void add_bench(CLI::App& app, BenchOptions& options) {
@@ -257,13 +258,13 @@ void add_bench(CLI::App& app, BenchOptions& options) {
          "SCENARIO", options.scenario,
          "sonar, laser, cave, hospital, swarm, vaughan2008, diffusion, world, load, open, server or watched")
       ->required();
-  app.add_option("WORLD", options.world, "a .world file, of bench world");
+  app.add_option("WORLD", options.world, "a .world file, for bench world");
   app.add_option(
          "--robots", options.robots,
-         "how many (the scenario's own number; of vaughan2008 and diffusion 1, 10, ... 100000 in turn)")
+         "number of robots (the scenario's own; vaughan2008 and diffusion: a series of 1, 10, ... 100000)")
       ->check(check_robots);
   app.add_option("--duration", options.duration,
-                 "simulated seconds (the scenario's own); not of load, server")
+                 "simulated seconds (the scenario's own); not for load, server")
       ->check(check_positive);
   add_engine(app, options.engine);
   add_seed(app, options.seed);
@@ -273,7 +274,7 @@ void add_bench(CLI::App& app, BenchOptions& options) {
   });
 }
 
-/// A command whose options are `Options`.
+/// A command with options of type `Options`.
 template <typename Options>
 Command command(const char* name, const char* summary, int (*execute)(const Options&),
                 void (*add)(CLI::App&, Options&), const char* examples) {
@@ -288,8 +289,8 @@ Command command(const char* name, const char* summary, int (*execute)(const Opti
 
 std::vector<Command> commands() {
   return {
-      // Every line that begins with "  playhouse" is run by tests/e2e/test_program.py.
-      command("run", "simulate a world file and serve every robot of it", run, add_run,
+      // tests/e2e/test_program.py runs every line that begins with "  playhouse".
+      command("run", "simulate a world file and serve all its robots", run, add_run,
               R"(Examples:
   playhouse run worlds/cave.world
   playhouse run worlds/cave.world --port 7000 --web off
@@ -297,12 +298,12 @@ std::vector<Command> commands() {
   playhouse run worlds/cave.world --engine arena
   playhouse run worlds/cave.world --headless --lock-step
   playhouse run worlds/cave.world --headless --lock-step left,right --lock-step-timeout 10)"),
-      command("replay", "show a recorded run in the page, with its whole time on the slider", replay,
+      command("replay", "replay a recorded run in the page, with its whole time on the slider", replay,
               add_replay,
               R"(Examples:
   playhouse replay my.mcap
   playhouse replay my.mcap --web 8081 --paused)"),
-      command("export", "write what a recording has as tables", export_tables, add_export,
+      command("export", "export a recording as tables", export_tables, add_export,
               R"(Examples:
   playhouse export my.mcap --csv
   playhouse export my.mcap --csv -o tables)"),
@@ -310,7 +311,7 @@ std::vector<Command> commands() {
               R"(Examples:
   playhouse serve my.cfg
   playhouse serve my.cfg --bind 0.0.0.0 --paused)"),
-      command("robot", "bring robots into the world of a server, and serve them on this machine", robot,
+      command("robot", "spawn robots in the world of a server, and serve them on this machine", robot,
               add_robot,
               R"(Examples:
   playhouse robot examples/robot.toml --server 127.0.0.1:6665 --port 7000
@@ -318,7 +319,7 @@ std::vector<Command> commands() {
       command("gym", "let a learning program step all robots of a world (docs/gym.md)", gym, add_gym,
               R"(Started by the Python package playhouse_gym:
   env = playhouse_gym.VectorEnv("my.world"))"),
-      command("verify", "run a world several times side by side and compare the states", verify, add_verify,
+      command("verify", "run a world several times in parallel and compare the states", verify, add_verify,
               R"(Examples:
   playhouse verify worlds/cave.world --ticks 100
   playhouse verify worlds/cave.world --ticks 20 --workers 1,3)"),
@@ -330,7 +331,7 @@ std::vector<Command> commands() {
               R"(Examples:
   playhouse watch 127.0.0.1 laser:0 --count 3
   playhouse watch 127.0.0.1 guest --count 3)"),
-      command("observe", "print who is where and what they say, of a run with --observers", observe,
+      command("observe", "print poses and speech of models, from a run with --observers", observe,
               add_observe,
               R"(Examples:
   playhouse observe 127.0.0.1 --seconds 1 --stats
@@ -340,11 +341,11 @@ std::vector<Command> commands() {
               R"(Examples:
   playhouse drive 127.0.0.1 guest
   playhouse drive 127.0.0.1:6665 position2d:0)"),
-      command("check", "say what is wrong with .world, .inc and .cfg files", check, add_check,
+      command("check", "report errors in .world, .inc and .cfg files", check, add_check,
               R"(Examples:
   playhouse check my.cfg
   playhouse check worlds/*.world worlds/*.inc)"),
-      command("convert", "write a world in today's words, and floor plans and maps as worlds", convert,
+      command("convert", "convert worlds to current words, floor plans and maps to worlds", convert,
               add_convert,
               R"(Examples:
   playhouse convert worlds/cave.world
@@ -353,16 +354,16 @@ std::vector<Command> commands() {
   playhouse convert worlds/cave.world -o map.yaml
   playhouse convert map.yaml -o my.world
   playhouse convert my.world -o my.glb)"),
-      command("picture", "draw a world from above, without a screen", picture, add_picture,
+      command("picture", "render a world from above, off screen", picture, add_picture,
               R"(Examples:
   playhouse picture worlds/cave.world --at 10 -o cave.png
   playhouse picture worlds/cave.world --at 10 --show ranger -o scans.png
   playhouse picture worlds/swarm.world -o swarm.png --width 400 --renderer playhouse)"),
-      command("film", "draw a run from above, without a screen", film, add_film,
+      command("film", "render a run from above, off screen", film, add_film,
               R"(Examples:
   playhouse film worlds/swarm.world --duration 2 -o swarm.png
   playhouse film worlds/cave.world --duration 2 --rate 5 --width 320 -o cave.png)"),
-      command("kinds", "list what world files can hold, and its words", kinds, add_kinds,
+      command("kinds", "list the kinds of world files and their words", kinds, add_kinds,
               R"(Examples:
   playhouse kinds
   playhouse kinds position

@@ -18,7 +18,7 @@
 namespace playhouse::app {
 namespace {
 
-constexpr double kFarthest = 1e6;  // m from the origin that somebody may look
+constexpr double kFarthest = 1e6;  // m from the origin: limit of a view
 
 std::optional<double> number_in(std::string_view text) {
   double value = 0;
@@ -27,7 +27,7 @@ std::optional<double> number_in(std::string_view text) {
   return value;
 }
 
-/// The names between commas; nothing where one is none, or there twice.
+/// The comma-separated names; nullopt if one is invalid or duplicate.
 std::optional<std::set<std::string>> names_in(const std::string& text) {
   std::set<std::string> names;
   for (const std::string_view name : split(text, ',')) {

@@ -7,12 +7,12 @@ namespace {
 
 void add_lock_step(CLI::App& app, Running& running) {
   auto* lock_step = add_parsed(app, "--lock-step", parse_lock_step, running.lock_step,
-                               "go on only when a client asks for a step; with a number or names: each of so "
-                               "many, or of these, clients (docs/lock-step.md)")
+                               "each tick waits for a step of one client, of N, or of those with these names "
+                               "(docs/lock-step.md)")
                         ->type_name("[N | NAME,NAME,...]")
                         ->expected(0, 1);
   app.add_option("--lock-step-timeout", running.lock_step_timeout,
-                 "seconds that a client may be silent before the others go on without it (for ever)")
+                 "drop a client that is silent for so many seconds (never)")
       ->check(check_positive)
       ->needs(lock_step);
 }
@@ -21,7 +21,7 @@ void add_lock_step(CLI::App& app, Running& running) {
 
 void add_engine(CLI::App& app, std::string& engine) {
   app.add_option("--engine", engine,
-                 "what moves the robots: stage, in the plane, or arena, bodies with mass (docs/arena.md)")
+                 "simulation engine: stage, 2D, or arena, 3D rigid bodies (docs/arena.md)")
       ->type_name("NAME")
       ->check(check_engine)
       ->capture_default_str();
@@ -37,7 +37,7 @@ void add_workers(CLI::App& app, unsigned& workers, const std::string& help) {
 
 void add_allowed_libraries(CLI::App& app, Running& running) {
   app.add_option("--allow-library", running.allowed_libraries,
-                 "a library that a world may load from elsewhere; may be given again")
+                 "allow a library outside the library folders; may be repeated")
       ->type_name("FILE.so")
       ->expected(1)
       ->allow_extra_args(false)
@@ -45,31 +45,30 @@ void add_allowed_libraries(CLI::App& app, Running& running) {
 }
 
 void add_bind(CLI::App& app, std::string& address) {
-  app.add_option("--bind", address, "address to listen on; 0.0.0.0: everybody's")
+  app.add_option("--bind", address, "address to listen on; 0.0.0.0: every interface")
       ->check(check_bind)
       ->capture_default_str();
 }
 
 void add_hosts(CLI::App& app, Serving& serving) {
   add_bind(app, serving.bind);
-  app.add_option("--web-host", serving.web_hosts,
-                 "a further name of this host that the page may be opened under (once for each)")
+  app.add_option("--web-host", serving.web_hosts, "a further host name for the page; may be repeated")
       ->check(check_web_host)
       ->expected(1)
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   app.add_option("--guests", serving.guests,
-                 "who may open the page, as observer, driver, human or admin (docs/guests.md)")
+                 "access control of the page by role: observer, driver, human or admin (docs/guests.md)")
       ->type_name("FILE");
-  app.add_option("--viewers", serving.viewers, "pages at once, and observers")
+  app.add_option("--viewers", serving.viewers, "limit on simultaneous pages, and on observers")
       ->check(check_count<std::size_t, 1, limits::kViewers>)
       ->capture_default_str();
   auto* observers =
       app.add_option("--observers", serving.observers,
-                     "UDP port of playhouse observe; 0: any free one, printed (none; docs/observers.md)")
+                     "UDP port for playhouse observe; 0: any free one, printed (none; docs/observers.md)")
           ->type_name("PORT")
           ->check(check_port);
-  app.add_option("--observer-bytes", serving.observer_bytes, "a second, to each observer at most")
+  app.add_option("--observer-bytes", serving.observer_bytes, "limit in bytes per second for each observer")
       ->type_name("N")
       ->check(check_observer_bytes)
       ->capture_default_str()
@@ -83,19 +82,18 @@ void add_serving(CLI::App& app, Serving& serving) {
   add_parsed(app, "--web", parse_web, serving.web,
              "port of the web page, or off; 0: any free one, printed (8080)");
   add_hosts(app, serving);
-  // CLI11 calls in the order of the options here: it counts also where --web is given.
+  // CLI11 runs callbacks in the order of definition: this overrides --web.
   app.add_flag_callback(
       "--headless", [&serving] { serving.web.reset(); }, "no web page, as --web off");
 }
 
 void add_recording(CLI::App& app, Running& running) {
   auto* record =
-      app.add_option("--record", running.record, "record the run into an MCAP file (docs/recording.md)")
+      app.add_option("--record", running.record, "record the run to an MCAP file (docs/recording.md)")
           ->type_name("FILE.mcap");
-  app.add_option(
-         "--record-only", running.record_only,
-         "what is recorded besides poses: kinds, @NAMES, or KIND@NAME, between commas; poses: nothing "
-         "(everything)")
+  app.add_option("--record-only", running.record_only,
+                 "recorded besides poses: kinds, @NAMES or KIND@NAME, comma-separated; poses: nothing else "
+                 "(everything)")
       ->type_name("WHAT,...")
       ->check(check_selection)
       ->needs(record);
@@ -108,17 +106,18 @@ void add_running(CLI::App& app, Running& running) {
   app.add_option("--speed", running.speed, "times real time; 0: as fast as possible (the file's speedup)")
       ->check(check_not_negative)
       ->excludes(fast);
-  app.add_option("--duration", running.duration, "simulated seconds, then end (run: the file's quit_time)")
+  app.add_option("--duration", running.duration,
+                 "simulated seconds after which the run ends (run: the file's quit_time)")
       ->check(check_not_negative);
   add_seed(app, running.seed);
   add_workers(app, running.workers, kWorkersOfARun);
   add_allowed_libraries(app, running);
   app.add_option("--save-world", running.save_world,
-                 "the file into which clients may save the world as it stands (SAVE of simulation)")
+                 "file that a client's SAVE request writes the current world to (interface simulation)")
       ->type_name("FILE.world");
   add_recording(app, running);
   add_lock_step(app, running);
-  app.add_flag("--paused", running.paused, "wait to be resumed by a viewer or a client");
+  app.add_flag("--paused", running.paused, "start paused, until a viewer or a client resumes the run");
   app.add_flag("--json", running.json, "print the result as the last line of standard output");
 }
 

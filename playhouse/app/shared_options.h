@@ -12,7 +12,7 @@
 
 namespace playhouse::app {
 
-/// An option of one text: `value` becomes what `parse` reads it as.
+/// An option with one text, which `parse` converts to `value`.
 template <typename Read, typename Value>
 CLI::Option* add_parsed(CLI::App& app, const std::string& name, Result<Read> (*parse)(const std::string&),
                         Value& value, const std::string& help) {
@@ -26,17 +26,17 @@ CLI::Option* add_parsed(CLI::App& app, const std::string& name, Result<Read> (*p
 
 void add_engine(CLI::App& app, std::string& engine);
 void add_seed(CLI::App& app, std::uint64_t& seed, const std::string& help = "seed of all random numbers");
-void add_workers(CLI::App& app, unsigned& workers, const std::string& help = "threads that compute");
-/// Of commands whose result somebody might think depends on it.
-inline constexpr const char* kWorkersOfARun = "threads that compute; the result does not depend on it";
+void add_workers(CLI::App& app, unsigned& workers, const std::string& help = "worker threads");
+/// For commands with a result, which does not depend on the number of threads.
+inline constexpr const char* kWorkersOfARun = "worker threads; the result does not depend on it";
 void add_allowed_libraries(CLI::App& app, Running& running);
 void add_bind(CLI::App& app, std::string& address);
-/// Who may open the page and observe, from where.
+/// Listening address, access control and limits of viewers and observers.
 void add_hosts(CLI::App& app, Serving& serving);
-/// Where and how a world is offered.
+/// Ports and access of a served world.
 void add_serving(CLI::App& app, Serving& serving);
 void add_recording(CLI::App& app, Running& running);
-/// How a world runs.
+/// Options of a run.
 void add_running(CLI::App& app, Running& running);
 
 }  // namespace playhouse::app
