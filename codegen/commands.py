@@ -1,4 +1,4 @@
-"""What a page may ask of the program, as viewer/commands.toml says it."""
+"""Loads and validates the commands of viewers, viewer/commands.toml."""
 
 from __future__ import annotations
 
@@ -10,20 +10,20 @@ from pathlib import Path
 
 from codegen.checks import SchemaError, documented, keys, one_of, typed, unique
 
-# Who may have a command carried out, and what the page calls them (playhouse/web_server/guests.h).
-RIGHTS = {"anybody": "everybody", "drives": "those who drive", "joins": "those who join", "manages": "those who manage"}
-PERSON_LETTERS = 24     # of a name at most
-PERSON_SETS = ("A-Za-z", r"A-Za-z0-9_\-")   # its first character and the others, as patterns have them
+# Required right of a command, and its holders as named on the page (playhouse/web_server/guests.h).
+RIGHTS = {"anybody": "every viewer", "drives": "viewers with the right to drive", "joins": "viewers with the right to join", "manages": "viewers with the right to manage"}
+PERSON_LETTERS = 24     # maximum length of a name
+PERSON_SETS = ("A-Za-z", r"A-Za-z0-9_\-")   # first character and further ones, as regular-expression sets
 PERSON_RULE = "letters, digits, - and _, the first one a letter"
 
 
 @dataclass(frozen=True)
 class Type:
-    cpp: str            # with the value of nobody
-    read: str           # a function of playhouse/replicate/command_members.h, and what it takes behind the key
+    cpp: str            # with the default value
+    read: str           # function of playhouse/replicate/command_members.h, and its argument after the key
     typescript: str
     example: object
-    range: str = ""     # as people read it
+    range: str = ""     # for the reference page
     optional: bool = False
 
 
@@ -53,8 +53,8 @@ class Field:
 
 @dataclass
 class Command:
-    name: str           # of the struct
-    word: str           # of "do"
+    name: str           # name of the struct
+    word: str           # value of "do"
     may: str
     doc: str
     fields: list[Field]

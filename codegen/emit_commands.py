@@ -1,4 +1,4 @@
-"""What a page may ask, at both ends: playhouse/replicate/generated/ and web/src/protocol/generated/, and its page of the docs."""
+"""Commands of viewers: playhouse/replicate/generated/, web/src/protocol/generated/ and their reference page."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def emit(commands: list[Command]) -> dict[str, str]:
 
 
 def _structs(commands: list[Command]) -> str:
-    lines = [f"// {NOTE}", "#pragma once", "", "/// What a page may ask of the program; docs/viewer-commands.md has the units and ranges.", "",
+    lines = [f"// {NOTE}", "#pragma once", "", "/// Commands of a page to the program; units and ranges are in docs/viewer-commands.md.", "",
              "#include <cstdint>", "#include <optional>", "#include <string>", "#include <variant>", "",
              '#include "playhouse/world/model_id.h"', "", "namespace playhouse::replicate {", ""]
     for command in commands:
@@ -32,7 +32,7 @@ def _structs(commands: list[Command]) -> str:
             continue
         lines += [f"struct {command.name} {{", *(f"  {f.type.cpp.format(f.name)};" for f in command.fields), "};", ""]
     lines += ["using Command =", f"    std::variant<{', '.join(c.name for c in commands)}>;", "",
-              "/// Whose a command is: everybody's, or of those who have a right.",
+              "/// Required right of a command.",
               f"enum class May : std::uint8_t {{ {', '.join(enumerator(right) for right in RIGHTS)} }};", "",
               "constexpr May who_may(const Command& command) {", "  constexpr May kMay[] = {",
               *(f"      May::{enumerator(c.may)},  // {c.name}" for c in commands), "  };", "  return kMay[command.index()];", "}", "",
@@ -47,7 +47,7 @@ def _read(field) -> str:
 
 def _person_name() -> str:
     first, rest = (re.sub("[^ -~]|" + f"[^{PERSON_SETS[i]}]", "", "".join(map(chr, range(32, 127)))) for i in (0, 1))
-    lines = [f"// {NOTE}", "#pragma once", "", "/// The name of a person who joins a world: a word that names of models and clients can have.", "",
+    lines = [f"// {NOTE}", "#pragma once", "", "/// The name of a person who joins a world; valid as the name of a model and of a client.", "",
              "#include <string_view>", "", "namespace playhouse::replicate {", "",
              f"inline constexpr std::size_t kPersonNameBytes = {PERSON_LETTERS};",
              f'inline constexpr std::string_view kPersonNameRule = "1 to {PERSON_LETTERS} {PERSON_RULE}";', "",
@@ -76,24 +76,24 @@ def _reader(commands: list[Command]) -> str:
 
 
 def _typescript(commands: list[Command]) -> str:
-    lines = [f"// {NOTE}", "", "/** What a page may ask of the program (docs/viewer-commands.md). Models by id. */", "export type Command ="]
+    lines = [f"// {NOTE}", "", "/** Commands of a page to the program (docs/viewer-commands.md). Models by id. */", "export type Command ="]
     for c in commands:
         members = "".join(f"; {f.name}{'?' if f.type.optional else ''}: {f.type.typescript}" for f in c.fields)
         lines.append(f"  | {{ do: '{c.word}'{members} }}" + (";" if c is commands[-1] else ""))
     pattern = f"[{PERSON_SETS[0]}][{PERSON_SETS[1]}]*".replace("\\", "\\\\")
-    lines += ["", "/** The name of a person: its longest, its pattern, and that in words. */", f"export const kNameLetters = {PERSON_LETTERS};",
+    lines += ["", "/** The name of a person: maximum length, pattern, and the rule in words. */", f"export const kNameLetters = {PERSON_LETTERS};",
               f"export const kNamePattern = '{pattern}';", f"export const kNameRule = '{PERSON_RULE}';", ""]
     return "\n".join(lines)
 
 
 def _page(commands: list[Command]) -> str:
     lines = [f"<!-- {NOTE} -->", "# Commands of viewers", "",
-             "What a page asks of the program, over the connection of [viewer-protocol.md](viewer-protocol.md). One JSON object per message, at most 4096 bytes. An unknown key, a",
-             "missing one or a number out of its range refuses the command with a notice; the sixteenth refusal closes the connection. Between two pictures (at least 33 ms, and a tick)",
-             "64 messages are read; more wait, in order, on the way. What a viewer's role does not allow is refused with a notice ([guests.md](guests.md)). A command for a model that has",
-             "gone meanwhile does nothing; one for a model that never was is refused.", ""]
+             "Commands of a page to the program, over the connection of [viewer-protocol.md](viewer-protocol.md). One JSON object per message, at most 4096 bytes. A command with an unknown key, a",
+             "missing key or a number out of range is refused with a notice; the sixteenth refusal closes the connection. Between two frames (at least 33 ms, and a tick)",
+             "64 messages are read; further ones wait, in order, in the connection. Commands that a viewer's role does not allow are refused with a notice ([guests.md](guests.md)). A command for a",
+             "removed model has no effect; one for a model that never existed is refused.", ""]
     for right, people in RIGHTS.items():
-        lines += [f"## Of {people}", "", "| command | what it does | keys |", "|---|---|---|"]
+        lines += [f"## For {people}", "", "| command | effect | keys |", "|---|---|---|"]
         for c in (c for c in commands if c.may == right):
             keys = "; ".join(f"`{f.name}`: {f.type.range}" for f in c.fields)
             lines.append(f"| `{c.example()}` | {c.doc} | {keys} |")

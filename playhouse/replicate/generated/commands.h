@@ -1,7 +1,7 @@
 // Generated from viewer/commands.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
-/// What a page may ask of the program; docs/viewer-commands.md has the units and ranges.
+/// Commands of a page to the program; units and ranges are in docs/viewer-commands.md.
 
 #include <cstdint>
 #include <optional>
@@ -12,12 +12,12 @@
 
 namespace playhouse::replicate {
 
-/// Packets up to this one were taken in.
+/// Acknowledges packets up to this one.
 struct Acknowledge {
   std::uint32_t frame = 0;
 };
 
-/// What is on the screen, in the world's frame; whether to send the sensors of all robots there.
+/// Visible region, in the world's frame; whether to send sensor data of all robots in it.
 struct Look {
   double x_min = 0;
   double y_min = 0;
@@ -26,18 +26,19 @@ struct Look {
   bool sensors = false;
 };
 
-/// The robot of this model is selected, or null: none any more.
+/// Selects the robot of this model; null clears the selection.
 struct Select {
   std::optional<world::ModelId> model;
 };
 
-/// Asks what physics takes bodies for; refused while that or a world is on its way to this viewer.
+/// Requests the collision shapes of the bodies; refused while a reply, or a saved world, is in transit to
+/// this viewer.
 struct ShowPhysics {};
 
-/// Velocities of the wheels of this model, in the robot's frame, [m/s, rad/s]. They hold for 0.5 s of wall
-/// time (kViewerDriveSeconds), so send them again before; all zero: stop now. The newest of all viewers' and
-/// clients' commands counts. With an input above 0 the viewer is told from which tick on it counts. Who joins
-/// drives the own body.
+/// Velocity command for this model, in the robot's frame, [m/s, rad/s]. It expires after 0.5 s of wall time
+/// (kViewerDriveSeconds) unless repeated; all zero: stop now. The newest command of all viewers and clients
+/// applies. For an input above 0 the program reports the tick from which it applies (for prediction). With
+/// the right to join only: the viewer's own body.
 struct Drive {
   world::ModelId model;
   double forward = 0;
@@ -46,9 +47,9 @@ struct Drive {
   std::uint32_t input = 0;
 };
 
-/// A body of the viewer's own: a person like the first addable one that walks, called so (a number behind
-/// where somebody is already), in place of the one it had; it goes when the viewer does. Refused in worlds
-/// without people.
+/// Spawns a body for the viewer: a person like the first addable model that walks, with this name (a number
+/// is appended if it is taken). It replaces the viewer's previous body and is removed when the viewer
+/// disconnects. Refused in worlds without people.
 struct Join {
   std::string name;
   double x = 0;
@@ -56,32 +57,32 @@ struct Join {
   double a = 0;
 };
 
-/// What that body says from now on; "": nothing.
+/// Sets the text that this body says; "": none.
 struct Say {
   std::string text;
 };
 
-/// Time stands still, for everyone.
+/// Pauses the run, for everyone.
 struct Pause {};
 
-/// Time goes on, for everyone.
+/// Resumes the run, for everyone.
 struct Resume {};
 
-/// One tick, then a pause.
+/// Runs one tick, then pauses.
 struct Step {};
 
-/// How fast time goes, for everyone; 0: as fast as possible.
+/// Sets the speed of the run, for everyone; 0: as fast as possible.
 struct SetSpeed {
   double times_real_time = 1;
 };
 
-/// For everyone: the state of the recorded instant nearest to this tick, from which the run goes on; refused
-/// while there is none.
+/// Rewinds the run, for everyone, to the recorded state nearest to this tick, and continues from there;
+/// refused if there is none.
 struct Rewind {
   std::uint64_t tick = 0;
 };
 
-/// Puts a movable model of the top level there.
+/// Moves a movable top-level model to this pose.
 struct Drag {
   world::ModelId model;
   double x = 0;
@@ -89,7 +90,7 @@ struct Drag {
   double a = 0;
 };
 
-/// A new tree like the addable one of this place in the list; its name is that one's with a number behind it.
+/// Spawns a tree like the addable model at this index; a number is appended to its name.
 struct Add {
   std::uint32_t robot = 0;
   double x = 0;
@@ -97,7 +98,7 @@ struct Add {
   double a = 0;
 };
 
-/// A new tree like the one that this model is in, standing free there.
+/// Spawns a copy of this model's tree at this pose, as a top-level model.
 struct Copy {
   world::ModelId model;
   double x = 0;
@@ -105,29 +106,29 @@ struct Copy {
   double a = 0;
 };
 
-/// Takes the tree that this model is in out of the world. Who joins may do so with the own body.
+/// Removes this model's tree from the world. Viewers with the right to join may remove their own body.
 struct Remove {
   world::ModelId model;
 };
 
-/// What this viewer says is refused from now on, or no longer.
+/// Mutes or unmutes this viewer: its speech is refused.
 struct Mute {
   std::uint32_t viewer = 0;
   bool on = false;
 };
 
-/// Sends this viewer out, who may not come again.
+/// Disconnects and bans this viewer.
 struct Kick {
   std::uint32_t viewer = 0;
 };
 
-/// Asks for the world as it stands, as a world file; refused while one is on its way to this viewer.
+/// Requests the current world as a world file; refused while one is in transit to this viewer.
 struct Save {};
 
 using Command =
     std::variant<Acknowledge, Look, Select, ShowPhysics, Drive, Join, Say, Pause, Resume, Step, SetSpeed, Rewind, Drag, Add, Copy, Remove, Mute, Kick, Save>;
 
-/// Whose a command is: everybody's, or of those who have a right.
+/// Required right of a command.
 enum class May : std::uint8_t { kAnybody, kDrives, kJoins, kManages };
 
 constexpr May who_may(const Command& command) {

@@ -1,7 +1,7 @@
 // Generated from viewer/commands.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
-/// The name of a person who joins a world: a word that names of models and clients can have.
+/// The name of a person who joins a world; valid as the name of a model and of a client.
 
 #include <string_view>
 

@@ -1,6 +1,6 @@
 // Generated from viewer/commands.toml by codegen (python3 -m codegen). Do not edit.
 
-/** What a page may ask of the program (docs/viewer-commands.md). Models by id. */
+/** Commands of a page to the program (docs/viewer-commands.md). Models by id. */
 export type Command =
   | { do: 'ack'; frame: number }
   | { do: 'look'; x_min: number; y_min: number; x_max: number; y_max: number; sensors: boolean }
@@ -22,7 +22,7 @@ export type Command =
   | { do: 'kick'; viewer: number }
   | { do: 'save' };
 
-/** The name of a person: its longest, its pattern, and that in words. */
+/** The name of a person: maximum length, pattern, and the rule in words. */
 export const kNameLetters = 24;
 export const kNamePattern = '[A-Za-z][A-Za-z0-9_\\-]*';
 export const kNameRule = 'letters, digits, - and _, the first one a letter';
