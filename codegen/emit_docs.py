@@ -1,4 +1,4 @@
-"""Reference pages for people: docs/interfaces/, one page per interface and an index."""
+"""Reference pages: docs/interfaces/, one page per interface and an index."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ def _banner(source: str) -> str:
 
 def _index(schema: Schema) -> str:
     lines = [_banner("interfaces/"), "# Interfaces", "",
-             "What each interface is for, its messages and their fields. The rules for the bytes, and the letters used",
-             "for frames, are in [wire.md](../wire.md).", "", "| code | interface | for |", "|---:|---|---|"]
+             "Purpose, messages and fields of each interface. The encoding, and the letters of the frames,",
+             "are described in [wire.md](../wire.md).", "", "| code | interface | purpose |", "|---:|---|---|"]
     for i in schema.interfaces:
         lines.append(f"| {i.code} | [{i.name}]({page(i)}) | {i.doc} |")
     lines += ["", f"Shared by all: [{COMMON}]({page(schema.common)})."]
@@ -62,7 +62,7 @@ def _messages(interface: Interface) -> list[str]:
 def _link(owner: str, name: str, inside: Interface) -> str:
     if owner == inside.name:
         return f"[{name}](#{name.lower()})"
-    # The shared page has no code; the other pages are found from the index by name.
+    # The shared page has no code; other pages are linked from the index by name.
     return f"[{name}](000_common.md#{name.lower()})" if owner == COMMON else f"{owner}.{name}"
 
 

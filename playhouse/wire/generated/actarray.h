@@ -1,7 +1,7 @@
 // Generated from interfaces/053_actarray.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
-/// A chain of joints that slide or turn, such as an arm.
+/// A chain of prismatic or revolute joints, such as an arm.
 
 #include <cstdint>
 #include <string>
@@ -14,31 +14,31 @@ namespace playhouse::wire::actarray {
 inline constexpr std::uint16_t kCode = 53;
 
 // Subtypes of messages.
-/// Where each joint is.
+/// State of each joint.
 inline constexpr std::uint8_t kDataState = 1;
-/// Wanted position of one joint.
+/// Commanded position of one joint.
 inline constexpr std::uint8_t kCmdPos = 1;
-/// Wanted positions of all joints.
+/// Commanded positions of all joints.
 inline constexpr std::uint8_t kCmdMultiPos = 2;
-/// Wanted speed of one joint.
+/// Commanded speed of one joint.
 inline constexpr std::uint8_t kCmdSpeed = 3;
-/// Wanted speeds of all joints.
+/// Commanded speeds of all joints.
 inline constexpr std::uint8_t kCmdMultiSpeed = 4;
-/// Sends one joint, or all, to its home.
+/// Moves one joint, or all, to the home position.
 inline constexpr std::uint8_t kCmdHome = 5;
-/// Wanted current of one joint.
+/// Commanded current of one joint.
 inline constexpr std::uint8_t kCmdCurrent = 6;
-/// Wanted currents of all joints.
+/// Commanded currents of all joints.
 inline constexpr std::uint8_t kCmdMultiCurrent = 7;
 /// Switches the motors on or off.
 inline constexpr std::uint8_t kReqPower = 1;
 /// Sets or releases the brakes.
 inline constexpr std::uint8_t kReqBrakes = 2;
-/// Asks for the chain's joints and place.
+/// Requests the joints and the base pose of the chain.
 inline constexpr std::uint8_t kReqGetGeom = 3;
-/// Sets the speed at which a joint goes to a position.
+/// Sets a joint's speed in position control.
 inline constexpr std::uint8_t kReqSpeed = 4;
-/// Sets the acceleration with which a joint goes to a position.
+/// Sets a joint's acceleration in position control.
 inline constexpr std::uint8_t kReqAccel = 5;
 
 /// Values of Actuator.state.
@@ -67,34 +67,34 @@ struct Actuator {
   friend bool operator==(const Actuator&, const Actuator&) = default;
 };
 
-/// Where each joint is.
+/// State of each joint.
 struct Data {
   std::vector<Actuator> actuators{};
-  /// 1 motors on, 0 off.
+  /// 1: motors on, 0: off.
   std::uint8_t motor_state = 0;
 
   friend bool operator==(const Data&, const Data&) = default;
 };
 
-/// What a joint is.
+/// Description of a joint.
 struct Actuatorgeom {
-  /// Slides or turns.
+  /// Prismatic or revolute.
   std::uint8_t type = 0;
   /// To the next joint. [m]
   float length = 0;
-  /// Of the joint at rest; turns from the joint before it. [frame R_BJ, rad, rad, rad]
+  /// Orientation of the joint at rest, relative to the previous joint. [frame R_BJ, rad, rad, rad]
   Orientation3d orientation{};
-  /// Unit vector along which it slides or about which it turns. [frame n_J, 1]
+  /// Unit vector of the axis of translation or rotation. [frame n_J, 1]
   Point3d axis{};
   /// Lowest position. [m or rad]
   float min = 0;
-  /// Middle position. [m or rad]
+  /// Centre position. [m or rad]
   float centre = 0;
   /// Highest position. [m or rad]
   float max = 0;
   /// Position after CMD HOME. [m or rad]
   float home = 0;
-  /// Speed at which it goes to a position. [m/s or rad/s]
+  /// Speed in position control. [m/s or rad/s]
   float config_speed = 0;
   /// 1 if it has brakes.
   std::uint8_t hasbrakes = 0;
@@ -102,20 +102,20 @@ struct Actuatorgeom {
   friend bool operator==(const Actuatorgeom&, const Actuatorgeom&) = default;
 };
 
-/// The chain's joints and place.
+/// Joints and base pose of the chain.
 struct Geom {
   std::vector<Actuatorgeom> actuators{};
-  /// Where the chain starts on the robot. [frame p_RB, m]
+  /// Position of the base of the chain on the robot. [frame p_RB, m]
   Point3d base_pos{};
-  /// How the chain starts on the robot. [frame R_RB, rad]
+  /// Orientation of the base of the chain on the robot. [frame R_RB, rad]
   Orientation3d base_orientation{};
 
   friend bool operator==(const Geom&, const Geom&) = default;
 };
 
-/// Wanted position of one joint.
+/// Commanded position of one joint.
 struct PositionCmd {
-  /// Which joint, from 0.
+  /// Index of the joint, from 0.
   std::int32_t joint = 0;
   /// [m or rad]
   float position = 0;
@@ -123,7 +123,7 @@ struct PositionCmd {
   friend bool operator==(const PositionCmd&, const PositionCmd&) = default;
 };
 
-/// Wanted positions of all joints.
+/// Commanded positions of all joints.
 struct MultiPositionCmd {
   /// [m or rad]
   std::vector<float> positions{};
@@ -131,9 +131,9 @@ struct MultiPositionCmd {
   friend bool operator==(const MultiPositionCmd&, const MultiPositionCmd&) = default;
 };
 
-/// Wanted speed of one joint.
+/// Commanded speed of one joint.
 struct SpeedCmd {
-  /// Which joint, from 0.
+  /// Index of the joint, from 0.
   std::int32_t joint = 0;
   /// [m/s or rad/s]
   float speed = 0;
@@ -141,7 +141,7 @@ struct SpeedCmd {
   friend bool operator==(const SpeedCmd&, const SpeedCmd&) = default;
 };
 
-/// Wanted speeds of all joints.
+/// Commanded speeds of all joints.
 struct MultiSpeedCmd {
   /// [m/s or rad/s]
   std::vector<float> speeds{};
@@ -149,17 +149,17 @@ struct MultiSpeedCmd {
   friend bool operator==(const MultiSpeedCmd&, const MultiSpeedCmd&) = default;
 };
 
-/// A joint to send home.
+/// A joint to move to its home position.
 struct HomeCmd {
-  /// Which joint; -1 all.
+  /// Index of the joint; -1: all.
   std::int32_t joint = 0;
 
   friend bool operator==(const HomeCmd&, const HomeCmd&) = default;
 };
 
-/// Wanted current of one joint.
+/// Commanded current of one joint.
 struct CurrentCmd {
-  /// Which joint, from 0.
+  /// Index of the joint, from 0.
   std::int32_t joint = 0;
   /// [A]
   float current = 0;
@@ -167,7 +167,7 @@ struct CurrentCmd {
   friend bool operator==(const CurrentCmd&, const CurrentCmd&) = default;
 };
 
-/// Wanted currents of all joints.
+/// Commanded currents of all joints.
 struct MultiCurrentCmd {
   /// [A]
   std::vector<float> currents{};
@@ -177,7 +177,7 @@ struct MultiCurrentCmd {
 
 /// The motors' switch.
 struct PowerConfig {
-  /// 1 on, 0 off.
+  /// 1: on, 0: off.
   std::uint8_t value = 0;
 
   friend bool operator==(const PowerConfig&, const PowerConfig&) = default;
@@ -185,7 +185,7 @@ struct PowerConfig {
 
 /// The brakes' switch.
 struct BrakesConfig {
-  /// 1 braked, 0 released.
+  /// 1: braked, 0: released.
   std::uint8_t value = 0;
 
   friend bool operator==(const BrakesConfig&, const BrakesConfig&) = default;
@@ -193,7 +193,7 @@ struct BrakesConfig {
 
 /// Speed of one joint.
 struct SpeedConfig {
-  /// Which joint; -1 all.
+  /// Index of the joint; -1: all.
   std::int32_t joint = 0;
   /// [m/s or rad/s]
   float speed = 0;
@@ -203,7 +203,7 @@ struct SpeedConfig {
 
 /// Acceleration of one joint.
 struct AccelConfig {
-  /// Which joint; -1 all.
+  /// Index of the joint; -1: all.
   std::int32_t joint = 0;
   /// [m/s^2 or rad/s^2]
   float accel = 0;

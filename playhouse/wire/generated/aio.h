@@ -16,7 +16,7 @@ inline constexpr std::uint16_t kCode = 21;
 // Subtypes of messages.
 /// Voltages of the inputs.
 inline constexpr std::uint8_t kDataState = 1;
-/// Wanted voltage of one output.
+/// Commanded voltage of one output.
 inline constexpr std::uint8_t kCmdState = 1;
 
 /// Voltages of the inputs.
@@ -27,9 +27,9 @@ struct Data {
   friend bool operator==(const Data&, const Data&) = default;
 };
 
-/// Wanted voltage of one output.
+/// Commanded voltage of one output.
 struct Cmd {
-  /// Which output.
+  /// Index of the output.
   std::uint32_t id = 0;
   /// [V]
   float voltage = 0;

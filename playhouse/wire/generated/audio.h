@@ -16,11 +16,11 @@ inline constexpr std::uint16_t kCode = 9;
 // Subtypes of messages.
 /// Recorded sound.
 inline constexpr std::uint8_t kDataWavRec = 1;
-/// Tones that were heard.
+/// Detected tones.
 inline constexpr std::uint8_t kDataSeq = 2;
-/// Levels of the mixer, sent when they change.
+/// Levels of the mixer, sent on change.
 inline constexpr std::uint8_t kDataMixerChannel = 3;
-/// What the device is doing.
+/// State of the device.
 inline constexpr std::uint8_t kDataState = 4;
 /// Plays sound.
 inline constexpr std::uint8_t kCmdWavPlay = 1;
@@ -32,7 +32,7 @@ inline constexpr std::uint8_t kCmdSamplePlay = 3;
 inline constexpr std::uint8_t kCmdSeqPlay = 4;
 /// Sets levels of the mixer.
 inline constexpr std::uint8_t kCmdMixerChannel = 5;
-/// Records a piece of sound.
+/// Records sound.
 inline constexpr std::uint8_t kReqWavRec = 1;
 /// Stores a sample.
 inline constexpr std::uint8_t kReqSampleLoad = 2;
@@ -40,9 +40,9 @@ inline constexpr std::uint8_t kReqSampleLoad = 2;
 inline constexpr std::uint8_t kReqSampleRetrieve = 3;
 /// Records a sample into the store.
 inline constexpr std::uint8_t kReqSampleRec = 4;
-/// Asks which channels the mixer has.
+/// Requests the channels of the mixer.
 inline constexpr std::uint8_t kReqMixerChannelList = 5;
-/// Asks for the levels of the mixer.
+/// Requests the levels of the mixer.
 inline constexpr std::uint8_t kReqMixerChannelLevel = 6;
 
 /// Bits of State.state.
@@ -84,9 +84,9 @@ inline constexpr std::int32_t kMixerChannelTypeInput = 1;
 inline constexpr std::int32_t kMixerChannelTypeOutput = 2;
 inline constexpr std::int32_t kMixerChannelTypeSpecial = 4;
 
-/// A piece of sound.
+/// A sound.
 struct Wav {
-  /// The sound, as `format` says.
+  /// The sound, in the format of `format`.
   std::vector<std::uint8_t> data{};
   /// Kind, rate, channels and bits in one number.
   std::uint32_t format = 0;
@@ -100,15 +100,15 @@ struct SeqItem {
   float freq = 0;
   /// [s]
   float duration = 0;
-  /// 0 silent to 1 full. [1]
+  /// 0: silent, to 1: full volume. [1]
   float amplitude = 0;
-  /// On: goes over into the next tone without a gap.
+  /// On: joined to the next tone without a gap.
   Bool link{};
 
   friend bool operator==(const SeqItem&, const SeqItem&) = default;
 };
 
-/// A row of tones.
+/// A sequence of tones.
 struct Seq {
   std::vector<SeqItem> tones{};
 
@@ -117,11 +117,11 @@ struct Seq {
 
 /// Level of one channel.
 struct MixerChannel {
-  /// 0 silent to 1 full. [1]
+  /// 0: silent, to 1: full volume. [1]
   float amplitude = 0;
   /// Off: muted.
   Bool active{};
-  /// Which channel.
+  /// Index of the channel.
   std::uint32_t index = 0;
 
   friend bool operator==(const MixerChannel&, const MixerChannel&) = default;
@@ -134,7 +134,7 @@ struct MixerChannelList {
   friend bool operator==(const MixerChannelList&, const MixerChannelList&) = default;
 };
 
-/// What a channel is.
+/// Description of a channel.
 struct MixerChannelDetail {
   std::string name{};
   /// Input, output or special.
@@ -143,7 +143,7 @@ struct MixerChannelDetail {
   friend bool operator==(const MixerChannelDetail&, const MixerChannelDetail&) = default;
 };
 
-/// What channels there are.
+/// List of channels.
 struct MixerChannelListDetail {
   std::vector<MixerChannelDetail> details{};
   /// Index of the channel that plays; -1 none.
@@ -154,25 +154,25 @@ struct MixerChannelListDetail {
   friend bool operator==(const MixerChannelListDetail&, const MixerChannelListDetail&) = default;
 };
 
-/// A sample and its place in the store.
+/// A sample and its index in the store.
 struct Sample {
   Wav sample{};
-  /// Place in the store; -1 lets the driver choose when loading.
+  /// Index in the store; -1: chosen by the driver when loading.
   std::int32_t index = 0;
 
   friend bool operator==(const Sample&, const Sample&) = default;
 };
 
-/// A place in the store.
+/// An index in the store.
 struct SampleItem {
   std::int32_t index = 0;
 
   friend bool operator==(const SampleItem&, const SampleItem&) = default;
 };
 
-/// A wish to record into the store.
+/// Request to record into the store.
 struct SampleRecReq {
-  /// Place in the store; -1 lets the driver choose.
+  /// Index in the store; -1: chosen by the driver.
   std::int32_t index = 0;
   /// [ms]
   std::uint32_t length = 0;
@@ -180,7 +180,7 @@ struct SampleRecReq {
   friend bool operator==(const SampleRecReq&, const SampleRecReq&) = default;
 };
 
-/// What the device is doing.
+/// State of the device.
 struct State {
   /// Playing, recording, both or neither.
   std::uint32_t state = 0;

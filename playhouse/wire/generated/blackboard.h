@@ -1,7 +1,7 @@
 // Generated from interfaces/064_blackboard.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
-/// Named values that clients share.
+/// Named values shared by clients.
 
 #include <cstdint>
 #include <string>
@@ -13,19 +13,19 @@ namespace playhouse::wire::blackboard {
 inline constexpr std::uint16_t kCode = 64;
 
 // Subtypes of messages.
-/// An entry that the client follows has changed.
+/// A subscribed entry has changed.
 inline constexpr std::uint8_t kDataUpdate = 1;
-/// Follows one entry; the answer holds its value.
+/// Subscribes to one entry; the answer has its value.
 inline constexpr std::uint8_t kReqSubscribeToKey = 1;
-/// Stops following one entry.
+/// Unsubscribes one entry.
 inline constexpr std::uint8_t kReqUnsubscribeFromKey = 2;
 /// Sets an entry.
 inline constexpr std::uint8_t kReqSetEntry = 3;
-/// Follows every entry of a group.
+/// Subscribes to all entries of a group.
 inline constexpr std::uint8_t kReqSubscribeToGroup = 4;
-/// Stops following a group.
+/// Unsubscribes a group.
 inline constexpr std::uint8_t kReqUnsubscribeFromGroup = 5;
-/// Asks for an entry once.
+/// Requests an entry once.
 inline constexpr std::uint8_t kReqGetEntry = 6;
 
 

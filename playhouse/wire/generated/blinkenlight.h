@@ -1,7 +1,7 @@
 // Generated from interfaces/033_blinkenlight.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
-/// Lights that can be switched, coloured and made to blink.
+/// Lights that can be switched, colored and made to blink.
 
 #include <cstdint>
 #include <string>
@@ -15,37 +15,37 @@ inline constexpr std::uint16_t kCode = 33;
 // Subtypes of messages.
 /// State of the light.
 inline constexpr std::uint8_t kDataState = 1;
-/// Sets everything about one light.
+/// Sets all properties of one light.
 inline constexpr std::uint8_t kCmdState = 1;
 /// Switches one light.
 inline constexpr std::uint8_t kCmdPower = 2;
-/// Colours one light.
+/// Colors one light.
 inline constexpr std::uint8_t kCmdColor = 3;
 /// Makes one light blink.
 inline constexpr std::uint8_t kCmdFlash = 4;
 
 /// State of the light.
 struct Data {
-  /// 1 on, 0 off.
+  /// 1: on, 0: off.
   std::uint8_t enable = 0;
-  /// One blink, from on to on; 0 burns steadily. [s]
+  /// Blinking period; 0: steady light. [s]
   float period = 0;
-  /// Share of the period that the light is on, 0 to 1. [1]
+  /// Duty cycle: fraction of the period in which the light is on, 0 to 1. [1]
   float dutycycle = 0;
   Color color{};
 
   friend bool operator==(const Data&, const Data&) = default;
 };
 
-/// Wanted state of one light.
+/// Commanded state of one light.
 struct Cmd {
-  /// Which light.
+  /// Index of the light.
   std::uint16_t id = 0;
-  /// 1 on, 0 off.
+  /// 1: on, 0: off.
   std::uint8_t enable = 0;
-  /// One blink, from on to on; 0 burns steadily. [s]
+  /// Blinking period; 0: steady light. [s]
   float period = 0;
-  /// Share of the period that the light is on, 0 to 1. [1]
+  /// Duty cycle: fraction of the period in which the light is on, 0 to 1. [1]
   float dutycycle = 0;
   Color color{};
 
@@ -54,17 +54,17 @@ struct Cmd {
 
 /// Switch of one light.
 struct CmdPower {
-  /// Which light.
+  /// Index of the light.
   std::uint16_t id = 0;
-  /// 1 on, 0 off.
+  /// 1: on, 0: off.
   std::uint8_t enable = 0;
 
   friend bool operator==(const CmdPower&, const CmdPower&) = default;
 };
 
-/// Colour of one light.
+/// Color of one light.
 struct CmdColor {
-  /// Which light.
+  /// Index of the light.
   std::uint16_t id = 0;
   Color color{};
 
@@ -73,11 +73,11 @@ struct CmdColor {
 
 /// Blinking of one light.
 struct CmdFlash {
-  /// Which light.
+  /// Index of the light.
   std::uint16_t id = 0;
-  /// One blink, from on to on. [s]
+  /// Blinking period. [s]
   float period = 0;
-  /// Share of the period that the light is on, 0 to 1. [1]
+  /// Duty cycle: fraction of the period in which the light is on, 0 to 1. [1]
   float dutycycle = 0;
 
   friend bool operator==(const CmdFlash&, const CmdFlash&) = default;

@@ -1,7 +1,7 @@
 // Generated from interfaces/007_blobfinder.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
-/// Finds patches of a colour in camera images.
+/// Finds regions of one color (blobs) in camera images.
 
 #include <cstdint>
 #include <string>
@@ -14,22 +14,22 @@ namespace playhouse::wire::blobfinder {
 inline constexpr std::uint16_t kCode = 7;
 
 // Subtypes of messages.
-/// The patches of one image.
+/// The blobs of one image.
 inline constexpr std::uint8_t kDataBlobs = 1;
-/// Sets the colours that a channel looks for.
+/// Sets the colors that a channel detects.
 inline constexpr std::uint8_t kReqSetColor = 1;
-/// Sets brightness, contrast and the like of the camera.
+/// Sets brightness, contrast and other settings of the camera.
 inline constexpr std::uint8_t kReqSetImagerParams = 2;
-/// Asks for the colours that a channel looks for.
+/// Requests the colors that a channel detects.
 inline constexpr std::uint8_t kReqGetColor = 3;
 
-/// One patch. Pixels count from the top left corner of the image.
+/// A blob. Pixel coordinates start at the top left corner of the image.
 struct Blob {
-  /// Channel that found it.
+  /// Channel that detected it.
   std::uint32_t id = 0;
-  /// 0xRRGGBB, for showing it.
+  /// 0xRRGGBB, for display.
   std::uint32_t color = 0;
-  /// How many pixels it covers. [px]
+  /// Area in pixels. [px]
   std::uint32_t area = 0;
   /// Column of its centre. [px]
   std::uint32_t x = 0;
@@ -43,13 +43,13 @@ struct Blob {
   std::uint32_t top = 0;
   /// Last row. [px]
   std::uint32_t bottom = 0;
-  /// Distance of what is seen; 0 if unknown. [m]
+  /// Distance; 0 if unknown. [m]
   float range = 0;
 
   friend bool operator==(const Blob&, const Blob&) = default;
 };
 
-/// The patches of one image.
+/// The blobs of one image.
 struct Data {
   /// Of the image. [px]
   std::uint32_t width = 0;
@@ -60,9 +60,9 @@ struct Data {
   friend bool operator==(const Data&, const Data&) = default;
 };
 
-/// The colours that a channel looks for, as ranges of red, green and blue.
+/// The colors that a channel detects, as ranges of red, green and blue.
 struct ColorConfig {
-  /// Which channel; -1 as an unsigned number means all.
+  /// Channel; -1 as an unsigned number means all.
   std::uint32_t channel = 0;
   std::uint32_t rmin = 0;
   std::uint32_t rmax = 0;
@@ -74,7 +74,7 @@ struct ColorConfig {
   friend bool operator==(const ColorConfig&, const ColorConfig&) = default;
 };
 
-/// Settings of the camera; -1 leaves one as it is.
+/// Settings of the camera; -1 leaves a setting unchanged.
 struct ImagerConfig {
   /// 0 to 255.
   std::int32_t brightness = 0;

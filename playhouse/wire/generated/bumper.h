@@ -1,7 +1,7 @@
 // Generated from interfaces/014_bumper.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
-/// Switches that feel a touch.
+/// Contact switches.
 
 #include <cstdint>
 #include <string>
@@ -16,9 +16,9 @@ inline constexpr std::uint16_t kCode = 14;
 // Subtypes of messages.
 /// Which bumpers are pressed.
 inline constexpr std::uint8_t kDataState = 1;
-/// Where the bumpers are, sent when it changes.
+/// Poses of the bumpers, sent on change.
 inline constexpr std::uint8_t kDataGeom = 2;
-/// Asks where the bumpers are.
+/// Requests the poses of the bumpers.
 inline constexpr std::uint8_t kReqGetGeom = 1;
 
 /// Which bumpers are pressed.
@@ -31,17 +31,17 @@ struct Data {
 
 /// One bumper.
 struct Define {
-  /// Of the bumper's middle. [frame X_RS, m, m, m, rad, rad, rad]
+  /// Of the bumper's centre. [frame X_RS, m, m, m, rad, rad, rad]
   Pose3d pose{};
   /// [m]
   float length = 0;
-  /// Of its bend; 0 if it is straight. [m]
+  /// Radius of curvature; 0 if it is straight. [m]
   float radius = 0;
 
   friend bool operator==(const Define&, const Define&) = default;
 };
 
-/// Where the bumpers are.
+/// Poses of the bumpers.
 struct Geom {
   std::vector<Define> bumper_def{};
 

@@ -16,11 +16,11 @@ inline constexpr std::uint16_t kCode = 40;
 // Subtypes of messages.
 /// One image.
 inline constexpr std::uint8_t kDataState = 1;
-/// Asks which input and norm the camera uses.
+/// Requests the camera's input and norm.
 inline constexpr std::uint8_t kReqGetSource = 1;
-/// Chooses the input and norm.
+/// Selects the input and norm.
 inline constexpr std::uint8_t kReqSetSource = 2;
-/// Asks for one image now.
+/// Requests one image now.
 inline constexpr std::uint8_t kReqGetImage = 3;
 
 /// Values of Data.format.
@@ -41,13 +41,13 @@ struct Data {
   std::uint32_t height = 0;
   /// Per pixel. [bit]
   std::uint32_t bpp = 0;
-  /// Order and size of the colours.
+  /// Order and size of the colors.
   std::uint32_t format = 0;
   /// Divides the values of a disparity image; 1 otherwise.
   std::uint32_t fdiv = 0;
   /// Raw or JPEG.
   std::uint32_t compression = 0;
-  /// Rows from the top, pixels from the left; or a JPEG file.
+  /// Rows from the top, pixels from the left, or a JPEG file.
   std::vector<std::uint8_t> image{};
 
   friend bool operator==(const Data&, const Data&) = default;
@@ -55,9 +55,9 @@ struct Data {
 
 /// An input of the camera.
 struct Source {
-  /// Video norm, such as PAL or NTSC, with its final NUL.
+  /// Video norm, such as PAL or NTSC, NUL-terminated.
   std::string norm{};
-  /// Which input.
+  /// Index of the input.
   std::int32_t source = 0;
 
   friend bool operator==(const Source&, const Source&) = default;

@@ -1,7 +1,7 @@
 // Generated from interfaces/000_common.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
-/// Values that several interfaces use, and the requests that any device may get.
+/// Types shared by several interfaces, and requests to any device.
 
 #include <cstdint>
 #include <string>
@@ -16,22 +16,22 @@ namespace playhouse::wire {
 inline constexpr std::uint8_t kReqSetBoolprop = 247;
 /// Reads a named switch of the driver; the answer repeats the key.
 inline constexpr std::uint8_t kReqGetBoolprop = 248;
-/// Changes a named text of the driver.
+/// Changes a named string of the driver.
 inline constexpr std::uint8_t kReqSetStrprop = 249;
-/// Reads a named text of the driver; the answer repeats the key.
+/// Reads a named string of the driver; the answer repeats the key.
 inline constexpr std::uint8_t kReqGetStrprop = 250;
 /// Changes a named number of the driver.
 inline constexpr std::uint8_t kReqSetDblprop = 251;
 /// Reads a named number of the driver; the answer repeats the key.
 inline constexpr std::uint8_t kReqGetDblprop = 252;
-/// Changes a named whole number of the driver.
+/// Changes a named integer of the driver.
 inline constexpr std::uint8_t kReqSetIntprop = 253;
-/// Reads a named whole number of the driver; the answer repeats the key.
+/// Reads a named integer of the driver; the answer repeats the key.
 inline constexpr std::uint8_t kReqGetIntprop = 254;
-/// Asks whether the device serves a message: an empty ACK is yes, NACK is no.
+/// Queries whether the device supports a message: an empty ACK means yes, NACK no.
 inline constexpr std::uint8_t kReqCapabilities = 255;
 
-/// Limits that every implementation of the protocol shares.
+/// Limits shared by all implementations of the protocol.
 inline constexpr std::int32_t kMaxMessageSize = 8388608;
 inline constexpr std::int32_t kMaxDriverStringLen = 64;
 inline constexpr std::int32_t kMaxDevices = 4096;
@@ -47,13 +47,13 @@ struct Devaddr {
   std::uint32_t robot = 0;
   /// Interface code.
   std::uint16_t interf = 0;
-  /// Which of the devices of that interface.
+  /// Index of the device within its interface.
   std::uint16_t index = 0;
 
   friend bool operator==(const Devaddr&, const Devaddr&) = default;
 };
 
-/// A point or vector in a plane.
+/// A point or vector in the plane.
 struct Point2d {
   /// [m]
   double px = 0;
@@ -75,7 +75,7 @@ struct Point3d {
   friend bool operator==(const Point3d&, const Point3d&) = default;
 };
 
-/// An orientation in space: turns about z (yaw), then y (pitch), then x (roll).
+/// An orientation in space: rotations about z (yaw), then y (pitch), then x (roll).
 struct Orientation3d {
   /// About x. [rad]
   double proll = 0;
@@ -87,7 +87,7 @@ struct Orientation3d {
   friend bool operator==(const Orientation3d&, const Orientation3d&) = default;
 };
 
-/// A pose in a plane; where a message says so, a velocity in the same three parts.
+/// A pose in the plane, or, if the message says so, a velocity with the same three components.
 struct Pose2d {
   /// [m]
   double px = 0;
@@ -99,7 +99,7 @@ struct Pose2d {
   friend bool operator==(const Pose2d&, const Pose2d&) = default;
 };
 
-/// A pose in space; where a message says so, a velocity or acceleration in the same six parts.
+/// A pose in space, or, if the message says so, a velocity or acceleration with the same six components.
 struct Pose3d {
   /// [m]
   double px = 0;
@@ -117,7 +117,7 @@ struct Pose3d {
   friend bool operator==(const Pose3d&, const Pose3d&) = default;
 };
 
-/// Size of a rectangle that stands around a thing.
+/// Size of a bounding rectangle.
 struct Bbox2d {
   /// Width, along y. [m]
   double sw = 0;
@@ -127,7 +127,7 @@ struct Bbox2d {
   friend bool operator==(const Bbox2d&, const Bbox2d&) = default;
 };
 
-/// Size of a box that stands around a thing.
+/// Size of a bounding box.
 struct Bbox3d {
   /// Width, along y. [m]
   double sw = 0;
@@ -143,23 +143,23 @@ struct Bbox3d {
 struct BlackboardEntry {
   /// Name of the entry within its group.
   std::string key{};
-  /// Name of the group; keys of different groups do not meet.
+  /// Name of the group, a namespace of keys.
   std::string group{};
-  /// What `data` holds, broadly: simple values or values of other interfaces.
+  /// Category of `data`: simple values or types of other interfaces.
   std::uint16_t type = 0;
-  /// What `data` holds, exactly: text, whole number or number among the simple ones.
+  /// Exact type of `data`; of simple values: string, integer or floating-point number.
   std::uint16_t subtype = 0;
-  /// The value's bytes; the blackboard never looks inside.
+  /// Bytes of the value, opaque to the blackboard.
   std::vector<std::uint8_t> data{};
-  /// When the value was set: whole seconds. [s]
+  /// Time at which the value was set: whole seconds. [s]
   std::uint32_t timestamp_sec = 0;
-  /// When the value was set: microseconds on top. [us]
+  /// Time at which the value was set: microseconds of the second. [us]
   std::uint32_t timestamp_usec = 0;
 
   friend bool operator==(const BlackboardEntry&, const BlackboardEntry&) = default;
 };
 
-/// A straight line between two points.
+/// A line segment.
 struct Segment {
   /// x of the start. [m]
   double x0 = 0;
@@ -173,7 +173,7 @@ struct Segment {
   friend bool operator==(const Segment&, const Segment&) = default;
 };
 
-/// An axis-aligned rectangle by two corners.
+/// An axis-aligned rectangle, given by two corners.
 struct Extent2d {
   /// Smallest x. [m]
   double x0 = 0;
@@ -187,7 +187,7 @@ struct Extent2d {
   friend bool operator==(const Extent2d&, const Extent2d&) = default;
 };
 
-/// A colour with its opacity, each part 0 to 255.
+/// A color with opacity, each component from 0 to 255.
 struct Color {
   /// 255 is opaque, 0 invisible.
   std::uint8_t alpha = 0;
@@ -200,20 +200,20 @@ struct Color {
 
 /// A switch.
 struct Bool {
-  /// 0 off, else on.
+  /// 0: off, else on.
   std::uint8_t state = 0;
 
   friend bool operator==(const Bool&, const Bool&) = default;
 };
 
-/// One whole number.
+/// One integer.
 struct Uint32 {
   std::uint32_t value = 0;
 
   friend bool operator==(const Uint32&, const Uint32&) = default;
 };
 
-/// The message that is asked about.
+/// The queried message.
 struct CapabilitiesReq {
   /// Type of the message, as in a header.
   std::uint32_t type = 0;
@@ -225,17 +225,17 @@ struct CapabilitiesReq {
 
 /// A named switch.
 struct BoolpropReq {
-  /// Name of the property, with its final NUL.
+  /// Name of the property, NUL-terminated.
   std::string key{};
-  /// 0 false, else true; ignored in a question.
+  /// 0 false, else true; ignored in a request.
   char value = 0;
 
   friend bool operator==(const BoolpropReq&, const BoolpropReq&) = default;
 };
 
-/// A named whole number.
+/// A named integer.
 struct IntpropReq {
-  /// Name of the property, with its final NUL.
+  /// Name of the property, NUL-terminated.
   std::string key{};
   /// Ignored in a question.
   std::int32_t value = 0;
@@ -245,19 +245,19 @@ struct IntpropReq {
 
 /// A named number.
 struct DblpropReq {
-  /// Name of the property, with its final NUL.
+  /// Name of the property, NUL-terminated.
   std::string key{};
-  /// In the unit the driver gives the property; ignored in a question. [1]
+  /// In the driver's unit for the property; ignored in a request. [1]
   double value = 0;
 
   friend bool operator==(const DblpropReq&, const DblpropReq&) = default;
 };
 
-/// A named text.
+/// A named string.
 struct StrpropReq {
-  /// Name of the property, with its final NUL.
+  /// Name of the property, NUL-terminated.
   std::string key{};
-  /// With its final NUL; ignored in a question.
+  /// NUL-terminated; ignored in a request.
   std::string value{};
 
   friend bool operator==(const StrpropReq&, const StrpropReq&) = default;

@@ -16,7 +16,7 @@ inline constexpr std::uint16_t kCode = 66;
 // Subtypes of messages.
 /// A node is alive.
 inline constexpr std::uint8_t kDataHealth = 1;
-/// Strength of a radio signal that a node received.
+/// Signal strength received by a node.
 inline constexpr std::uint8_t kDataRssi = 2;
 /// Readings of a node.
 inline constexpr std::uint8_t kDataSensor = 3;
@@ -24,19 +24,19 @@ inline constexpr std::uint8_t kDataSensor = 3;
 inline constexpr std::uint8_t kDataAlarm = 4;
 /// Bytes from a node.
 inline constexpr std::uint8_t kDataUserdefined = 5;
-/// A node asks for something.
+/// A request of a node.
 inline constexpr std::uint8_t kDataRequest = 6;
-/// A node orders something.
+/// A command of a node.
 inline constexpr std::uint8_t kDataCommand = 7;
-/// Where a node is.
+/// Position of a node.
 inline constexpr std::uint8_t kDataPosition = 8;
-/// Orders something from a node.
+/// Sends a command to a node.
 inline constexpr std::uint8_t kCmdStandard = 1;
 /// Sends bytes to a node.
 inline constexpr std::uint8_t kCmdData = 2;
-/// Tells a node where a node is.
+/// Sends the position of a node to a node.
 inline constexpr std::uint8_t kCmdPosition = 3;
-/// Asks a node for something.
+/// Sends a request to a node.
 inline constexpr std::uint8_t kReqStandard = 1;
 
 /// Values of Header.origin.
@@ -45,7 +45,7 @@ inline constexpr std::int32_t kOriginMobilebase = 1;
 inline constexpr std::int32_t kOriginMote = 2;
 inline constexpr std::int32_t kOriginRobot = 3;
 
-/// Kinds of message that nodes exchange.
+/// Types of messages between nodes.
 inline constexpr std::int32_t kMsgNone = -1;
 inline constexpr std::int32_t kMsgHealth = 0;
 inline constexpr std::int32_t kMsgPosition = 1;
@@ -74,31 +74,31 @@ inline constexpr std::int32_t kH2 = 14;
 inline constexpr std::int32_t kSmoke = 15;
 inline constexpr std::int32_t kOptswitch = 16;
 
-/// Which node.
+/// Id of the node.
 struct Header {
-  /// Kind of node.
+  /// Type of node.
   std::uint8_t origin = 0;
   std::uint16_t id = 0;
-  /// Node that passed the message on.
+  /// Node that relayed the message.
   std::uint16_t parent_id = 0;
 
   friend bool operator==(const Header&, const Header&) = default;
 };
 
-/// Strength of a radio signal.
+/// Radio signal strength.
 struct Rssi {
   Header header{};
-  /// Node whose signal it was.
+  /// Node that sent the signal.
   std::uint16_t sender_id = 0;
   /// As the radio reports it.
   std::uint16_t rssi = 0;
-  /// Counts measurements.
+  /// Counter of measurements.
   std::uint16_t stamp = 0;
   /// Clock of the node: upper half.
   std::uint32_t nodeTimeHigh = 0;
   /// Clock of the node: lower half.
   std::uint32_t nodeTimeLow = 0;
-  /// Where the receiver was. [frame p_WS, m]
+  /// Position of the receiver. [frame p_WS, m]
   float x = 0;
   /// [frame p_WS, m]
   float y = 0;
@@ -108,7 +108,7 @@ struct Rssi {
   friend bool operator==(const Rssi&, const Rssi&) = default;
 };
 
-/// Where a node is.
+/// Position of a node.
 struct Position {
   Header header{};
   /// [frame p_WS, m]
@@ -117,7 +117,7 @@ struct Position {
   float y = 0;
   /// [frame p_WS, m]
   float z = 0;
-  /// Meaning given by the driver.
+  /// Driver-specific.
   std::uint8_t status = 0;
 
   friend bool operator==(const Position&, const Position&) = default;
@@ -125,7 +125,7 @@ struct Position {
 
 /// One reading.
 struct Sensor {
-  /// What was measured.
+  /// Measured quantity.
   std::uint8_t type = 0;
   /// As the sensor reports it.
   std::int16_t value = 0;
@@ -144,7 +144,7 @@ struct DataSensor {
 /// Bytes from or to a node.
 struct DataUserdefined {
   Header header{};
-  /// Meaning given by the user.
+  /// User-specific.
   std::uint8_t type = 0;
   std::vector<std::uint8_t> data{};
 
@@ -156,18 +156,18 @@ struct Req {
   Header header{};
   /// Which.
   std::uint8_t request = 0;
-  /// Meaning given by the request.
+  /// Request-specific.
   std::vector<std::uint8_t> parameters{};
 
   friend bool operator==(const Req&, const Req&) = default;
 };
 
-/// An order.
+/// A command.
 struct Cmd {
   Header header{};
   /// Which.
   std::uint8_t command = 0;
-  /// Meaning given by the command.
+  /// Command-specific.
   std::vector<std::uint8_t> parameters{};
 
   friend bool operator==(const Cmd&, const Cmd&) = default;

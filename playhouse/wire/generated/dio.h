@@ -15,12 +15,12 @@ inline constexpr std::uint16_t kCode = 20;
 // Subtypes of messages.
 /// State of the inputs.
 inline constexpr std::uint8_t kDataValues = 1;
-/// Wanted state of the outputs.
+/// Commanded state of the outputs.
 inline constexpr std::uint8_t kCmdValues = 1;
 
 /// State of the inputs.
 struct Data {
-  /// How many of the bits hold something.
+  /// Number of valid bits.
   std::uint32_t count = 0;
   /// One bit per input, the first in the lowest bit.
   std::uint32_t bits = 0;
@@ -28,9 +28,9 @@ struct Data {
   friend bool operator==(const Data&, const Data&) = default;
 };
 
-/// Wanted state of the outputs.
+/// Commanded state of the outputs.
 struct Cmd {
-  /// How many of the bits hold something.
+  /// Number of valid bits.
   std::uint32_t count = 0;
   /// One bit per output, the first in the lowest bit.
   std::uint32_t digout = 0;

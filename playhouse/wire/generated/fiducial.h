@@ -1,7 +1,7 @@
 // Generated from interfaces/010_fiducial.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
-/// Sees marked things and tells which and where they are.
+/// Detects markers and reports their ids and poses.
 
 #include <cstdint>
 #include <string>
@@ -16,24 +16,24 @@ inline constexpr std::uint16_t kCode = 10;
 // Subtypes of messages.
 /// The markers in view.
 inline constexpr std::uint8_t kDataScan = 1;
-/// Asks for the device's size and place and the markers' size.
+/// Requests the device's size and pose and the markers' size.
 inline constexpr std::uint8_t kReqGetGeom = 1;
-/// Asks how far and how wide the device sees.
+/// Requests the range and the field of view.
 inline constexpr std::uint8_t kReqGetFov = 2;
-/// Sets how far and how wide the device sees; the answer tells what was taken.
+/// Sets the range and the field of view; the answer has the values in effect.
 inline constexpr std::uint8_t kReqSetFov = 3;
-/// Asks for the number that the robot itself shows to others.
+/// Requests the robot's own marker id.
 inline constexpr std::uint8_t kReqGetId = 7;
-/// Sets the number that the robot itself shows to others.
+/// Sets the robot's own marker id.
 inline constexpr std::uint8_t kReqSetId = 8;
 
 /// One marker in view.
 struct Item {
-  /// Number of the marker; if it cannot be told -1, from simulated finders 0.
+  /// Id of the marker; -1 if it cannot be identified, from simulated finders 0.
   std::int32_t id = 0;
-  /// Where the marker is. [frame X_ST, m, m, m, rad, rad, rad]
+  /// Pose of the marker. [frame X_ST, m, m, m, rad, rad, rad]
   Pose3d pose{};
-  /// Standard deviation of each part of the pose; 0 if unknown. [frame X_ST, m, m, m, rad, rad, rad]
+  /// Standard deviation of each component of the pose; 0 if unknown. [frame X_ST, m, m, m, rad, rad, rad]
   Pose3d upose{};
 
   friend bool operator==(const Item&, const Item&) = default;
@@ -46,11 +46,11 @@ struct Data {
   friend bool operator==(const Data&, const Data&) = default;
 };
 
-/// Size and place.
+/// Size and pose.
 struct Geom {
-  /// Where the device is on the robot. [frame X_RS, m, m, m, rad, rad, rad]
+  /// Pose of the device on the robot. [frame X_RS, m, m, m, rad, rad, rad]
   Pose3d pose{};
-  /// Of a box around the device. [m, m, m]
+  /// Bounding box of the device. [m, m, m]
   Bbox3d size{};
   /// Of the markers; 0 if unknown. [m, m]
   Bbox2d fiducial_size{};
@@ -58,7 +58,7 @@ struct Geom {
   friend bool operator==(const Geom&, const Geom&) = default;
 };
 
-/// How far and how wide the device sees.
+/// Range and field of view.
 struct Fov {
   /// [m]
   float min_range = 0;
@@ -70,7 +70,7 @@ struct Fov {
   friend bool operator==(const Fov&, const Fov&) = default;
 };
 
-/// A marker's number.
+/// A marker id.
 struct Id {
   std::uint32_t id = 0;
 

@@ -13,14 +13,14 @@ namespace playhouse::wire::gps {
 inline constexpr std::uint16_t kCode = 13;
 
 // Subtypes of messages.
-/// The latest fix.
+/// The newest fix.
 inline constexpr std::uint8_t kDataState = 1;
 
 /// A fix.
 struct Data {
   /// Time of the fix since 1970: whole seconds. [s]
   std::uint32_t time_sec = 0;
-  /// Time of the fix: microseconds on top. [us]
+  /// Time of the fix: microseconds of the second. [us]
   std::uint32_t time_usec = 0;
   /// Positive north, WGS84. [1e-7 deg]
   std::int32_t latitude = 0;
@@ -36,7 +36,7 @@ struct Data {
   double utm_e = 0;
   /// UTM northing. [m]
   double utm_n = 0;
-  /// 0 no fix, 1 plain, 2 differential.
+  /// 0: no fix, 1: plain, 2: differential.
   std::uint32_t quality = 0;
   /// Satellites used.
   std::uint32_t num_sats = 0;

@@ -1,7 +1,7 @@
 // Generated from interfaces/055_graphics2d.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
-/// Draws flat shapes for people to see.
+/// Draws 2D shapes for display.
 
 #include <cstdint>
 #include <string>
@@ -14,13 +14,13 @@ namespace playhouse::wire::graphics2d {
 inline constexpr std::uint16_t kCode = 55;
 
 // Subtypes of messages.
-/// Removes everything that was drawn.
+/// Removes all drawn shapes.
 inline constexpr std::uint8_t kCmdClear = 1;
 /// Draws points.
 inline constexpr std::uint8_t kCmdPoints = 2;
 /// Draws a line through points.
 inline constexpr std::uint8_t kCmdPolyline = 3;
-/// Draws a closed shape.
+/// Draws a polygon.
 inline constexpr std::uint8_t kCmdPolygon = 4;
 /// Draws a line for each pair of points.
 inline constexpr std::uint8_t kCmdMultiline = 5;
@@ -43,15 +43,15 @@ struct CmdPolyline {
   friend bool operator==(const CmdPolyline&, const CmdPolyline&) = default;
 };
 
-/// A closed shape.
+/// A polygon.
 struct CmdPolygon {
-  /// Its corners. [frame p_SP, m]
+  /// Vertices. [frame p_SP, m]
   std::vector<Point2d> points{};
-  /// Of the outline.
+  /// Outline color.
   Color color{};
-  /// Of the inside.
+  /// Fill color.
   Color fill_color{};
-  /// 1 to fill it.
+  /// 1: filled.
   std::uint8_t filled = 0;
 
   friend bool operator==(const CmdPolygon&, const CmdPolygon&) = default;
@@ -59,7 +59,7 @@ struct CmdPolygon {
 
 /// Lines, each between two points.
 struct CmdMultiline {
-  /// Start and end of each line in turn. [frame p_SP, m]
+  /// Start and end of each line, alternating. [frame p_SP, m]
   std::vector<Point2d> points{};
   Color color{};
 

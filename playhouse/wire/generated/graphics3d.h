@@ -1,7 +1,7 @@
 // Generated from interfaces/058_graphics3d.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
-/// Draws shapes in space for people to see.
+/// Draws 3D shapes for display.
 
 #include <cstdint>
 #include <string>
@@ -14,20 +14,20 @@ namespace playhouse::wire::graphics3d {
 inline constexpr std::uint16_t kCode = 58;
 
 // Subtypes of messages.
-/// Removes everything that was drawn.
+/// Removes all drawn shapes.
 inline constexpr std::uint8_t kCmdClear = 1;
 /// Draws points, lines or faces.
 inline constexpr std::uint8_t kCmdDraw = 2;
-/// Moves the origin of what is drawn next.
+/// Translates the coordinate frame of subsequent drawing.
 inline constexpr std::uint8_t kCmdTranslate = 3;
-/// Turns the axes of what is drawn next.
+/// Rotates the coordinate frame of subsequent drawing.
 inline constexpr std::uint8_t kCmdRotate = 4;
-/// Remembers the present origin and axes.
+/// Pushes the current coordinate frame.
 inline constexpr std::uint8_t kCmdPush = 5;
-/// Goes back to the remembered origin and axes.
+/// Pops the pushed coordinate frame.
 inline constexpr std::uint8_t kCmdPop = 6;
 
-/// Values of CmdDraw.draw_mode: how points make shapes.
+/// Values of CmdDraw.draw_mode: primitives made from the points.
 inline constexpr std::int32_t kDrawPoints = 0;
 inline constexpr std::int32_t kDrawLines = 1;
 inline constexpr std::int32_t kDrawLineStrip = 2;
@@ -49,7 +49,7 @@ struct CmdDraw {
   friend bool operator==(const CmdDraw&, const CmdDraw&) = default;
 };
 
-/// A move of the origin.
+/// A translation of the coordinate frame.
 struct CmdTranslate {
   /// [m]
   double x = 0;
@@ -61,7 +61,7 @@ struct CmdTranslate {
   friend bool operator==(const CmdTranslate&, const CmdTranslate&) = default;
 };
 
-/// A turn of the axes.
+/// A rotation of the coordinate frame.
 struct CmdRotate {
   /// Angle about the vector (x, y, z). [rad]
   double a = 0;

@@ -16,9 +16,9 @@ inline constexpr std::uint16_t kCode = 59;
 /// Load of processor and memory.
 inline constexpr std::uint8_t kDataState = 1;
 
-/// Use of the processor.
+/// Processor load.
 struct Cpu {
-  /// Time without work. [%]
+  /// Idle time. [%]
   float idle = 0;
   /// Time in the operating system. [%]
   float system = 0;
@@ -28,7 +28,7 @@ struct Cpu {
   friend bool operator==(const Cpu&, const Cpu&) = default;
 };
 
-/// Use of a kind of memory.
+/// Usage of a type of memory.
 struct Memory {
   /// [byte]
   std::int64_t total = 0;

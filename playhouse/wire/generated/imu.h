@@ -1,7 +1,7 @@
 // Generated from interfaces/060_imu.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
-/// Accelerations, turning rates, magnetic field and attitude.
+/// Accelerations, turn rates, magnetic field and orientation.
 
 #include <cstdint>
 #include <string>
@@ -17,17 +17,17 @@ inline constexpr std::uint16_t kCode = 60;
 inline constexpr std::uint8_t kDataState = 1;
 /// Calibrated readings.
 inline constexpr std::uint8_t kDataCalib = 2;
-/// Calibrated readings and attitude as a quaternion.
+/// Calibrated readings and orientation as a quaternion.
 inline constexpr std::uint8_t kDataQuat = 3;
-/// Calibrated readings and attitude as angles.
+/// Calibrated readings and orientation as angles.
 inline constexpr std::uint8_t kDataEuler = 4;
 /// Pose, velocity and acceleration.
 inline constexpr std::uint8_t kDataFullstate = 5;
-/// Chooses which data message is sent.
+/// Selects which data message is sent.
 inline constexpr std::uint8_t kReqSetDatatype = 1;
-/// Makes the present attitude a reference.
+/// Makes the current orientation the reference.
 inline constexpr std::uint8_t kReqResetOrientation = 2;
-/// Sets the present attitude.
+/// Sets the current orientation.
 inline constexpr std::uint8_t kReqResetEuler = 3;
 
 /// Pose by integration.
@@ -52,7 +52,7 @@ struct DataCalib {
   float gyro_y = 0;
   /// [frame v_WS_S, rad/s]
   float gyro_z = 0;
-  /// Magnetic field, in a unit given by the driver. [frame n_S, 1]
+  /// Magnetic field, in a driver-specific unit. [frame n_S, 1]
   float magn_x = 0;
   /// [frame n_S, 1]
   float magn_y = 0;
@@ -62,7 +62,7 @@ struct DataCalib {
   friend bool operator==(const DataCalib&, const DataCalib&) = default;
 };
 
-/// Calibrated readings and attitude as a quaternion.
+/// Calibrated readings and orientation as a quaternion.
 struct DataQuat {
   DataCalib calib_data{};
   /// Real part. [frame R_WS, 1]
@@ -77,7 +77,7 @@ struct DataQuat {
   friend bool operator==(const DataQuat&, const DataQuat&) = default;
 };
 
-/// Calibrated readings and attitude as angles.
+/// Calibrated readings and orientation as angles.
 struct DataEuler {
   DataCalib calib_data{};
   /// [frame R_WS, rad]
@@ -98,7 +98,7 @@ struct DataFullstate {
   friend bool operator==(const DataFullstate&, const DataFullstate&) = default;
 };
 
-/// Which data message is sent.
+/// Selected data message.
 struct DatatypeConfig {
   /// Its subtype.
   std::uint8_t value = 0;
@@ -106,17 +106,17 @@ struct DatatypeConfig {
   friend bool operator==(const DatatypeConfig&, const DatatypeConfig&) = default;
 };
 
-/// What becomes the reference.
+/// Quantity that becomes the reference.
 struct ResetOrientationConfig {
-  /// 0 heading, 1 whole attitude, 2 as the driver sees fit.
+  /// 0: heading, 1: orientation, 2: driver-specific.
   std::uint32_t value = 0;
 
   friend bool operator==(const ResetOrientationConfig&, const ResetOrientationConfig&) = default;
 };
 
-/// A new attitude.
+/// A new orientation.
 struct ResetEulerConfig {
-  /// Only the angles count. [frame X_WS, m, m, m, rad, rad, rad]
+  /// Only the angles apply. [frame X_WS, m, m, m, rad, rad, rad]
   Pose3d orientation{};
 
   friend bool operator==(const ResetEulerConfig&, const ResetEulerConfig&) = default;

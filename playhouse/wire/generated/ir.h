@@ -16,12 +16,12 @@ inline constexpr std::uint16_t kCode = 22;
 // Subtypes of messages.
 /// Voltages and ranges.
 inline constexpr std::uint8_t kDataRanges = 1;
-/// Asks where the sensors are.
+/// Requests the poses of the sensors.
 inline constexpr std::uint8_t kReqPose = 1;
 /// Switches the sensors on or off.
 inline constexpr std::uint8_t kReqPower = 2;
 
-/// What the sensors see.
+/// Measurements of the sensors.
 struct Data {
   /// One per sensor, as measured. [V]
   std::vector<float> voltages{};
@@ -31,7 +31,7 @@ struct Data {
   friend bool operator==(const Data&, const Data&) = default;
 };
 
-/// Where the sensors are.
+/// Poses of the sensors.
 struct Pose {
   /// One per sensor; x points along its beam. [frame X_RS, m, m, m, rad, rad, rad]
   std::vector<Pose3d> poses{};
@@ -41,7 +41,7 @@ struct Pose {
 
 /// The sensors' switch.
 struct PowerReq {
-  /// 1 on, 0 off.
+  /// 1: on, 0: off.
   std::uint8_t state = 0;
 
   friend bool operator==(const PowerReq&, const PowerReq&) = default;

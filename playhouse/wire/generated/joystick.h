@@ -21,11 +21,11 @@ inline constexpr std::uint8_t kDataState = 1;
 struct Data {
   /// One per axis, from -scale to scale.
   std::array<std::int32_t, 8> pos{};
-  /// Largest value per axis.
+  /// Maximum value per axis.
   std::array<std::int32_t, 8> scale{};
   /// One bit per button, the first in the lowest bit.
   std::uint32_t buttons = 0;
-  /// How many of the axes are there.
+  /// Number of axes.
   std::uint32_t axes_count = 0;
 
   friend bool operator==(const Data&, const Data&) = default;

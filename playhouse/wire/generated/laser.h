@@ -16,21 +16,21 @@ inline constexpr std::uint16_t kCode = 6;
 // Subtypes of messages.
 /// One scan at equal angles.
 inline constexpr std::uint8_t kDataScan = 1;
-/// One scan and the pose at which it was taken.
+/// One scan and the pose at which it was measured.
 inline constexpr std::uint8_t kDataScanpose = 2;
 /// One scan with an angle per beam.
 inline constexpr std::uint8_t kDataScanangle = 3;
-/// Asks for the device's size and place.
+/// Requests the device's size and pose.
 inline constexpr std::uint8_t kReqGetGeom = 1;
-/// Sets angles, resolution and rate; the answer tells what was taken.
+/// Sets angles, resolution and rate; the answer has the values in effect.
 inline constexpr std::uint8_t kReqSetConfig = 2;
-/// Asks for angles, resolution and rate.
+/// Requests angles, resolution and rate.
 inline constexpr std::uint8_t kReqGetConfig = 3;
 /// Switches the device on or off.
 inline constexpr std::uint8_t kReqPower = 4;
-/// Asks for the serial number.
+/// Requests the serial number.
 inline constexpr std::uint8_t kReqGetId = 5;
-/// Chooses a filter for the ranges.
+/// Selects a filter for the ranges.
 inline constexpr std::uint8_t kReqSetFilter = 6;
 
 /// Largest number of filter parameters.
@@ -48,21 +48,21 @@ struct Data {
   float min_angle = 0;
   /// Of the last beam. [rad]
   float max_angle = 0;
-  /// Between neighbouring beams. [rad]
+  /// Angle between neighbouring beams. [rad]
   float resolution = 0;
-  /// What a beam that hits nothing shows. [m]
+  /// Reported range of a beam without a hit. [m]
   float max_range = 0;
   /// From right to left. [m]
   std::vector<float> ranges{};
-  /// Strength of the echo per beam; empty if the device has none.
+  /// Intensity of the echo per beam; empty if the device has none.
   std::vector<std::uint8_t> intensity{};
-  /// Grows from scan to scan, by one or more.
+  /// Increases from scan to scan, by one or more.
   std::uint32_t id = 0;
 
   friend bool operator==(const Data&, const Data&) = default;
 };
 
-/// One scan and the pose at which it was taken.
+/// One scan and the pose at which it was measured.
 struct DataScanpose {
   Data scan{};
   /// Of the robot at the time of the scan. [frame X_OR, m, m, rad]
@@ -73,25 +73,25 @@ struct DataScanpose {
 
 /// One scan with an angle per beam.
 struct DataScanangle {
-  /// What a beam that hits nothing shows. [m]
+  /// Reported range of a beam without a hit. [m]
   float max_range = 0;
   /// One per beam. [m]
   std::vector<float> ranges{};
   /// One per beam, counter-clockwise from x. [rad]
   std::vector<float> angles{};
-  /// Strength of the echo per beam; empty if the device has none.
+  /// Intensity of the echo per beam; empty if the device has none.
   std::vector<std::uint8_t> intensity{};
-  /// Grows from scan to scan, by one or more.
+  /// Increases from scan to scan, by one or more.
   std::uint32_t id = 0;
 
   friend bool operator==(const DataScanangle&, const DataScanangle&) = default;
 };
 
-/// The device's size and place.
+/// The device's size and pose.
 struct Geom {
-  /// Where the device is on the robot. [frame X_RS, m, m, m, rad, rad, rad]
+  /// Pose of the device on the robot. [frame X_RS, m, m, m, rad, rad, rad]
   Pose3d pose{};
-  /// Of a box around the device. [m, m, m]
+  /// Bounding box of the device. [m, m, m]
   Bbox3d size{};
 
   friend bool operator==(const Geom&, const Geom&) = default;
@@ -103,13 +103,13 @@ struct Config {
   float min_angle = 0;
   /// Of the last beam. [rad]
   float max_angle = 0;
-  /// Between neighbouring beams. [rad]
+  /// Angle between neighbouring beams. [rad]
   float resolution = 0;
-  /// Farthest that can be seen. [m]
+  /// Maximum range. [m]
   float max_range = 0;
-  /// Smallest difference of ranges that is told apart. [m]
+  /// Range resolution. [m]
   float range_res = 0;
-  /// 1 to send intensities as well.
+  /// 1: send intensities, too.
   std::uint8_t intensity = 0;
   /// Scans per second. [Hz]
   float scanning_frequency = 0;
@@ -119,7 +119,7 @@ struct Config {
 
 /// The device's switch.
 struct PowerConfig {
-  /// 1 on, 0 off.
+  /// 1: on, 0: off.
   std::uint8_t state = 0;
 
   friend bool operator==(const PowerConfig&, const PowerConfig&) = default;
@@ -127,7 +127,7 @@ struct PowerConfig {
 
 /// A serial number.
 struct GetIdConfig {
-  /// 0 in the question.
+  /// 0 in the request.
   std::uint32_t serial_number = 0;
 
   friend bool operator==(const GetIdConfig&, const GetIdConfig&) = default;
@@ -135,9 +135,9 @@ struct GetIdConfig {
 
 /// A filter.
 struct SetFilterConfig {
-  /// Which filter.
+  /// Type of filter.
   std::uint8_t filter_type = 0;
-  /// Meaning given by the filter. [1] (at most 8)
+  /// Filter-specific. [1] (at most 8)
   std::vector<float> parameters{};
 
   friend bool operator==(const SetFilterConfig&, const SetFilterConfig&) = default;

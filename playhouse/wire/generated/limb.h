@@ -1,7 +1,7 @@
 // Generated from interfaces/054_limb.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
-/// An arm that is told where its hand shall be.
+/// An arm controlled by the pose of its end effector.
 
 #include <cstdint>
 #include <string>
@@ -13,25 +13,25 @@ namespace playhouse::wire::limb {
 inline constexpr std::uint16_t kCode = 54;
 
 // Subtypes of messages.
-/// Where the hand is.
+/// Pose of the end effector.
 inline constexpr std::uint8_t kDataState = 1;
-/// Sends the arm home.
+/// Moves the arm to its home position.
 inline constexpr std::uint8_t kCmdHome = 1;
-/// Stops the arm where it is.
+/// Stops the arm at its current position.
 inline constexpr std::uint8_t kCmdStop = 2;
-/// Moves the hand to a place and an attitude.
+/// Moves the end effector to a pose.
 inline constexpr std::uint8_t kCmdSetpose = 3;
-/// Moves the hand to a place in any attitude.
+/// Moves the end effector to a position, in any orientation.
 inline constexpr std::uint8_t kCmdSetposition = 4;
-/// Moves the hand along a line from where it is.
+/// Moves the end effector along a line from its current position.
 inline constexpr std::uint8_t kCmdVecmove = 5;
 /// Switches the motors on or off.
 inline constexpr std::uint8_t kReqPower = 1;
 /// Sets or releases the brakes.
 inline constexpr std::uint8_t kReqBrakes = 2;
-/// Asks where the arm starts on the robot.
+/// Requests the pose of the arm's base on the robot.
 inline constexpr std::uint8_t kReqGeom = 3;
-/// Sets the speed of the hand.
+/// Sets the speed of the end effector.
 inline constexpr std::uint8_t kReqSpeed = 4;
 
 /// Values of Data.state.
@@ -41,13 +41,13 @@ inline constexpr std::int32_t kStateMoving = 3;
 inline constexpr std::int32_t kStateOor = 4;
 inline constexpr std::int32_t kStateColl = 5;
 
-/// Where the hand is.
+/// Pose of the end effector.
 struct Data {
   /// [frame p_BE, m]
   Point3d position{};
-  /// Unit vector along which the hand reaches. [frame n_B, 1]
+  /// Approach direction, a unit vector. [frame n_B, 1]
   Point3d approach{};
-  /// Unit vector across the hand. [frame n_B, 1]
+  /// Unit vector across the end effector. [frame n_B, 1]
   Point3d orientation{};
   /// Idle, braked, moving, out of reach or in contact.
   std::uint8_t state = 0;
@@ -55,19 +55,19 @@ struct Data {
   friend bool operator==(const Data&, const Data&) = default;
 };
 
-/// Wanted place and attitude of the hand.
+/// Commanded pose of the end effector.
 struct SetposeCmd {
   /// [frame p_BE, m]
   Point3d position{};
-  /// Unit vector along which the hand shall reach. [frame n_B, 1]
+  /// Commanded approach direction, a unit vector. [frame n_B, 1]
   Point3d approach{};
-  /// Unit vector across the hand. [frame n_B, 1]
+  /// Unit vector across the end effector. [frame n_B, 1]
   Point3d orientation{};
 
   friend bool operator==(const SetposeCmd&, const SetposeCmd&) = default;
 };
 
-/// Wanted place of the hand.
+/// Commanded position of the end effector.
 struct SetpositionCmd {
   /// [frame p_BE, m]
   Point3d position{};
@@ -75,11 +75,11 @@ struct SetpositionCmd {
   friend bool operator==(const SetpositionCmd&, const SetpositionCmd&) = default;
 };
 
-/// A straight move of the hand.
+/// A straight motion of the end effector.
 struct VecmoveCmd {
-  /// Unit vector of the move. [frame n_B, 1]
+  /// Unit vector of the motion. [frame n_B, 1]
   Point3d direction{};
-  /// How far. [m]
+  /// Distance. [m]
   float length = 0;
 
   friend bool operator==(const VecmoveCmd&, const VecmoveCmd&) = default;
@@ -87,7 +87,7 @@ struct VecmoveCmd {
 
 /// The motors' switch.
 struct PowerReq {
-  /// 1 on, 0 off.
+  /// 1: on, 0: off.
   std::uint8_t value = 0;
 
   friend bool operator==(const PowerReq&, const PowerReq&) = default;
@@ -95,13 +95,13 @@ struct PowerReq {
 
 /// The brakes' switch.
 struct BrakesReq {
-  /// 1 braked, 0 released.
+  /// 1: braked, 0: released.
   std::uint8_t value = 0;
 
   friend bool operator==(const BrakesReq&, const BrakesReq&) = default;
 };
 
-/// Where the arm starts.
+/// Pose of the arm's base.
 struct GeomReq {
   /// Of the arm's base on the robot. [frame p_RB, m]
   Point3d basePos{};
@@ -109,9 +109,9 @@ struct GeomReq {
   friend bool operator==(const GeomReq&, const GeomReq&) = default;
 };
 
-/// Speed of the hand.
+/// Speed of the end effector.
 struct SpeedReq {
-  /// Largest speed of the hand. [m/s]
+  /// Maximum speed of the end effector. [m/s]
   float speed = 0;
 
   friend bool operator==(const SpeedReq&, const SpeedReq&) = default;

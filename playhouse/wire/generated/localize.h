@@ -1,7 +1,7 @@
 // Generated from interfaces/025_localize.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
-/// Tells where the robot may be on a map, as weighted guesses.
+/// Localization on a map: weighted hypotheses of the robot's pose.
 
 #include <array>
 #include <cstdint>
@@ -15,39 +15,39 @@ namespace playhouse::wire::localize {
 inline constexpr std::uint16_t kCode = 25;
 
 // Subtypes of messages.
-/// The guesses, the likeliest first.
+/// The hypotheses, the most likely first.
 inline constexpr std::uint8_t kDataHypoths = 1;
-/// Tells the driver where the robot is.
+/// Sets the robot's pose estimate.
 inline constexpr std::uint8_t kReqSetPose = 1;
-/// Asks for the particles of the driver's filter.
+/// Requests the particles of the driver's filter.
 inline constexpr std::uint8_t kReqGetParticles = 2;
 
-/// One guess.
+/// A hypothesis.
 struct Hypoth {
-  /// Centre of the guess. [frame X_MR, m, m, rad]
+  /// Mean of the hypothesis. [frame X_MR, m, m, rad]
   Pose2d mean{};
   /// Spread: xx, yy, aa, xy, ya, xa. [m^2, m^2, rad^2, m^2, m rad, m rad]
   std::array<double, 6> cov{};
-  /// Weight; all weights together make 1. [1]
+  /// Weight; the weights sum to 1. [1]
   double alpha = 0;
 
   friend bool operator==(const Hypoth&, const Hypoth&) = default;
 };
 
-/// The guesses.
+/// The hypotheses.
 struct Data {
-  /// How many sensor readings wait to be used.
+  /// Number of queued sensor readings.
   std::uint32_t pending_count = 0;
-  /// Time of the last reading that was used. [s]
+  /// Time of the last processed reading. [s]
   double pending_time = 0;
   std::vector<Hypoth> hypoths{};
 
   friend bool operator==(const Data&, const Data&) = default;
 };
 
-/// Where the robot is.
+/// Pose of the robot.
 struct SetPose {
-  /// Centre of the guess. [frame X_MR, m, m, rad]
+  /// Mean of the hypothesis. [frame X_MR, m, m, rad]
   Pose2d mean{};
   /// Spread: xx, yy, aa, xy, ya, xa. [m^2, m^2, rad^2, m^2, m rad, m rad]
   std::array<double, 6> cov{};
@@ -57,7 +57,7 @@ struct SetPose {
 
 /// One particle.
 struct Particle {
-  /// Where the particle believes the robot to be. [frame X_MR, m, m, rad]
+  /// The particle's estimate of the robot's pose. [frame X_MR, m, m, rad]
   Pose2d pose{};
   /// Weight. [1]
   double alpha = 0;
@@ -67,9 +67,9 @@ struct Particle {
 
 /// The particles of the filter.
 struct GetParticles {
-  /// Of the best guess. [frame X_MR, m, m, rad]
+  /// Of the most likely hypothesis. [frame X_MR, m, m, rad]
   Pose2d mean{};
-  /// Of the best guess. [m^2]
+  /// Of the most likely hypothesis. [m^2]
   double variance = 0;
   std::vector<Particle> particles{};
 

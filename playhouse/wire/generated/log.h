@@ -1,7 +1,7 @@
 // Generated from interfaces/045_log.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
-/// Writes data of devices to a file, or plays such a file back.
+/// Records data of devices to a file, or plays back such a file.
 
 #include <cstdint>
 #include <string>
@@ -17,9 +17,9 @@ inline constexpr std::uint16_t kCode = 45;
 inline constexpr std::uint8_t kReqSetWriteState = 1;
 /// Starts or stops playing.
 inline constexpr std::uint8_t kReqSetReadState = 2;
-/// Asks what the device is and whether it runs.
+/// Requests the type and state of the device.
 inline constexpr std::uint8_t kReqGetState = 3;
-/// Goes back to the start of the file.
+/// Rewinds to the start of the file.
 inline constexpr std::uint8_t kReqSetReadRewind = 4;
 /// Sets the file to write to.
 inline constexpr std::uint8_t kReqSetFilename = 5;
@@ -28,27 +28,27 @@ inline constexpr std::uint8_t kReqSetFilename = 5;
 inline constexpr std::int32_t kTypeRead = 1;
 inline constexpr std::int32_t kTypeWrite = 2;
 
-/// Whether data is written.
+/// Whether data is being recorded.
 struct SetWriteState {
-  /// 1 on, 0 off.
+  /// 1: on, 0: off.
   std::uint8_t state = 0;
 
   friend bool operator==(const SetWriteState&, const SetWriteState&) = default;
 };
 
-/// Whether the file is played.
+/// Whether the file is being played.
 struct SetReadState {
-  /// 1 on, 0 off.
+  /// 1: on, 0: off.
   std::uint8_t state = 0;
 
   friend bool operator==(const SetReadState&, const SetReadState&) = default;
 };
 
-/// What the device is and does.
+/// Type and state of the device.
 struct GetState {
   /// Reader or writer.
   std::uint8_t type = 0;
-  /// 1 runs, 0 stands.
+  /// 1: running, 0: stopped.
   std::uint8_t state = 0;
 
   friend bool operator==(const GetState&, const GetState&) = default;
@@ -56,7 +56,7 @@ struct GetState {
 
 /// The file to write to.
 struct SetFilename {
-  /// With its final NUL. (at most 256)
+  /// NUL-terminated. (at most 256)
   std::string filename{};
 
   friend bool operator==(const SetFilename&, const SetFilename&) = default;

@@ -14,18 +14,18 @@ namespace playhouse::wire::map {
 inline constexpr std::uint16_t kCode = 42;
 
 // Subtypes of messages.
-/// Size and scale of the map, sent when they change.
+/// Size and scale of the map, sent on change.
 inline constexpr std::uint8_t kDataInfo = 1;
-/// Asks for the size and scale of the map.
+/// Requests the size and scale of the map.
 inline constexpr std::uint8_t kReqGetInfo = 1;
-/// Asks for a rectangle of cells; the answer's cells are compressed with zlib.
+/// Requests a rectangle of cells; the answer's cells are compressed with zlib.
 inline constexpr std::uint8_t kReqGetData = 2;
-/// Asks for the map as lines.
+/// Requests the map as lines.
 inline constexpr std::uint8_t kReqGetVector = 3;
 
-/// Size, scale and place of the map.
+/// Size, scale and origin of the map.
 struct Info {
-  /// Side of a cell. [m/pixel]
+  /// Cell size. [m/pixel]
   float scale = 0;
   /// [px]
   std::uint32_t width = 0;
@@ -47,15 +47,15 @@ struct Data {
   std::uint32_t width = 0;
   /// [px]
   std::uint32_t height = 0;
-  /// A cell of this value is surely occupied, of its negative surely free, 0 is unknown.
+  /// Value of a cell that is certainly occupied; its negative: certainly free, 0: unknown.
   std::int8_t data_range = 0;
-  /// Rows one after the other, compressed with zlib in an answer; empty in a question.
+  /// Rows, concatenated; compressed with zlib in an answer, empty in a request.
   std::vector<std::int8_t> data{};
 
   friend bool operator==(const Data&, const Data&) = default;
 };
 
-/// The map as lines, and what they span.
+/// The map as line segments, and its extent.
 struct DataVector {
   /// [m]
   float minx = 0;

@@ -1,7 +1,7 @@
 // Generated from interfaces/051_opaque.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
-/// Bytes whose meaning only the driver and its clients know.
+/// Opaque bytes, defined by the driver and its clients.
 
 #include <cstdint>
 #include <string>
@@ -25,7 +25,7 @@ inline constexpr std::uint8_t kReqData = 1;
 inline constexpr std::int32_t kReq = 1;
 inline constexpr std::int32_t kCmd = 1;
 
-/// Bytes without a meaning here.
+/// Opaque bytes.
 struct Data {
   std::vector<std::uint8_t> data{};
 

@@ -14,18 +14,18 @@ namespace playhouse::wire::planner {
 inline constexpr std::uint16_t kCode = 44;
 
 // Subtypes of messages.
-/// Where the robot is on its way.
+/// Progress of the robot along its path.
 inline constexpr std::uint8_t kDataState = 1;
 /// Sets the goal.
 inline constexpr std::uint8_t kCmdGoal = 1;
 /// Sets the goal and starts to move.
 inline constexpr std::uint8_t kCmdStart = 2;
-/// Asks for the planned path.
+/// Requests the planned path.
 inline constexpr std::uint8_t kReqGetWaypoints = 1;
-/// Lets the robot move, or stops it.
+/// Enables or stops the robot.
 inline constexpr std::uint8_t kReqEnable = 2;
 
-/// Where the robot is on its way.
+/// Progress of the robot along its path.
 struct Data {
   /// 1 if there is a path to the goal.
   std::uint8_t valid = 0;
@@ -35,11 +35,11 @@ struct Data {
   Pose2d pos{};
   /// The goal. [frame X_MG, m, m, rad]
   Pose2d goal{};
-  /// The waypoint that the robot is heading for. [frame X_MP, m, m, rad]
+  /// Current waypoint of the robot. [frame X_MP, m, m, rad]
   Pose2d waypoint{};
-  /// Its index in the path; -1 if there is none.
+  /// Index of that waypoint in the path; -1 if there is none.
   std::int32_t waypoint_idx = 0;
-  /// How many waypoints the path has.
+  /// Number of waypoints of the path.
   std::uint32_t waypoints_count = 0;
 
   friend bool operator==(const Data&, const Data&) = default;
@@ -47,7 +47,7 @@ struct Data {
 
 /// A goal.
 struct Cmd {
-  /// Where to go. [frame X_MG, m, m, rad]
+  /// Goal pose. [frame X_MG, m, m, rad]
   Pose2d goal{};
 
   friend bool operator==(const Cmd&, const Cmd&) = default;
@@ -65,7 +65,7 @@ struct WaypointsReq {
 
 /// The planner's switch.
 struct EnableReq {
-  /// 1 may move, 0 stop.
+  /// 1: may move, 0: stop.
   std::uint8_t state = 0;
 
   friend bool operator==(const EnableReq&, const EnableReq&) = default;

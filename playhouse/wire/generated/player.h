@@ -1,8 +1,8 @@
 // Generated from interfaces/001_player.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
-/// The server itself: what devices there are, opening and closing them, and how data is delivered. Always
-/// open as player:0.
+/// The server itself: lists, opens and closes devices, and selects the delivery of data. Always open as
+/// player:0.
 
 #include <cstdint>
 #include <string>
@@ -17,23 +17,23 @@ inline constexpr std::uint16_t kCode = 1;
 // Subtypes of messages.
 /// Lists the devices that this connection can open.
 inline constexpr std::uint8_t kReqDevlist = 1;
-/// Tells the name of the driver behind a device.
+/// Requests the name of the driver behind a device.
 inline constexpr std::uint8_t kReqDriverinfo = 2;
-/// Opens or closes a device; the answer says which access was granted.
+/// Opens or closes a device; the answer has the granted access.
 inline constexpr std::uint8_t kReqDev = 3;
-/// Asks for one round of data, in pull mode; a synch ends the round.
+/// Requests one round of data, in pull mode; a synch ends the round.
 inline constexpr std::uint8_t kReqData = 4;
-/// Chooses between data as it comes (push) and data on request (pull).
+/// Selects the delivery mode: immediately (push) or on request (pull).
 inline constexpr std::uint8_t kReqDatamode = 5;
-/// Offers a key; not in use, answered by NACK.
+/// Sends an authentication key; unused, answered by NACK.
 inline constexpr std::uint8_t kReqAuth = 7;
-/// Asks which port a named robot has; not in use, answered by NACK.
+/// Requests the port of a named robot; unused, answered by NACK.
 inline constexpr std::uint8_t kReqNameservice = 8;
-/// Adds a rule that says which waiting messages a newer one replaces.
+/// Adds a replace rule: which queued messages a newer one replaces.
 inline constexpr std::uint8_t kReqAddReplaceRule = 10;
-/// Ends a round of data; nothing was dropped since the last one.
+/// Ends a round of data; no message was dropped since the previous one.
 inline constexpr std::uint8_t kSynchOk = 1;
-/// Ends a round of data; messages were dropped since the last one, the body says how many.
+/// Ends a round of data; the body is the number of messages dropped since the previous one.
 inline constexpr std::uint8_t kSynchOverflow = 2;
 
 /// Values of DeviceReq.access.
@@ -52,7 +52,7 @@ inline constexpr std::int32_t kMsgReplaceRuleIgnore = 2;
 
 /// The devices of a server.
 struct DeviceDevlist {
-  /// In the order of their creation; player:0 is not among them. (at most 4096)
+  /// In the order of creation, without player:0. (at most 4096)
   std::vector<Devaddr> devices{};
 
   friend bool operator==(const DeviceDevlist&, const DeviceDevlist&) = default;
@@ -60,27 +60,27 @@ struct DeviceDevlist {
 
 /// A device and the driver behind it.
 struct DeviceDriverinfo {
-  /// The device asked about.
+  /// The queried device.
   Devaddr addr{};
-  /// With its final NUL; empty in the question. (at most 64)
+  /// NUL-terminated; empty in the request. (at most 64)
   std::string driver_name{};
 
   friend bool operator==(const DeviceDriverinfo&, const DeviceDriverinfo&) = default;
 };
 
-/// A wish to open or close a device, and its answer.
+/// Request to open or close a device, and its answer.
 struct DeviceReq {
   /// The device; in the answer, completed with host and robot.
   Devaddr addr{};
-  /// Wanted or granted access.
+  /// Requested or granted access.
   std::uint8_t access = 0;
-  /// With its final NUL; empty in the question. (at most 64)
+  /// NUL-terminated; empty in the request. (at most 64)
   std::string driver_name{};
 
   friend bool operator==(const DeviceReq&, const DeviceReq&) = default;
 };
 
-/// A way of delivery.
+/// A delivery mode.
 struct DeviceDatamodeReq {
   /// Push or pull.
   std::uint8_t mode = 0;
@@ -100,13 +100,13 @@ struct DeviceAuthReq {
 struct DeviceNameserviceReq {
   /// (at most 64)
   std::vector<std::uint8_t> name{};
-  /// 0 in the question.
+  /// 0 in the request.
   std::uint16_t port = 0;
 
   friend bool operator==(const DeviceNameserviceReq&, const DeviceNameserviceReq&) = default;
 };
 
-/// Which messages a rule is for, and what it does; -1 matches anything.
+/// Messages to which a rule applies, and its effect; -1 matches anything.
 struct AddReplaceRuleReq {
   /// Interface code, or -1.
   std::int32_t interf = 0;

@@ -1,7 +1,7 @@
 // Generated from interfaces/061_pointcloud3d.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
-/// Points in space with colours.
+/// Points in space with colors.
 
 #include <cstdint>
 #include <string>

@@ -1,7 +1,7 @@
 // Generated from interfaces/052_position1d.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
-/// One actuator that slides or turns.
+/// A single prismatic or revolute actuator.
 
 #include <cstdint>
 #include <string>
@@ -13,31 +13,31 @@ namespace playhouse::wire::position1d {
 inline constexpr std::uint16_t kCode = 52;
 
 // Subtypes of messages.
-/// Where the actuator is.
+/// Position of the actuator.
 inline constexpr std::uint8_t kDataState = 1;
-/// Size and place, sent when they change.
+/// Size and pose, sent on change.
 inline constexpr std::uint8_t kDataGeom = 2;
-/// Wanted velocity.
+/// Commanded velocity.
 inline constexpr std::uint8_t kCmdVel = 1;
-/// Wanted position.
+/// Commanded position.
 inline constexpr std::uint8_t kCmdPos = 2;
-/// Asks for size and place.
+/// Requests size and pose.
 inline constexpr std::uint8_t kReqGetGeom = 1;
 /// Switches the motor on or off.
 inline constexpr std::uint8_t kReqMotorPower = 2;
-/// Chooses how the driver controls velocity.
+/// Selects the driver's velocity controller.
 inline constexpr std::uint8_t kReqVelocityMode = 3;
-/// Chooses between velocity and position control.
+/// Selects between velocity and position control.
 inline constexpr std::uint8_t kReqPositionMode = 4;
-/// Sets what the position counts from.
+/// Sets the reference of the position.
 inline constexpr std::uint8_t kReqSetOdom = 5;
-/// Makes the present position zero.
+/// Sets the current position to zero.
 inline constexpr std::uint8_t kReqResetOdom = 6;
 /// Sets the gains of velocity control.
 inline constexpr std::uint8_t kReqSpeedPid = 7;
 /// Sets the gains of position control.
 inline constexpr std::uint8_t kReqPositionPid = 8;
-/// Sets the speed and acceleration that position control uses.
+/// Sets the speed and acceleration limits of position control.
 inline constexpr std::uint8_t kReqSpeedProf = 9;
 
 /// Bits of Data.status, by number.
@@ -48,13 +48,13 @@ inline constexpr std::int32_t kStatusOc = 3;
 inline constexpr std::int32_t kStatusTrajComplete = 4;
 inline constexpr std::int32_t kStatusEnabled = 5;
 
-/// Where the actuator is.
+/// Position of the actuator.
 struct Data {
   /// From its zero. [m or rad]
   float pos = 0;
   /// [m/s or rad/s]
   float vel = 0;
-  /// 1 if it is pushing against something that does not give way.
+  /// 1 if it is blocked by an obstacle.
   std::uint8_t stall = 0;
   /// Limits, current, motion and power, one bit each.
   std::uint8_t status = 0;
@@ -62,33 +62,33 @@ struct Data {
   friend bool operator==(const Data&, const Data&) = default;
 };
 
-/// Wanted velocity.
+/// Commanded velocity.
 struct CmdVel {
   /// [m/s or rad/s]
   float vel = 0;
-  /// 1 motor on, 0 off.
+  /// 1: motor on, 0: off.
   std::uint8_t state = 0;
 
   friend bool operator==(const CmdVel&, const CmdVel&) = default;
 };
 
-/// Wanted position.
+/// Commanded position.
 struct CmdPos {
   /// From its zero. [m or rad]
   float pos = 0;
-  /// On the way; zero leaves it to the driver. [m/s or rad/s]
+  /// Velocity on the way; zero: chosen by the driver. [m/s or rad/s]
   float vel = 0;
-  /// 1 motor on, 0 off.
+  /// 1: motor on, 0: off.
   std::uint8_t state = 0;
 
   friend bool operator==(const CmdPos&, const CmdPos&) = default;
 };
 
-/// Size and place.
+/// Size and pose.
 struct Geom {
-  /// Where the actuator is on the robot. [frame X_RS, m, m, m, rad, rad, rad]
+  /// Pose of the actuator on the robot. [frame X_RS, m, m, m, rad, rad, rad]
   Pose3d pose{};
-  /// Of a box around the actuator. [m, m, m]
+  /// Bounding box of the actuator. [m, m, m]
   Bbox3d size{};
 
   friend bool operator==(const Geom&, const Geom&) = default;
@@ -96,21 +96,21 @@ struct Geom {
 
 /// The motor's switch.
 struct PowerConfig {
-  /// 1 on, 0 off.
+  /// 1: on, 0: off.
   std::uint8_t state = 0;
 
   friend bool operator==(const PowerConfig&, const PowerConfig&) = default;
 };
 
-/// A mode of velocity control.
+/// A velocity controller.
 struct VelocityModeConfig {
-  /// Meaning given by the driver.
+  /// Driver-specific.
   std::uint32_t value = 0;
 
   friend bool operator==(const VelocityModeConfig&, const VelocityModeConfig&) = default;
 };
 
-/// A wish to make the present position zero.
+/// Request to set the current position to zero.
 struct ResetOdomConfig {
   /// Without meaning.
   std::uint32_t value = 0;
@@ -118,17 +118,17 @@ struct ResetOdomConfig {
   friend bool operator==(const ResetOdomConfig&, const ResetOdomConfig&) = default;
 };
 
-/// A mode of control.
+/// A control mode.
 struct PositionModeReq {
-  /// 0 velocity, 1 position.
+  /// 0: velocity, 1: position.
   std::uint32_t state = 0;
 
   friend bool operator==(const PositionModeReq&, const PositionModeReq&) = default;
 };
 
-/// A new value for the present position.
+/// New value of the current position.
 struct SetOdomReq {
-  /// What the position shall be called. [m or rad]
+  /// New value of the current position. [m or rad]
   float pos = 0;
 
   friend bool operator==(const SetOdomReq&, const SetOdomReq&) = default;
@@ -158,11 +158,11 @@ struct PositionPidReq {
   friend bool operator==(const PositionPidReq&, const PositionPidReq&) = default;
 };
 
-/// Motion that position control may use.
+/// Limits of position control.
 struct SpeedProfReq {
-  /// Largest speed. [m/s or rad/s]
+  /// Maximum speed. [m/s or rad/s]
   float speed = 0;
-  /// Largest acceleration. [m/s^2 or rad/s^2]
+  /// Maximum acceleration. [m/s^2 or rad/s^2]
   float acc = 0;
 
   friend bool operator==(const SpeedProfReq&, const SpeedProfReq&) = default;

@@ -1,7 +1,7 @@
 // Generated from interfaces/004_position2d.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
-/// A robot that moves in a plane: wheels, odometry, velocity and position control.
+/// A robot that moves in the plane: odometry, velocity and position control.
 
 #include <cstdint>
 #include <string>
@@ -15,23 +15,23 @@ inline constexpr std::uint16_t kCode = 4;
 // Subtypes of messages.
 /// Odometry.
 inline constexpr std::uint8_t kDataState = 1;
-/// The robot's size, sent when it changes.
+/// The robot's size, sent on change.
 inline constexpr std::uint8_t kDataGeom = 2;
-/// Wanted velocity.
+/// Commanded velocity.
 inline constexpr std::uint8_t kCmdVel = 1;
-/// Wanted pose in the odometry frame.
+/// Commanded pose in the odometry frame.
 inline constexpr std::uint8_t kCmdPos = 2;
-/// Wanted speed and steering angle of a car.
+/// Commanded speed and steering angle of a car.
 inline constexpr std::uint8_t kCmdCar = 3;
-/// Wanted speed and heading.
+/// Commanded speed and heading.
 inline constexpr std::uint8_t kCmdVelHead = 4;
-/// Asks for the robot's size and centre of turning.
+/// Requests the robot's size and centre of rotation.
 inline constexpr std::uint8_t kReqGetGeom = 1;
 /// Switches the motors on or off.
 inline constexpr std::uint8_t kReqMotorPower = 2;
-/// Chooses how the driver controls velocity.
+/// Selects the driver's velocity controller.
 inline constexpr std::uint8_t kReqVelocityMode = 3;
-/// Chooses between velocity and position control.
+/// Selects between velocity and position control.
 inline constexpr std::uint8_t kReqPositionMode = 4;
 /// Sets the odometric pose.
 inline constexpr std::uint8_t kReqSetOdom = 5;
@@ -41,7 +41,7 @@ inline constexpr std::uint8_t kReqResetOdom = 6;
 inline constexpr std::uint8_t kReqSpeedPid = 7;
 /// Sets the gains of position control.
 inline constexpr std::uint8_t kReqPositionPid = 8;
-/// Sets the speed and acceleration that position control uses.
+/// Sets the speed and acceleration limits of position control.
 inline constexpr std::uint8_t kReqSpeedProf = 9;
 
 /// Odometry.
@@ -50,48 +50,48 @@ struct Data {
   Pose2d pos{};
   /// Velocity: forward, to the left, turning left. [frame v_OR_R, m/s, m/s, rad/s]
   Pose2d vel{};
-  /// 1 if the robot is pushing against something that does not give way.
+  /// 1 if the robot is blocked by an obstacle.
   std::uint8_t stall = 0;
 
   friend bool operator==(const Data&, const Data&) = default;
 };
 
-/// Wanted velocity.
+/// Commanded velocity.
 struct CmdVel {
   /// Forward, to the left, turning left; for a simulated car the last part is its steering angle in rad.
   /// [frame v_OR_R, m/s, m/s, rad/s]
   Pose2d vel{};
-  /// 1 motors on, 0 off, if the driver cares; simulated robots do not: MOTOR_POWER is their switch.
+  /// 1: motors on, 0: off. Optional for drivers; simulated robots ignore it and use MOTOR_POWER.
   std::uint8_t state = 0;
 
   friend bool operator==(const CmdVel&, const CmdVel&) = default;
 };
 
-/// Wanted pose and the velocity to get there with.
+/// Commanded pose, and the velocity on the way.
 struct CmdPos {
   /// Goal. [frame X_OG, m, m, rad]
   Pose2d pos{};
-  /// Velocity on the way; zero leaves it to the driver, as simulated robots always do. [frame v_OR_R, m/s,
-  /// m/s, rad/s]
+  /// Velocity on the way; zero: chosen by the driver. Simulated robots ignore it. [frame v_OR_R, m/s, m/s,
+  /// rad/s]
   Pose2d vel{};
-  /// 1 motors on, 0 off, if the driver cares; simulated robots do not: MOTOR_POWER is their switch.
+  /// 1: motors on, 0: off. Optional for drivers; simulated robots ignore it and use MOTOR_POWER.
   std::uint8_t state = 0;
 
   friend bool operator==(const CmdPos&, const CmdPos&) = default;
 };
 
-/// Wanted motion of a car.
+/// Commanded motion of a car.
 struct CmdCar {
   /// Forward. [m/s]
   double velocity = 0;
-  /// Of the front wheels, positive steers left; a simulated robot without them takes it as its turning rate
-  /// in rad/s. [rad]
+  /// Steering angle of the front wheels, positive to the left; a simulated robot without them uses it as turn
+  /// rate in rad/s. [rad]
   double angle = 0;
 
   friend bool operator==(const CmdCar&, const CmdCar&) = default;
 };
 
-/// Wanted speed and heading.
+/// Commanded speed and heading.
 struct CmdVelHead {
   /// Forward. [m/s]
   double velocity = 0;
@@ -101,11 +101,11 @@ struct CmdVelHead {
   friend bool operator==(const CmdVelHead&, const CmdVelHead&) = default;
 };
 
-/// The robot's size and where its centre of turning is.
+/// The robot's size and centre of rotation.
 struct Geom {
-  /// Of the box's middle from the centre of turning. [frame X_RS, m, m, m, rad, rad, rad]
+  /// Centre of the bounding box relative to the centre of rotation. [frame X_RS, m, m, m, rad, rad, rad]
   Pose3d pose{};
-  /// Of a box around the robot. [m, m, m]
+  /// Bounding box of the robot. [m, m, m]
   Bbox3d size{};
 
   friend bool operator==(const Geom&, const Geom&) = default;
@@ -113,23 +113,23 @@ struct Geom {
 
 /// The motors' switch.
 struct PowerConfig {
-  /// 1 on, 0 off.
+  /// 1: on, 0: off.
   std::uint8_t state = 0;
 
   friend bool operator==(const PowerConfig&, const PowerConfig&) = default;
 };
 
-/// A mode of velocity control.
+/// A velocity controller.
 struct VelocityModeConfig {
-  /// Meaning given by the driver.
+  /// Driver-specific.
   std::uint32_t value = 0;
 
   friend bool operator==(const VelocityModeConfig&, const VelocityModeConfig&) = default;
 };
 
-/// A mode of control.
+/// A control mode.
 struct PositionModeReq {
-  /// 0 velocity, 1 position.
+  /// 0: velocity, 1: position.
   std::uint32_t state = 0;
 
   friend bool operator==(const PositionModeReq&, const PositionModeReq&) = default;
@@ -137,7 +137,7 @@ struct PositionModeReq {
 
 /// A new odometric pose.
 struct SetOdomReq {
-  /// What odometry shall say now. [frame X_OR, m, m, rad]
+  /// New odometric pose. [frame X_OR, m, m, rad]
   Pose2d pose{};
 
   friend bool operator==(const SetOdomReq&, const SetOdomReq&) = default;
@@ -167,11 +167,11 @@ struct PositionPidReq {
   friend bool operator==(const PositionPidReq&, const PositionPidReq&) = default;
 };
 
-/// Motion that position control may use.
+/// Limits of position control.
 struct SpeedProfReq {
-  /// Largest speed. [m/s]
+  /// Maximum speed. [m/s]
   float speed = 0;
-  /// Largest acceleration. [m/s^2]
+  /// Maximum acceleration. [m/s^2]
   float acc = 0;
 
   friend bool operator==(const SpeedProfReq&, const SpeedProfReq&) = default;

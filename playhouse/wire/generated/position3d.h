@@ -1,7 +1,7 @@
 // Generated from interfaces/030_position3d.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
-/// A robot that moves in space.
+/// A robot that moves in 3D.
 
 #include <cstdint>
 #include <string>
@@ -15,19 +15,19 @@ inline constexpr std::uint16_t kCode = 30;
 // Subtypes of messages.
 /// Odometry.
 inline constexpr std::uint8_t kDataState = 1;
-/// The robot's size, sent when it changes.
+/// The robot's size, sent on change.
 inline constexpr std::uint8_t kDataGeometry = 2;
-/// Wanted velocity.
+/// Commanded velocity.
 inline constexpr std::uint8_t kCmdSetVel = 1;
-/// Wanted pose in the odometry frame.
+/// Commanded pose in the odometry frame.
 inline constexpr std::uint8_t kCmdSetPos = 2;
-/// Asks for the robot's size and centre of turning.
+/// Requests the robot's size and centre of rotation.
 inline constexpr std::uint8_t kReqGetGeom = 1;
 /// Switches the motors on or off.
 inline constexpr std::uint8_t kReqMotorPower = 2;
-/// Chooses how the driver controls velocity.
+/// Selects the driver's velocity controller.
 inline constexpr std::uint8_t kReqVelocityMode = 3;
-/// Chooses between velocity and position control.
+/// Selects between velocity and position control.
 inline constexpr std::uint8_t kReqPositionMode = 4;
 /// Sets the odometric pose to zero.
 inline constexpr std::uint8_t kReqResetOdom = 5;
@@ -37,7 +37,7 @@ inline constexpr std::uint8_t kReqSetOdom = 6;
 inline constexpr std::uint8_t kReqSpeedPid = 7;
 /// Sets the gains of position control.
 inline constexpr std::uint8_t kReqPositionPid = 8;
-/// Sets the turning speed and acceleration that position control uses.
+/// Sets the turn rate and angular acceleration limits of position control.
 inline constexpr std::uint8_t kReqSpeedProf = 9;
 
 /// Odometry.
@@ -46,39 +46,39 @@ struct Data {
   Pose3d pos{};
   /// Velocity along and about x, y and z. [frame v_OR_R, m/s, m/s, m/s, rad/s, rad/s, rad/s]
   Pose3d vel{};
-  /// 1 if the robot is pushing against something that does not give way.
+  /// 1 if the robot is blocked by an obstacle.
   std::uint8_t stall = 0;
 
   friend bool operator==(const Data&, const Data&) = default;
 };
 
-/// Wanted pose and the velocity to get there with.
+/// Commanded pose, and the velocity on the way.
 struct CmdPos {
   /// Goal. [frame X_OG, m, m, m, rad, rad, rad]
   Pose3d pos{};
-  /// Velocity on the way; zero leaves it to the driver. [frame v_OR_R, m/s, m/s, m/s, rad/s, rad/s, rad/s]
+  /// Velocity on the way; zero: chosen by the driver. [frame v_OR_R, m/s, m/s, m/s, rad/s, rad/s, rad/s]
   Pose3d vel{};
-  /// 1 motors on, 0 off.
+  /// 1: motors on, 0: off.
   std::uint8_t state = 0;
 
   friend bool operator==(const CmdPos&, const CmdPos&) = default;
 };
 
-/// Wanted velocity.
+/// Commanded velocity.
 struct CmdVel {
   /// Along and about x, y and z. [frame v_OR_R, m/s, m/s, m/s, rad/s, rad/s, rad/s]
   Pose3d vel{};
-  /// 1 motors on, 0 off.
+  /// 1: motors on, 0: off.
   std::uint8_t state = 0;
 
   friend bool operator==(const CmdVel&, const CmdVel&) = default;
 };
 
-/// The robot's size and where its centre of turning is.
+/// The robot's size and centre of rotation.
 struct Geom {
-  /// Of the box's middle from the centre of turning. [frame X_RS, m, m, m, rad, rad, rad]
+  /// Centre of the bounding box relative to the centre of rotation. [frame X_RS, m, m, m, rad, rad, rad]
   Pose3d pose{};
-  /// Of a box around the robot. [m, m, m]
+  /// Bounding box of the robot. [m, m, m]
   Bbox3d size{};
 
   friend bool operator==(const Geom&, const Geom&) = default;
@@ -86,23 +86,23 @@ struct Geom {
 
 /// The motors' switch.
 struct PowerConfig {
-  /// 1 on, 0 off.
+  /// 1: on, 0: off.
   std::uint8_t state = 0;
 
   friend bool operator==(const PowerConfig&, const PowerConfig&) = default;
 };
 
-/// A mode of control.
+/// A control mode.
 struct PositionModeReq {
-  /// 0 velocity, 1 position.
+  /// 0: velocity, 1: position.
   std::uint32_t value = 0;
 
   friend bool operator==(const PositionModeReq&, const PositionModeReq&) = default;
 };
 
-/// A mode of velocity control.
+/// A velocity controller.
 struct VelocityModeConfig {
-  /// Meaning given by the driver.
+  /// Driver-specific.
   std::uint32_t value = 0;
 
   friend bool operator==(const VelocityModeConfig&, const VelocityModeConfig&) = default;
@@ -110,7 +110,7 @@ struct VelocityModeConfig {
 
 /// A new odometric pose.
 struct SetOdomReq {
-  /// What odometry shall say now. [frame X_OR, m, m, m, rad, rad, rad]
+  /// New odometric pose. [frame X_OR, m, m, m, rad, rad, rad]
   Pose3d pos{};
 
   friend bool operator==(const SetOdomReq&, const SetOdomReq&) = default;
@@ -140,11 +140,11 @@ struct PositionPidReq {
   friend bool operator==(const PositionPidReq&, const PositionPidReq&) = default;
 };
 
-/// Motion that position control may use.
+/// Limits of position control.
 struct SpeedProfReq {
-  /// Largest turning speed. [rad/s]
+  /// Maximum turn rate. [rad/s]
   float speed = 0;
-  /// Largest turning acceleration. [rad/s^2]
+  /// Maximum angular acceleration. [rad/s^2]
   float acc = 0;
 
   friend bool operator==(const SpeedProfReq&, const SpeedProfReq&) = default;

@@ -14,26 +14,26 @@ namespace playhouse::wire::ptz {
 inline constexpr std::uint16_t kCode = 8;
 
 // Subtypes of messages.
-/// Where the mount points.
+/// Direction of the mount.
 inline constexpr std::uint8_t kDataState = 1;
-/// Size and place, sent when they change.
+/// Size and pose, sent on change.
 inline constexpr std::uint8_t kDataGeom = 2;
-/// Where the mount shall point.
+/// Commanded direction of the mount.
 inline constexpr std::uint8_t kCmdState = 1;
-/// Sends driver-specific words to the mount and gets some back.
+/// Exchanges driver-specific words with the mount.
 inline constexpr std::uint8_t kReqGeneric = 1;
-/// Chooses between velocity and position control.
+/// Selects between velocity and position control.
 inline constexpr std::uint8_t kReqControlMode = 2;
-/// Asks for size and place.
+/// Requests size and pose.
 inline constexpr std::uint8_t kReqGeom = 4;
-/// Asks for the mount's status.
+/// Requests the mount's status.
 inline constexpr std::uint8_t kReqStatus = 5;
 
 /// Values of ReqControlMode.mode.
 inline constexpr std::int32_t kVelocityControl = 0;
 inline constexpr std::int32_t kPositionControl = 1;
 
-/// Where the mount points.
+/// Direction of the mount.
 struct Data {
   /// Positive to the left. [rad]
   float pan = 0;
@@ -45,13 +45,13 @@ struct Data {
   float panspeed = 0;
   /// Positive upwards. [rad/s]
   float tiltspeed = 0;
-  /// Meaning given by the driver.
+  /// Driver-specific.
   std::uint32_t status = 0;
 
   friend bool operator==(const Data&, const Data&) = default;
 };
 
-/// Where the mount shall point, or how fast it shall turn.
+/// Commanded direction or velocity of the mount.
 struct Cmd {
   /// Positive to the left. [rad]
   float pan = 0;
@@ -69,17 +69,17 @@ struct Cmd {
 
 /// The mount's status.
 struct ReqStatus {
-  /// Meaning given by the driver.
+  /// Driver-specific.
   std::uint32_t status = 0;
 
   friend bool operator==(const ReqStatus&, const ReqStatus&) = default;
 };
 
-/// The mount's size and place.
+/// The mount's size and pose.
 struct Geom {
-  /// Where the mount is on the robot. [frame X_RS, m, m, m, rad, rad, rad]
+  /// Pose of the mount on the robot. [frame X_RS, m, m, m, rad, rad, rad]
   Pose3d pos{};
-  /// Of a box around the mount. [m, m, m]
+  /// Bounding box of the mount. [m, m, m]
   Bbox3d size{};
 
   friend bool operator==(const Geom&, const Geom&) = default;
@@ -87,13 +87,13 @@ struct Geom {
 
 /// Driver-specific words.
 struct ReqGeneric {
-  /// Meaning given by the driver.
+  /// Driver-specific.
   std::vector<std::uint32_t> config{};
 
   friend bool operator==(const ReqGeneric&, const ReqGeneric&) = default;
 };
 
-/// A mode of control.
+/// A control mode.
 struct ReqControlMode {
   /// Velocity or position.
   std::uint32_t mode = 0;

@@ -1,7 +1,7 @@
 // Generated from interfaces/062_ranger.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
-/// Range finders of any kind: lasers, sonars, infrared, single or in arrays.
+/// Range finders of any type: lasers, sonars, infrared, single or in arrays.
 
 #include <cstdint>
 #include <string>
@@ -16,23 +16,23 @@ inline constexpr std::uint16_t kCode = 62;
 // Subtypes of messages.
 /// Ranges.
 inline constexpr std::uint8_t kDataRange = 1;
-/// Ranges with the geometry and configuration at which they were taken.
+/// Ranges with the geometry and configuration of the measurement.
 inline constexpr std::uint8_t kDataRangestamped = 2;
 /// Intensities.
 inline constexpr std::uint8_t kDataIntns = 3;
-/// Intensities with the geometry and configuration at which they were taken.
+/// Intensities with the geometry and configuration of the measurement.
 inline constexpr std::uint8_t kDataIntnsstamped = 4;
-/// Size and place, sent when they change.
+/// Size and pose, sent on change.
 inline constexpr std::uint8_t kDataGeom = 5;
-/// Asks for size and place.
+/// Requests size and pose.
 inline constexpr std::uint8_t kReqGetGeom = 1;
 /// Switches the device on or off.
 inline constexpr std::uint8_t kReqPower = 2;
 /// Switches intensities on or off.
 inline constexpr std::uint8_t kReqIntns = 3;
-/// Sets angles, ranges and rate; the answer tells what was taken.
+/// Sets angles, ranges and rate; the answer has the values in effect.
 inline constexpr std::uint8_t kReqSetConfig = 4;
-/// Asks for angles, ranges and rate.
+/// Requests angles, ranges and rate.
 inline constexpr std::uint8_t kReqGetConfig = 5;
 
 /// Angles, ranges and rate.
@@ -41,13 +41,13 @@ struct Config {
   double min_angle = 0;
   /// Of the last beam. [rad]
   double max_angle = 0;
-  /// Between neighbouring beams. [rad]
+  /// Angle between neighbouring beams. [rad]
   double angular_res = 0;
-  /// Nearest that can be seen. [m]
+  /// Minimum range. [m]
   double min_range = 0;
-  /// Farthest that can be seen; what a beam that hits nothing shows. [m]
+  /// Maximum range, and reported range of a beam without a hit. [m]
   double max_range = 0;
-  /// Smallest difference of ranges that is told apart. [m]
+  /// Range resolution. [m]
   double range_res = 0;
   /// Scans per second. [Hz]
   double frequency = 0;
@@ -55,11 +55,11 @@ struct Config {
   friend bool operator==(const Config&, const Config&) = default;
 };
 
-/// Size and place of the device and its elements.
+/// Size and pose of the device and its elements.
 struct Geom {
-  /// Where the device is on the robot. [frame X_RS, m, m, m, rad, rad, rad]
+  /// Pose of the device on the robot. [frame X_RS, m, m, m, rad, rad, rad]
   Pose3d pose{};
-  /// Of a box around the device. [m, m, m]
+  /// Bounding box of the device. [m, m, m]
   Bbox3d size{};
   /// One per element; x points along its beam, or along the middle of its scan. [frame X_SE, m, m, m, rad,
   /// rad, rad]
@@ -78,13 +78,13 @@ struct DataRange {
   friend bool operator==(const DataRange&, const DataRange&) = default;
 };
 
-/// Ranges with what they depend on.
+/// Ranges with geometry and configuration.
 struct DataRangestamped {
   DataRange data{};
-  /// 1 if `geom` holds something.
+  /// 1 if `geom` is valid.
   std::uint8_t have_geom = 0;
   Geom geom{};
-  /// 1 if `config` holds something.
+  /// 1 if `config` is valid.
   std::uint8_t have_config = 0;
   Config config{};
 
@@ -93,19 +93,19 @@ struct DataRangestamped {
 
 /// Intensities.
 struct DataIntns {
-  /// In the order of the ranges; scale given by the driver. [1]
+  /// In the order of the ranges; driver-specific scale. [1]
   std::vector<double> intensities{};
 
   friend bool operator==(const DataIntns&, const DataIntns&) = default;
 };
 
-/// Intensities with what they depend on.
+/// Intensities with geometry and configuration.
 struct DataIntnsstamped {
   DataIntns data{};
-  /// 1 if `geom` holds something.
+  /// 1 if `geom` is valid.
   std::uint8_t have_geom = 0;
   Geom geom{};
-  /// 1 if `config` holds something.
+  /// 1 if `config` is valid.
   std::uint8_t have_config = 0;
   Config config{};
 
@@ -114,7 +114,7 @@ struct DataIntnsstamped {
 
 /// The device's switch.
 struct PowerConfig {
-  /// 1 on, 0 off.
+  /// 1: on, 0: off.
   std::uint8_t state = 0;
 
   friend bool operator==(const PowerConfig&, const PowerConfig&) = default;
@@ -122,7 +122,7 @@ struct PowerConfig {
 
 /// The switch of intensities.
 struct IntnsConfig {
-  /// 1 on, 0 off.
+  /// 1: on, 0: off.
   std::uint8_t state = 0;
 
   friend bool operator==(const IntnsConfig&, const IntnsConfig&) = default;

@@ -14,7 +14,7 @@ namespace playhouse::wire::rfid {
 inline constexpr std::uint16_t kCode = 56;
 
 // Subtypes of messages.
-/// The tags in reach.
+/// Tags in range.
 inline constexpr std::uint8_t kDataTags = 1;
 /// Switches the reader on or off.
 inline constexpr std::uint8_t kReqPower = 1;
@@ -27,15 +27,15 @@ inline constexpr std::uint8_t kReqLocktag = 4;
 
 /// One tag.
 struct Tag {
-  /// Kind of tag.
+  /// Type of tag.
   std::uint32_t type = 0;
-  /// Number of the tag, as its bytes.
+  /// Id of the tag, as bytes.
   std::string guid{};
 
   friend bool operator==(const Tag&, const Tag&) = default;
 };
 
-/// The tags in reach.
+/// Tags in range.
 struct Data {
   std::vector<Tag> tags{};
 

@@ -13,21 +13,21 @@ namespace playhouse::wire::simulation {
 inline constexpr std::uint16_t kCode = 31;
 
 // Subtypes of messages.
-/// Stops the simulated clock, or lets it go on.
+/// Pauses or resumes the simulated clock.
 inline constexpr std::uint8_t kCmdPause = 1;
-/// Puts everything back to the start.
+/// Resets the world to its start.
 inline constexpr std::uint8_t kCmdReset = 2;
-/// Saves the world as it stands.
+/// Saves the current world.
 inline constexpr std::uint8_t kCmdSave = 3;
-/// Asks for the pose of a model by name.
+/// Requests the pose of a model by name.
 inline constexpr std::uint8_t kReqGetPose2d = 1;
 /// Moves a model by name.
 inline constexpr std::uint8_t kReqSetPose2d = 2;
-/// Asks for the pose of a model by name, and the time.
+/// Requests the pose of a model by name, and the time.
 inline constexpr std::uint8_t kReqGetPose3d = 3;
 /// Moves a model by name.
 inline constexpr std::uint8_t kReqSetPose3d = 4;
-/// Asks for a property of a model by name; without a name, for "models", the list of all with their devices
+/// Requests a property of a model by name; without a name, for "models", the list of all with their devices
 /// (docs/drivers.md).
 inline constexpr std::uint8_t kReqGetProperty = 5;
 /// Sets a property of a model by name.
@@ -51,10 +51,10 @@ struct Cmd {
 
 /// A model and its pose.
 struct Pose2dReq {
-  /// Of the model, with its final NUL.
+  /// Of the model, NUL-terminated.
   std::string name{};
-  /// Of the model in its parent, which is the world for a model that nothing carries; ignored in a question.
-  /// [frame X_PT, m, m, rad]
+  /// Pose of the model in its parent (the world for a top-level model); ignored in a request. [frame X_PT, m,
+  /// m, rad]
   Pose2d pose{};
 
   friend bool operator==(const Pose2dReq&, const Pose2dReq&) = default;
@@ -62,12 +62,12 @@ struct Pose2dReq {
 
 /// A model, its pose and the time.
 struct Pose3dReq {
-  /// Of the model, with its final NUL.
+  /// Of the model, NUL-terminated.
   std::string name{};
-  /// Of the model in its parent, which is the world for a model that nothing carries; ignored in a question.
-  /// [frame X_PT, m, m, m, rad, rad, rad]
+  /// Pose of the model in its parent (the world for a top-level model); ignored in a request. [frame X_PT, m,
+  /// m, m, rad, rad, rad]
   Pose3d pose{};
-  /// Simulated time at which the pose held, as Stage counts it; only answers fill it in. [us]
+  /// Simulated time of the pose, as counted by Stage; set in answers only. [us]
   double simtime = 0;
 
   friend bool operator==(const Pose3dReq&, const Pose3dReq&) = default;
@@ -75,14 +75,14 @@ struct Pose3dReq {
 
 /// A property of a model.
 struct PropertyReq {
-  /// Of the model, with its final NUL; empty for a property of the whole world.
+  /// Name of the model, NUL-terminated; empty for a property of the world.
   std::string name{};
-  /// Name of the property, with its final NUL.
+  /// Name of the property, NUL-terminated.
   std::string prop{};
-  /// Which element, if the property is a list: the first that is wanted; in an answer the one to ask from
-  /// next, 0 when there are no more.
+  /// Element of a list property: in a request the first one requested, in an answer the first of the next
+  /// request, 0 at the end of the list.
   std::uint32_t index = 0;
-  /// The property's bytes, in a form given by the simulator; empty in a question.
+  /// Bytes of the property, in a simulator-specific format; empty in a request.
   std::string value{};
 
   friend bool operator==(const PropertyReq&, const PropertyReq&) = default;

@@ -16,22 +16,22 @@ inline constexpr std::uint16_t kCode = 5;
 // Subtypes of messages.
 /// One range per sonar.
 inline constexpr std::uint8_t kDataRanges = 1;
-/// Where the sonars are, sent when it changes.
+/// Poses of the sonars, sent on change.
 inline constexpr std::uint8_t kDataGeom = 2;
-/// Asks where the sonars are.
+/// Requests the poses of the sonars.
 inline constexpr std::uint8_t kReqGetGeom = 1;
 /// Switches the sonars on or off.
 inline constexpr std::uint8_t kReqPower = 2;
 
 /// One range per sonar.
 struct Data {
-  /// To the nearest echo, in the order of the geometry. [m]
+  /// Range of the nearest echo, in the order of the geometry. [m]
   std::vector<float> ranges{};
 
   friend bool operator==(const Data&, const Data&) = default;
 };
 
-/// Where the sonars are.
+/// Poses of the sonars.
 struct Geom {
   /// One per sonar; x points along its beam. [frame X_RS, m, m, m, rad, rad, rad]
   std::vector<Pose3d> poses{};
@@ -41,7 +41,7 @@ struct Geom {
 
 /// The sonars' switch.
 struct PowerConfig {
-  /// 1 on, 0 off.
+  /// 1: on, 0: off.
   std::uint8_t state = 0;
 
   friend bool operator==(const PowerConfig&, const PowerConfig&) = default;

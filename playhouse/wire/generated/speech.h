@@ -18,7 +18,7 @@ inline constexpr std::uint8_t kCmdSay = 1;
 
 /// A text to speak.
 struct Cmd {
-  /// With its final NUL.
+  /// NUL-terminated.
   std::string string{};
 
   friend bool operator==(const Cmd&, const Cmd&) = default;

@@ -1,7 +1,7 @@
 // Generated from interfaces/050_speech_recognition.toml by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
-/// Tells what was said.
+/// Reports recognised speech.
 
 #include <cstdint>
 #include <string>
@@ -13,12 +13,12 @@ namespace playhouse::wire::speech_recognition {
 inline constexpr std::uint16_t kCode = 50;
 
 // Subtypes of messages.
-/// The words that were understood.
+/// Recognised words.
 inline constexpr std::uint8_t kDataString = 1;
 
-/// What was said.
+/// Recognised speech.
 struct Data {
-  /// With its final NUL.
+  /// NUL-terminated.
   std::string text{};
 
   friend bool operator==(const Data&, const Data&) = default;

@@ -15,7 +15,7 @@ namespace playhouse::wire::stereo {
 inline constexpr std::uint16_t kCode = 65;
 
 // Subtypes of messages.
-/// One pair of images and what was made of it.
+/// A pair of images, and the results computed from it.
 inline constexpr std::uint8_t kDataState = 1;
 
 /// One point.
@@ -33,7 +33,7 @@ struct Pointcloud3dStereoElement {
   friend bool operator==(const Pointcloud3dStereoElement&, const Pointcloud3dStereoElement&) = default;
 };
 
-/// One pair of images and what was made of it.
+/// A pair of images, and the results computed from it.
 struct Data {
   /// Image of the left camera.
   camera::Data left_channel{};
@@ -43,7 +43,7 @@ struct Data {
   camera::Data disparity{};
   /// Points in space.
   std::vector<Pointcloud3dStereoElement> points{};
-  /// Meaning given by the driver.
+  /// Driver-specific.
   std::uint32_t mode = 0;
 
   friend bool operator==(const Data&, const Data&) = default;

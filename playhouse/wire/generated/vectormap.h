@@ -14,9 +14,9 @@ namespace playhouse::wire::vectormap {
 inline constexpr std::uint16_t kCode = 63;
 
 // Subtypes of messages.
-/// Asks which layers there are.
+/// Requests the list of layers.
 inline constexpr std::uint8_t kReqGetMapInfo = 1;
-/// Asks for the features of a layer.
+/// Requests the features of a layer.
 inline constexpr std::uint8_t kReqGetLayerData = 3;
 /// Replaces the features of a layer.
 inline constexpr std::uint8_t kReqWriteLayer = 4;
@@ -26,16 +26,16 @@ struct FeatureData {
   std::string name{};
   /// Its shape, as OGC well-known binary, in map coordinates.
   std::vector<std::uint8_t> wkb{};
-  /// Free text about it.
+  /// Free text.
   std::string attrib{};
 
   friend bool operator==(const FeatureData&, const FeatureData&) = default;
 };
 
-/// What a layer is.
+/// Description of a layer.
 struct LayerInfo {
   std::string name{};
-  /// Around all its features. [frame p_MP, m]
+  /// Bounding box of all its features. [frame p_MP, m]
   Extent2d extent{};
 
   friend bool operator==(const LayerInfo&, const LayerInfo&) = default;
@@ -49,12 +49,12 @@ struct LayerData {
   friend bool operator==(const LayerData&, const LayerData&) = default;
 };
 
-/// What layers there are.
+/// List of layers.
 struct Info {
-  /// Number of the spatial reference system; 0 for none.
+  /// Id of the spatial reference system; 0: none.
   std::uint32_t srid = 0;
   std::vector<LayerInfo> layers{};
-  /// Around all layers. [frame p_MP, m]
+  /// Bounding box of all layers. [frame p_MP, m]
   Extent2d extent{};
 
   friend bool operator==(const Info&, const Info&) = default;

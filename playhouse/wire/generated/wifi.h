@@ -16,16 +16,16 @@ inline constexpr std::uint16_t kCode = 23;
 // Subtypes of messages.
 /// Every link and the state of the card.
 inline constexpr std::uint8_t kDataState = 1;
-/// Asks for the card's own address.
+/// Requests the card's own address.
 inline constexpr std::uint8_t kReqMac = 1;
-/// Starts to watch the links to an address.
+/// Starts monitoring the links to an address.
 inline constexpr std::uint8_t kReqIwspyAdd = 2;
-/// Stops watching the links to an address.
+/// Stops monitoring the links to an address.
 inline constexpr std::uint8_t kReqIwspyDel = 3;
-/// Sends a packet to an address, so that its link can be measured.
+/// Sends a packet to an address to measure its link.
 inline constexpr std::uint8_t kReqIwspyPing = 4;
 
-/// Values of Data.qual_type: what link quality is measured in.
+/// Values of Data.qual_type: unit of link quality.
 inline constexpr std::int32_t kQualDbm = 1;
 inline constexpr std::int32_t kQualRel = 2;
 inline constexpr std::int32_t kQualUnknown = 3;
@@ -41,17 +41,17 @@ inline constexpr std::int32_t kModeSecond = 6;
 
 /// One link.
 struct Link {
-  /// Hardware address, as text. (at most 32)
+  /// Hardware address, as a string. (at most 32)
   std::vector<std::uint8_t> mac{};
-  /// Network address, as text. (at most 32)
+  /// Network address, as a string. (at most 32)
   std::vector<std::uint8_t> ip{};
-  /// Name of the network, as text. (at most 32)
+  /// Name of the network, as a string. (at most 32)
   std::vector<std::uint8_t> essid{};
   /// Role in the network.
   std::uint32_t mode = 0;
   /// [MHz]
   std::uint32_t freq = 0;
-  /// 0 open, else encrypted.
+  /// 0: open, else encrypted.
   std::uint32_t encrypt = 0;
   /// Quality, up to Data.maxqual.
   std::uint32_t qual = 0;
@@ -66,21 +66,21 @@ struct Link {
 /// Every link and the state of the card.
 struct Data {
   std::vector<Link> links{};
-  /// What the card is believed to carry. [bit/s]
+  /// Estimated throughput of the card. [bit/s]
   std::uint32_t throughput = 0;
-  /// What the card is set to. [bit/s]
+  /// Configured bit rate of the card. [bit/s]
   std::uint32_t bitrate = 0;
   /// Role in the network.
   std::uint32_t mode = 0;
-  /// What quality, level and noise are measured in.
+  /// Unit of quality, level and noise.
   std::uint32_t qual_type = 0;
-  /// Best quality that can be told.
+  /// Maximum reported quality.
   std::uint32_t maxqual = 0;
-  /// Strongest signal that can be told.
+  /// Maximum reported signal level.
   std::uint32_t maxlevel = 0;
-  /// Strongest noise that can be told.
+  /// Maximum reported noise level.
   std::uint32_t maxnoise = 0;
-  /// Hardware address of the access point, as text. (32 bytes; zeros fill a shorter text)
+  /// Hardware address of the access point, as a string. (32 bytes; zeros fill a shorter text)
   std::string ap{};
 
   friend bool operator==(const Data&, const Data&) = default;
@@ -88,7 +88,7 @@ struct Data {
 
 /// The card's own address.
 struct MacReq {
-  /// Hardware address, as text. (at most 32)
+  /// Hardware address, as a string. (at most 32)
   std::vector<std::uint8_t> mac{};
 
   friend bool operator==(const MacReq&, const MacReq&) = default;
@@ -96,7 +96,7 @@ struct MacReq {
 
 /// The address of a station.
 struct IwspyAddrReq {
-  /// Hardware address, as text. (32 bytes; zeros fill a shorter text)
+  /// Hardware address, as a string. (32 bytes; zeros fill a shorter text)
   std::string address{};
 
   friend bool operator==(const IwspyAddrReq&, const IwspyAddrReq&) = default;

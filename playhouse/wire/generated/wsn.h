@@ -19,12 +19,12 @@ inline constexpr std::uint8_t kDataState = 1;
 inline constexpr std::uint8_t kCmdDevstate = 1;
 /// Puts nodes to sleep or wakes them.
 inline constexpr std::uint8_t kReqPower = 1;
-/// Chooses between raw and converted readings.
+/// Selects between raw and converted readings.
 inline constexpr std::uint8_t kReqDatatype = 2;
-/// Sets how often nodes report.
+/// Sets the reporting rate of nodes.
 inline constexpr std::uint8_t kReqDatafreq = 3;
 
-/// Readings, as raw counts or converted as DATATYPE says.
+/// Readings, raw or converted as selected by DATATYPE.
 struct NodeData {
   /// [1 or lx]
   float light = 0;
@@ -52,11 +52,11 @@ struct NodeData {
 
 /// Readings of one node.
 struct Data {
-  /// Kind of node.
+  /// Type of node.
   std::uint32_t node_type = 0;
-  /// Which node.
+  /// Id of the node.
   std::uint32_t node_id = 0;
-  /// Node that passed the readings on.
+  /// Node that relayed the readings.
   std::uint32_t node_parent_id = 0;
   NodeData data_packet{};
 
@@ -65,33 +65,33 @@ struct Data {
 
 /// Switch of an actuator of a node.
 struct Cmd {
-  /// Which node; -1 all.
+  /// Id of the node; -1: all.
   std::int32_t node_id = 0;
-  /// Group of the node; -1 all.
+  /// Group of the node; -1: all.
   std::int32_t group_id = 0;
-  /// Which actuator, such as a light or a buzzer.
+  /// Actuator, such as a light or a buzzer.
   std::uint32_t device = 0;
-  /// 1 on, 0 off.
+  /// 1: on, 0: off.
   std::uint8_t enable = 0;
 
   friend bool operator==(const Cmd&, const Cmd&) = default;
 };
 
-/// Sleep of nodes.
+/// Sleep mode of nodes.
 struct PowerConfig {
-  /// Which node; -1 all.
+  /// Id of the node; -1: all.
   std::int32_t node_id = 0;
-  /// Group of the node; -1 all.
+  /// Group of the node; -1: all.
   std::int32_t group_id = 0;
-  /// 0 asleep, 1 awake, 2 as the driver sees fit.
+  /// 0: asleep, 1: awake, 2: driver-specific.
   std::uint8_t value = 0;
 
   friend bool operator==(const PowerConfig&, const PowerConfig&) = default;
 };
 
-/// Form of readings.
+/// Format of readings.
 struct DatatypeConfig {
-  /// 0 raw, 1 converted.
+  /// 0: raw, 1: converted.
   std::uint8_t value = 0;
 
   friend bool operator==(const DatatypeConfig&, const DatatypeConfig&) = default;
@@ -99,9 +99,9 @@ struct DatatypeConfig {
 
 /// Rate of reports.
 struct DatafreqConfig {
-  /// Which node; -1 all.
+  /// Id of the node; -1: all.
   std::int32_t node_id = 0;
-  /// Group of the node; -1 all.
+  /// Group of the node; -1: all.
   std::int32_t group_id = 0;
   /// [Hz]
   double frequency = 0;

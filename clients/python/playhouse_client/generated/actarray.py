@@ -1,4 +1,4 @@
-"""Interface actarray, code 53. A chain of joints that slide or turn, such as an arm.
+"""Interface actarray, code 53. A chain of prismatic or revolute joints, such as an arm.
 
 Generated from interfaces/053_actarray.toml by codegen; do not edit.
 """
@@ -57,10 +57,10 @@ class Actuator(Struct):
 
 @dataclass
 class Data(Struct):
-    """Where each joint is. (player_actarray_data_t)"""
+    """State of each joint. (player_actarray_data_t)"""
 
     actuators: List[Actuator] = field(default_factory=list)
-    # 1 motors on, 0 off.
+    # 1: motors on, 0: off.
     motor_state: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -82,25 +82,25 @@ class Data(Struct):
 
 @dataclass
 class Actuatorgeom(Struct):
-    """What a joint is. (player_actarray_actuatorgeom_t)"""
+    """Description of a joint. (player_actarray_actuatorgeom_t)"""
 
-    # Slides or turns.
+    # Prismatic or revolute.
     type: int = 0
     # To the next joint (in m).
     length: float = 0.0
-    # Of the joint at rest; turns from the joint before it (in rad, rad, rad, frame R_BJ).
+    # Orientation of the joint at rest, relative to the previous joint (in rad, rad, rad, frame R_BJ).
     orientation: common.Orientation3d = field(default_factory=common.Orientation3d)
-    # Unit vector along which it slides or about which it turns (frame n_J).
+    # Unit vector of the axis of translation or rotation (frame n_J).
     axis: common.Point3d = field(default_factory=common.Point3d)
     # Lowest position (in m or rad).
     min: float = 0.0
-    # Middle position (in m or rad).
+    # Centre position (in m or rad).
     centre: float = 0.0
     # Highest position (in m or rad).
     max: float = 0.0
     # Position after CMD HOME (in m or rad).
     home: float = 0.0
-    # Speed at which it goes to a position (in m/s or rad/s).
+    # Speed in position control (in m/s or rad/s).
     config_speed: float = 0.0
     # 1 if it has brakes.
     hasbrakes: int = 0
@@ -135,12 +135,12 @@ class Actuatorgeom(Struct):
 
 @dataclass
 class Geom(Struct):
-    """The chain's joints and place. (player_actarray_geom_t)"""
+    """Joints and base pose of the chain. (player_actarray_geom_t)"""
 
     actuators: List[Actuatorgeom] = field(default_factory=list)
-    # Where the chain starts on the robot (in m, frame p_RB).
+    # Position of the base of the chain on the robot (in m, frame p_RB).
     base_pos: common.Point3d = field(default_factory=common.Point3d)
-    # How the chain starts on the robot (in rad, frame R_RB).
+    # Orientation of the base of the chain on the robot (in rad, frame R_RB).
     base_orientation: common.Orientation3d = field(default_factory=common.Orientation3d)
 
     def write(self, writer: Writer) -> None:
@@ -164,9 +164,9 @@ class Geom(Struct):
 
 @dataclass
 class PositionCmd(Struct):
-    """Wanted position of one joint. (player_actarray_position_cmd_t)"""
+    """Commanded position of one joint. (player_actarray_position_cmd_t)"""
 
-    # Which joint, from 0.
+    # Index of the joint, from 0.
     joint: int = 0
     # In m or rad.
     position: float = 0.0
@@ -185,7 +185,7 @@ class PositionCmd(Struct):
 
 @dataclass
 class MultiPositionCmd(Struct):
-    """Wanted positions of all joints. (player_actarray_multi_position_cmd_t)"""
+    """Commanded positions of all joints. (player_actarray_multi_position_cmd_t)"""
 
     # In m or rad.
     positions: List[float] = field(default_factory=list)
@@ -205,9 +205,9 @@ class MultiPositionCmd(Struct):
 
 @dataclass
 class SpeedCmd(Struct):
-    """Wanted speed of one joint. (player_actarray_speed_cmd_t)"""
+    """Commanded speed of one joint. (player_actarray_speed_cmd_t)"""
 
-    # Which joint, from 0.
+    # Index of the joint, from 0.
     joint: int = 0
     # In m/s or rad/s.
     speed: float = 0.0
@@ -226,7 +226,7 @@ class SpeedCmd(Struct):
 
 @dataclass
 class MultiSpeedCmd(Struct):
-    """Wanted speeds of all joints. (player_actarray_multi_speed_cmd_t)"""
+    """Commanded speeds of all joints. (player_actarray_multi_speed_cmd_t)"""
 
     # In m/s or rad/s.
     speeds: List[float] = field(default_factory=list)
@@ -246,9 +246,9 @@ class MultiSpeedCmd(Struct):
 
 @dataclass
 class HomeCmd(Struct):
-    """A joint to send home. (player_actarray_home_cmd_t)"""
+    """A joint to move to its home position. (player_actarray_home_cmd_t)"""
 
-    # Which joint; -1 all.
+    # Index of the joint; -1: all.
     joint: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -263,9 +263,9 @@ class HomeCmd(Struct):
 
 @dataclass
 class CurrentCmd(Struct):
-    """Wanted current of one joint. (player_actarray_current_cmd_t)"""
+    """Commanded current of one joint. (player_actarray_current_cmd_t)"""
 
-    # Which joint, from 0.
+    # Index of the joint, from 0.
     joint: int = 0
     # In A.
     current: float = 0.0
@@ -284,7 +284,7 @@ class CurrentCmd(Struct):
 
 @dataclass
 class MultiCurrentCmd(Struct):
-    """Wanted currents of all joints. (player_actarray_multi_current_cmd_t)"""
+    """Commanded currents of all joints. (player_actarray_multi_current_cmd_t)"""
 
     # In A.
     currents: List[float] = field(default_factory=list)
@@ -306,7 +306,7 @@ class MultiCurrentCmd(Struct):
 class PowerConfig(Struct):
     """The motors' switch. (player_actarray_power_config_t)"""
 
-    # 1 on, 0 off.
+    # 1: on, 0: off.
     value: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -323,7 +323,7 @@ class PowerConfig(Struct):
 class BrakesConfig(Struct):
     """The brakes' switch. (player_actarray_brakes_config_t)"""
 
-    # 1 braked, 0 released.
+    # 1: braked, 0: released.
     value: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -340,7 +340,7 @@ class BrakesConfig(Struct):
 class SpeedConfig(Struct):
     """Speed of one joint. (player_actarray_speed_config_t)"""
 
-    # Which joint; -1 all.
+    # Index of the joint; -1: all.
     joint: int = 0
     # In m/s or rad/s.
     speed: float = 0.0
@@ -361,7 +361,7 @@ class SpeedConfig(Struct):
 class AccelConfig(Struct):
     """Acceleration of one joint. (player_actarray_accel_config_t)"""
 
-    # Which joint; -1 all.
+    # Index of the joint; -1: all.
     joint: int = 0
     # In m/s^2 or rad/s^2.
     accel: float = 0.0
@@ -382,25 +382,25 @@ class AccelConfig(Struct):
 REQ_POWER = MessageType(53, Kind.REQ, 1, "actarray.req.power", PowerConfig)
 # Sets or releases the brakes.
 REQ_BRAKES = MessageType(53, Kind.REQ, 2, "actarray.req.brakes", BrakesConfig)
-# Asks for the chain's joints and place.
+# Requests the joints and the base pose of the chain.
 REQ_GET_GEOM = MessageType(53, Kind.REQ, 3, "actarray.req.get_geom", Geom)
-# Sets the speed at which a joint goes to a position.
+# Sets a joint's speed in position control.
 REQ_SPEED = MessageType(53, Kind.REQ, 4, "actarray.req.speed", SpeedConfig)
-# Sets the acceleration with which a joint goes to a position.
+# Sets a joint's acceleration in position control.
 REQ_ACCEL = MessageType(53, Kind.REQ, 5, "actarray.req.accel", AccelConfig)
-# Wanted position of one joint.
+# Commanded position of one joint.
 CMD_POS = MessageType(53, Kind.CMD, 1, "actarray.cmd.pos", PositionCmd)
-# Wanted positions of all joints.
+# Commanded positions of all joints.
 CMD_MULTI_POS = MessageType(53, Kind.CMD, 2, "actarray.cmd.multi_pos", MultiPositionCmd)
-# Wanted speed of one joint.
+# Commanded speed of one joint.
 CMD_SPEED = MessageType(53, Kind.CMD, 3, "actarray.cmd.speed", SpeedCmd)
-# Wanted speeds of all joints.
+# Commanded speeds of all joints.
 CMD_MULTI_SPEED = MessageType(53, Kind.CMD, 4, "actarray.cmd.multi_speed", MultiSpeedCmd)
-# Sends one joint, or all, to its home.
+# Moves one joint, or all, to the home position.
 CMD_HOME = MessageType(53, Kind.CMD, 5, "actarray.cmd.home", HomeCmd)
-# Wanted current of one joint.
+# Commanded current of one joint.
 CMD_CURRENT = MessageType(53, Kind.CMD, 6, "actarray.cmd.current", CurrentCmd)
-# Wanted currents of all joints.
+# Commanded currents of all joints.
 CMD_MULTI_CURRENT = MessageType(53, Kind.CMD, 7, "actarray.cmd.multi_current", MultiCurrentCmd)
-# Where each joint is.
+# State of each joint.
 DATA_STATE = MessageType(53, Kind.DATA, 1, "actarray.data.state", Data)

@@ -33,9 +33,9 @@ class Data(Struct):
 
 @dataclass
 class Cmd(Struct):
-    """Wanted voltage of one output. (player_aio_cmd_t)"""
+    """Commanded voltage of one output. (player_aio_cmd_t)"""
 
-    # Which output.
+    # Index of the output.
     id: int = 0
     # In V.
     voltage: float = 0.0
@@ -52,7 +52,7 @@ class Cmd(Struct):
         return self
 
 
-# Wanted voltage of one output.
+# Commanded voltage of one output.
 CMD_STATE = MessageType(21, Kind.CMD, 1, "aio.cmd.state", Cmd)
 # Voltages of the inputs.
 DATA_STATE = MessageType(21, Kind.DATA, 1, "aio.data.state", Data)

@@ -53,9 +53,9 @@ MIXER_CHANNEL_TYPE_SPECIAL = 4
 
 @dataclass
 class Wav(Struct):
-    """A piece of sound. (player_audio_wav_t)"""
+    """A sound. (player_audio_wav_t)"""
 
-    # The sound, as `format` says.
+    # The sound, in the format of `format`.
     data: bytes = b""
     # Kind, rate, channels and bits in one number.
     format: int = 0
@@ -83,9 +83,9 @@ class SeqItem(Struct):
     freq: float = 0.0
     # In s.
     duration: float = 0.0
-    # 0 silent to 1 full.
+    # 0: silent, to 1: full volume.
     amplitude: float = 0.0
-    # On: goes over into the next tone without a gap.
+    # On: joined to the next tone without a gap.
     link: common.Bool = field(default_factory=common.Bool)
 
     def write(self, writer: Writer) -> None:
@@ -106,7 +106,7 @@ class SeqItem(Struct):
 
 @dataclass
 class Seq(Struct):
-    """A row of tones. (player_audio_seq_t)"""
+    """A sequence of tones. (player_audio_seq_t)"""
 
     tones: List[SeqItem] = field(default_factory=list)
 
@@ -129,11 +129,11 @@ class Seq(Struct):
 class MixerChannel(Struct):
     """Level of one channel. (player_audio_mixer_channel_t)"""
 
-    # 0 silent to 1 full.
+    # 0: silent, to 1: full volume.
     amplitude: float = 0.0
     # Off: muted.
     active: common.Bool = field(default_factory=common.Bool)
-    # Which channel.
+    # Index of the channel.
     index: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -173,7 +173,7 @@ class MixerChannelList(Struct):
 
 @dataclass
 class MixerChannelDetail(Struct):
-    """What a channel is. (player_audio_mixer_channel_detail_t)"""
+    """Description of a channel. (player_audio_mixer_channel_detail_t)"""
 
     name: bytes = b""
     # Input, output or special.
@@ -196,7 +196,7 @@ class MixerChannelDetail(Struct):
 
 @dataclass
 class MixerChannelListDetail(Struct):
-    """What channels there are. (player_audio_mixer_channel_list_detail_t)"""
+    """List of channels. (player_audio_mixer_channel_list_detail_t)"""
 
     details: List[MixerChannelDetail] = field(default_factory=list)
     # Index of the channel that plays; -1 none.
@@ -225,10 +225,10 @@ class MixerChannelListDetail(Struct):
 
 @dataclass
 class Sample(Struct):
-    """A sample and its place in the store. (player_audio_sample_t)"""
+    """A sample and its index in the store. (player_audio_sample_t)"""
 
     sample: Wav = field(default_factory=Wav)
-    # Place in the store; -1 lets the driver choose when loading.
+    # Index in the store; -1: chosen by the driver when loading.
     index: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -245,7 +245,7 @@ class Sample(Struct):
 
 @dataclass
 class SampleItem(Struct):
-    """A place in the store. (player_audio_sample_item_t)"""
+    """An index in the store. (player_audio_sample_item_t)"""
 
     index: int = 0
 
@@ -261,9 +261,9 @@ class SampleItem(Struct):
 
 @dataclass
 class SampleRecReq(Struct):
-    """A wish to record into the store. (player_audio_sample_rec_req_t)"""
+    """Request to record into the store. (player_audio_sample_rec_req_t)"""
 
-    # Place in the store; -1 lets the driver choose.
+    # Index in the store; -1: chosen by the driver.
     index: int = 0
     # In ms.
     length: int = 0
@@ -282,7 +282,7 @@ class SampleRecReq(Struct):
 
 @dataclass
 class State(Struct):
-    """What the device is doing. (player_audio_state_t)"""
+    """State of the device. (player_audio_state_t)"""
 
     # Playing, recording, both or neither.
     state: int = 0
@@ -299,11 +299,11 @@ class State(Struct):
 
 # Recorded sound.
 DATA_WAV_REC = MessageType(9, Kind.DATA, 1, "audio.data.wav_rec", Wav)
-# Tones that were heard.
+# Detected tones.
 DATA_SEQ = MessageType(9, Kind.DATA, 2, "audio.data.seq", Seq)
-# Levels of the mixer, sent when they change.
+# Levels of the mixer, sent on change.
 DATA_MIXER_CHANNEL = MessageType(9, Kind.DATA, 3, "audio.data.mixer_channel", MixerChannelList)
-# What the device is doing.
+# State of the device.
 DATA_STATE = MessageType(9, Kind.DATA, 4, "audio.data.state", State)
 # Plays sound.
 CMD_WAV_PLAY = MessageType(9, Kind.CMD, 1, "audio.cmd.wav_play", Wav)
@@ -315,7 +315,7 @@ CMD_SAMPLE_PLAY = MessageType(9, Kind.CMD, 3, "audio.cmd.sample_play", SampleIte
 CMD_SEQ_PLAY = MessageType(9, Kind.CMD, 4, "audio.cmd.seq_play", Seq)
 # Sets levels of the mixer.
 CMD_MIXER_CHANNEL = MessageType(9, Kind.CMD, 5, "audio.cmd.mixer_channel", MixerChannelList)
-# Records a piece of sound.
+# Records sound.
 REQ_WAV_REC = MessageType(9, Kind.REQ, 1, "audio.req.wav_rec", Wav)
 # Stores a sample.
 REQ_SAMPLE_LOAD = MessageType(9, Kind.REQ, 2, "audio.req.sample_load", Sample)
@@ -323,7 +323,7 @@ REQ_SAMPLE_LOAD = MessageType(9, Kind.REQ, 2, "audio.req.sample_load", Sample)
 REQ_SAMPLE_RETRIEVE = MessageType(9, Kind.REQ, 3, "audio.req.sample_retrieve", Sample)
 # Records a sample into the store.
 REQ_SAMPLE_REC = MessageType(9, Kind.REQ, 4, "audio.req.sample_rec", SampleItem)
-# Asks which channels the mixer has.
+# Requests the channels of the mixer.
 REQ_MIXER_CHANNEL_LIST = MessageType(9, Kind.REQ, 5, "audio.req.mixer_channel_list", MixerChannelListDetail)
-# Asks for the levels of the mixer.
+# Requests the levels of the mixer.
 REQ_MIXER_CHANNEL_LEVEL = MessageType(9, Kind.REQ, 6, "audio.req.mixer_channel_level", MixerChannelList)

@@ -1,4 +1,4 @@
-"""Interface blackboard, code 64. Named values that clients share.
+"""Interface blackboard, code 64. Named values shared by clients.
 
 Generated from interfaces/064_blackboard.toml by codegen; do not edit.
 """
@@ -9,23 +9,23 @@ from ..wire import Kind, MessageType
 CODE = 64
 
 
-# Follows one entry; the answer holds its value.
+# Subscribes to one entry; the answer has its value.
 REQ_SUBSCRIBE_TO_KEY = MessageType(64, Kind.REQ, 1, "blackboard.req.subscribe_to_key", common.BlackboardEntry)
-# Stops following one entry.
+# Unsubscribes one entry.
 REQ_UNSUBSCRIBE_FROM_KEY = MessageType(
     64, Kind.REQ, 2, "blackboard.req.unsubscribe_from_key", common.BlackboardEntry
 )
 # Sets an entry.
 REQ_SET_ENTRY = MessageType(64, Kind.REQ, 3, "blackboard.req.set_entry", common.BlackboardEntry)
-# Follows every entry of a group.
+# Subscribes to all entries of a group.
 REQ_SUBSCRIBE_TO_GROUP = MessageType(
     64, Kind.REQ, 4, "blackboard.req.subscribe_to_group", common.BlackboardEntry
 )
-# Stops following a group.
+# Unsubscribes a group.
 REQ_UNSUBSCRIBE_FROM_GROUP = MessageType(
     64, Kind.REQ, 5, "blackboard.req.unsubscribe_from_group", common.BlackboardEntry
 )
-# Asks for an entry once.
+# Requests an entry once.
 REQ_GET_ENTRY = MessageType(64, Kind.REQ, 6, "blackboard.req.get_entry", common.BlackboardEntry)
-# An entry that the client follows has changed.
+# A subscribed entry has changed.
 DATA_UPDATE = MessageType(64, Kind.DATA, 1, "blackboard.data.update", common.BlackboardEntry)

@@ -1,4 +1,4 @@
-"""Interface blinkenlight, code 33. Lights that can be switched, coloured and made to blink.
+"""Interface blinkenlight, code 33. Lights that can be switched, colored and made to blink.
 
 Generated from interfaces/033_blinkenlight.toml by codegen; do not edit.
 """
@@ -15,11 +15,11 @@ CODE = 33
 class Data(Struct):
     """State of the light. (player_blinkenlight_data_t)"""
 
-    # 1 on, 0 off.
+    # 1: on, 0: off.
     enable: int = 0
-    # One blink, from on to on; 0 burns steadily (in s).
+    # Blinking period; 0: steady light (in s).
     period: float = 0.0
-    # Share of the period that the light is on, 0 to 1.
+    # Duty cycle: fraction of the period in which the light is on, 0 to 1.
     dutycycle: float = 0.0
     color: common.Color = field(default_factory=common.Color)
 
@@ -41,15 +41,15 @@ class Data(Struct):
 
 @dataclass
 class Cmd(Struct):
-    """Wanted state of one light. (player_blinkenlight_cmd_t)"""
+    """Commanded state of one light. (player_blinkenlight_cmd_t)"""
 
-    # Which light.
+    # Index of the light.
     id: int = 0
-    # 1 on, 0 off.
+    # 1: on, 0: off.
     enable: int = 0
-    # One blink, from on to on; 0 burns steadily (in s).
+    # Blinking period; 0: steady light (in s).
     period: float = 0.0
-    # Share of the period that the light is on, 0 to 1.
+    # Duty cycle: fraction of the period in which the light is on, 0 to 1.
     dutycycle: float = 0.0
     color: common.Color = field(default_factory=common.Color)
 
@@ -75,9 +75,9 @@ class Cmd(Struct):
 class CmdPower(Struct):
     """Switch of one light. (player_blinkenlight_cmd_power_t)"""
 
-    # Which light.
+    # Index of the light.
     id: int = 0
-    # 1 on, 0 off.
+    # 1: on, 0: off.
     enable: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -94,9 +94,9 @@ class CmdPower(Struct):
 
 @dataclass
 class CmdColor(Struct):
-    """Colour of one light. (player_blinkenlight_cmd_color_t)"""
+    """Color of one light. (player_blinkenlight_cmd_color_t)"""
 
-    # Which light.
+    # Index of the light.
     id: int = 0
     color: common.Color = field(default_factory=common.Color)
 
@@ -116,11 +116,11 @@ class CmdColor(Struct):
 class CmdFlash(Struct):
     """Blinking of one light. (player_blinkenlight_cmd_flash_t)"""
 
-    # Which light.
+    # Index of the light.
     id: int = 0
-    # One blink, from on to on (in s).
+    # Blinking period (in s).
     period: float = 0.0
-    # Share of the period that the light is on, 0 to 1.
+    # Duty cycle: fraction of the period in which the light is on, 0 to 1.
     dutycycle: float = 0.0
 
     def write(self, writer: Writer) -> None:
@@ -139,11 +139,11 @@ class CmdFlash(Struct):
 
 # State of the light.
 DATA_STATE = MessageType(33, Kind.DATA, 1, "blinkenlight.data.state", Data)
-# Sets everything about one light.
+# Sets all properties of one light.
 CMD_STATE = MessageType(33, Kind.CMD, 1, "blinkenlight.cmd.state", Cmd)
 # Switches one light.
 CMD_POWER = MessageType(33, Kind.CMD, 2, "blinkenlight.cmd.power", CmdPower)
-# Colours one light.
+# Colors one light.
 CMD_COLOR = MessageType(33, Kind.CMD, 3, "blinkenlight.cmd.color", CmdColor)
 # Makes one light blink.
 CMD_FLASH = MessageType(33, Kind.CMD, 4, "blinkenlight.cmd.flash", CmdFlash)

@@ -1,4 +1,4 @@
-"""Interface blobfinder, code 7. Finds patches of a colour in camera images.
+"""Interface blobfinder, code 7. Finds regions of one color (blobs) in camera images.
 
 Generated from interfaces/007_blobfinder.toml by codegen; do not edit.
 """
@@ -13,13 +13,13 @@ CODE = 7
 
 @dataclass
 class Blob(Struct):
-    """One patch. Pixels count from the top left corner of the image. (player_blobfinder_blob_t)"""
+    """A blob. Pixel coordinates start at the top left corner of the image. (player_blobfinder_blob_t)"""
 
-    # Channel that found it.
+    # Channel that detected it.
     id: int = 0
-    # 0xRRGGBB, for showing it.
+    # 0xRRGGBB, for display.
     color: int = 0
-    # How many pixels it covers (in px).
+    # Area in pixels (in px).
     area: int = 0
     # Column of its centre (in px).
     x: int = 0
@@ -33,7 +33,7 @@ class Blob(Struct):
     top: int = 0
     # Last row (in px).
     bottom: int = 0
-    # Distance of what is seen; 0 if unknown (in m).
+    # Distance; 0 if unknown (in m).
     range: float = 0.0
 
     def write(self, writer: Writer) -> None:
@@ -66,7 +66,7 @@ class Blob(Struct):
 
 @dataclass
 class Data(Struct):
-    """The patches of one image. (player_blobfinder_data_t)"""
+    """The blobs of one image. (player_blobfinder_data_t)"""
 
     # Of the image (in px).
     width: int = 0
@@ -95,10 +95,10 @@ class Data(Struct):
 
 @dataclass
 class ColorConfig(Struct):
-    """The colours that a channel looks for, as ranges of red, green and blue.
+    """The colors that a channel detects, as ranges of red, green and blue.
     (player_blobfinder_color_config_t)"""
 
-    # Which channel; -1 as an unsigned number means all.
+    # Channel; -1 as an unsigned number means all.
     channel: int = 0
     rmin: int = 0
     rmax: int = 0
@@ -131,7 +131,7 @@ class ColorConfig(Struct):
 
 @dataclass
 class ImagerConfig(Struct):
-    """Settings of the camera; -1 leaves one as it is. (player_blobfinder_imager_config_t)"""
+    """Settings of the camera; -1 leaves a setting unchanged. (player_blobfinder_imager_config_t)"""
 
     # 0 to 255.
     brightness: int = 0
@@ -158,11 +158,11 @@ class ImagerConfig(Struct):
         return self
 
 
-# The patches of one image.
+# The blobs of one image.
 DATA_BLOBS = MessageType(7, Kind.DATA, 1, "blobfinder.data.blobs", Data)
-# Sets the colours that a channel looks for.
+# Sets the colors that a channel detects.
 REQ_SET_COLOR = MessageType(7, Kind.REQ, 1, "blobfinder.req.set_color", ColorConfig)
-# Sets brightness, contrast and the like of the camera.
+# Sets brightness, contrast and other settings of the camera.
 REQ_SET_IMAGER_PARAMS = MessageType(7, Kind.REQ, 2, "blobfinder.req.set_imager_params", ImagerConfig)
-# Asks for the colours that a channel looks for.
+# Requests the colors that a channel detects.
 REQ_GET_COLOR = MessageType(7, Kind.REQ, 3, "blobfinder.req.get_color", ColorConfig)

@@ -1,4 +1,4 @@
-"""Interface bumper, code 14. Switches that feel a touch.
+"""Interface bumper, code 14. Contact switches.
 
 Generated from interfaces/014_bumper.toml by codegen; do not edit.
 """
@@ -36,11 +36,11 @@ class Data(Struct):
 class Define(Struct):
     """One bumper. (player_bumper_define_t)"""
 
-    # Of the bumper's middle (in m, m, m, rad, rad, rad, frame X_RS).
+    # Of the bumper's centre (in m, m, m, rad, rad, rad, frame X_RS).
     pose: common.Pose3d = field(default_factory=common.Pose3d)
     # In m.
     length: float = 0.0
-    # Of its bend; 0 if it is straight (in m).
+    # Radius of curvature; 0 if it is straight (in m).
     radius: float = 0.0
 
     def write(self, writer: Writer) -> None:
@@ -59,7 +59,7 @@ class Define(Struct):
 
 @dataclass
 class Geom(Struct):
-    """Where the bumpers are. (player_bumper_geom_t)"""
+    """Poses of the bumpers. (player_bumper_geom_t)"""
 
     bumper_def: List[Define] = field(default_factory=list)
 
@@ -80,7 +80,7 @@ class Geom(Struct):
 
 # Which bumpers are pressed.
 DATA_STATE = MessageType(14, Kind.DATA, 1, "bumper.data.state", Data)
-# Where the bumpers are, sent when it changes.
+# Poses of the bumpers, sent on change.
 DATA_GEOM = MessageType(14, Kind.DATA, 2, "bumper.data.geom", Geom)
-# Asks where the bumpers are.
+# Requests the poses of the bumpers.
 REQ_GET_GEOM = MessageType(14, Kind.REQ, 1, "bumper.req.get_geom", Geom)

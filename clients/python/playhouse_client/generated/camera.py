@@ -30,13 +30,13 @@ class Data(Struct):
     height: int = 0
     # Per pixel (in bit).
     bpp: int = 0
-    # Order and size of the colours.
+    # Order and size of the colors.
     format: int = 0
     # Divides the values of a disparity image; 1 otherwise.
     fdiv: int = 0
     # Raw or JPEG.
     compression: int = 0
-    # Rows from the top, pixels from the left; or a JPEG file.
+    # Rows from the top, pixels from the left, or a JPEG file.
     image: bytes = b""
 
     def write(self, writer: Writer) -> None:
@@ -68,9 +68,9 @@ class Data(Struct):
 class Source(Struct):
     """An input of the camera. (player_camera_source_t)"""
 
-    # Video norm, such as PAL or NTSC, with its final NUL.
+    # Video norm, such as PAL or NTSC, NUL-terminated.
     norm: bytes = b""
-    # Which input.
+    # Index of the input.
     source: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -90,9 +90,9 @@ class Source(Struct):
 
 # One image.
 DATA_STATE = MessageType(40, Kind.DATA, 1, "camera.data.state", Data)
-# Asks which input and norm the camera uses.
+# Requests the camera's input and norm.
 REQ_GET_SOURCE = MessageType(40, Kind.REQ, 1, "camera.req.get_source", Source)
-# Chooses the input and norm.
+# Selects the input and norm.
 REQ_SET_SOURCE = MessageType(40, Kind.REQ, 2, "camera.req.set_source", Source)
-# Asks for one image now.
+# Requests one image now.
 REQ_GET_IMAGE = MessageType(40, Kind.REQ, 3, "camera.req.get_image", Data)

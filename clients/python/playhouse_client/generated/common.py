@@ -1,5 +1,4 @@
-"""What every interface shares. Values that several interfaces use, and the requests that any device may
-get.
+"""What every interface shares. Types shared by several interfaces, and requests to any device.
 
 Generated from interfaces/000_common.toml by codegen; do not edit.
 """
@@ -8,7 +7,7 @@ from dataclasses import dataclass
 
 from ..wire import Kind, MessageType, Reader, Struct, Writer
 
-# Limits that every implementation of the protocol shares.
+# Limits shared by all implementations of the protocol.
 MAX_MESSAGE_SIZE = 8388608
 MAX_DRIVER_STRING_LEN = 64
 MAX_DEVICES = 4096
@@ -27,7 +26,7 @@ class Devaddr(Struct):
     robot: int = 0
     # Interface code.
     interf: int = 0
-    # Which of the devices of that interface.
+    # Index of the device within its interface.
     index: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -48,7 +47,7 @@ class Devaddr(Struct):
 
 @dataclass
 class Point2d(Struct):
-    """A point or vector in a plane. (player_point_2d_t)"""
+    """A point or vector in the plane. (player_point_2d_t)"""
 
     # In m.
     px: float = 0.0
@@ -94,7 +93,7 @@ class Point3d(Struct):
 
 @dataclass
 class Orientation3d(Struct):
-    """An orientation in space: turns about z (yaw), then y (pitch), then x (roll).
+    """An orientation in space: rotations about z (yaw), then y (pitch), then x (roll).
     (player_orientation_3d_t)"""
 
     # About x (in rad).
@@ -120,7 +119,8 @@ class Orientation3d(Struct):
 
 @dataclass
 class Pose2d(Struct):
-    """A pose in a plane; where a message says so, a velocity in the same three parts. (player_pose2d_t)"""
+    """A pose in the plane, or, if the message says so, a velocity with the same three components.
+    (player_pose2d_t)"""
 
     # In m.
     px: float = 0.0
@@ -145,8 +145,8 @@ class Pose2d(Struct):
 
 @dataclass
 class Pose3d(Struct):
-    """A pose in space; where a message says so, a velocity or acceleration in the same six parts.
-    (player_pose3d_t)"""
+    """A pose in space, or, if the message says so, a velocity or acceleration with the same six
+    components. (player_pose3d_t)"""
 
     # In m.
     px: float = 0.0
@@ -183,7 +183,7 @@ class Pose3d(Struct):
 
 @dataclass
 class Bbox2d(Struct):
-    """Size of a rectangle that stands around a thing. (player_bbox2d_t)"""
+    """Size of a bounding rectangle. (player_bbox2d_t)"""
 
     # Width, along y (in m).
     sw: float = 0.0
@@ -204,7 +204,7 @@ class Bbox2d(Struct):
 
 @dataclass
 class Bbox3d(Struct):
-    """Size of a box that stands around a thing. (player_bbox3d_t)"""
+    """Size of a bounding box. (player_bbox3d_t)"""
 
     # Width, along y (in m).
     sw: float = 0.0
@@ -233,17 +233,17 @@ class BlackboardEntry(Struct):
 
     # Name of the entry within its group.
     key: bytes = b""
-    # Name of the group; keys of different groups do not meet.
+    # Name of the group, a namespace of keys.
     group: bytes = b""
-    # What `data` holds, broadly: simple values or values of other interfaces.
+    # Category of `data`: simple values or types of other interfaces.
     type: int = 0
-    # What `data` holds, exactly: text, whole number or number among the simple ones.
+    # Exact type of `data`; of simple values: string, integer or floating-point number.
     subtype: int = 0
-    # The value's bytes; the blackboard never looks inside.
+    # Bytes of the value, opaque to the blackboard.
     data: bytes = b""
-    # When the value was set: whole seconds (in s).
+    # Time at which the value was set: whole seconds (in s).
     timestamp_sec: int = 0
-    # When the value was set: microseconds on top (in us).
+    # Time at which the value was set: microseconds of the second (in us).
     timestamp_usec: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -279,7 +279,7 @@ class BlackboardEntry(Struct):
 
 @dataclass
 class Segment(Struct):
-    """A straight line between two points. (player_segment_t)"""
+    """A line segment. (player_segment_t)"""
 
     # x of the start (in m).
     x0: float = 0.0
@@ -308,7 +308,7 @@ class Segment(Struct):
 
 @dataclass
 class Extent2d(Struct):
-    """An axis-aligned rectangle by two corners. (player_extent2d_t)"""
+    """An axis-aligned rectangle, given by two corners. (player_extent2d_t)"""
 
     # Smallest x (in m).
     x0: float = 0.0
@@ -337,7 +337,7 @@ class Extent2d(Struct):
 
 @dataclass
 class Color(Struct):
-    """A colour with its opacity, each part 0 to 255. (player_color_t)"""
+    """A color with opacity, each component from 0 to 255. (player_color_t)"""
 
     # 255 is opaque, 0 invisible.
     alpha: int = 0
@@ -365,7 +365,7 @@ class Color(Struct):
 class Bool(Struct):
     """A switch. (player_bool_t)"""
 
-    # 0 off, else on.
+    # 0: off, else on.
     state: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -380,7 +380,7 @@ class Bool(Struct):
 
 @dataclass
 class Uint32(Struct):
-    """One whole number. (player_uint32_t)"""
+    """One integer. (player_uint32_t)"""
 
     value: int = 0
 
@@ -396,7 +396,7 @@ class Uint32(Struct):
 
 @dataclass
 class CapabilitiesReq(Struct):
-    """The message that is asked about. (player_capabilities_req_t)"""
+    """The queried message. (player_capabilities_req_t)"""
 
     # Type of the message, as in a header.
     type: int = 0
@@ -419,9 +419,9 @@ class CapabilitiesReq(Struct):
 class BoolpropReq(Struct):
     """A named switch. (player_boolprop_req_t)"""
 
-    # Name of the property, with its final NUL.
+    # Name of the property, NUL-terminated.
     key: bytes = b""
-    # 0 false, else true; ignored in a question.
+    # 0 false, else true; ignored in a request.
     value: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -441,9 +441,9 @@ class BoolpropReq(Struct):
 
 @dataclass
 class IntpropReq(Struct):
-    """A named whole number. (player_intprop_req_t)"""
+    """A named integer. (player_intprop_req_t)"""
 
-    # Name of the property, with its final NUL.
+    # Name of the property, NUL-terminated.
     key: bytes = b""
     # Ignored in a question.
     value: int = 0
@@ -467,9 +467,9 @@ class IntpropReq(Struct):
 class DblpropReq(Struct):
     """A named number. (player_dblprop_req_t)"""
 
-    # Name of the property, with its final NUL.
+    # Name of the property, NUL-terminated.
     key: bytes = b""
-    # In the unit the driver gives the property; ignored in a question.
+    # In the driver's unit for the property; ignored in a request.
     value: float = 0.0
 
     def write(self, writer: Writer) -> None:
@@ -489,11 +489,11 @@ class DblpropReq(Struct):
 
 @dataclass
 class StrpropReq(Struct):
-    """A named text. (player_strprop_req_t)"""
+    """A named string. (player_strprop_req_t)"""
 
-    # Name of the property, with its final NUL.
+    # Name of the property, NUL-terminated.
     key: bytes = b""
-    # With its final NUL; ignored in a question.
+    # NUL-terminated; ignored in a request.
     value: bytes = b""
 
     def write(self, writer: Writer) -> None:
@@ -514,19 +514,19 @@ class StrpropReq(Struct):
         return self
 
 
-# Asks whether the device serves a message: an empty ACK is yes, NACK is no.
+# Queries whether the device supports a message: an empty ACK means yes, NACK no.
 REQ_CAPABILITIES = MessageType(0, Kind.REQ, 255, "universal.req.capabilities", CapabilitiesReq)
-# Reads a named whole number of the driver; the answer repeats the key.
+# Reads a named integer of the driver; the answer repeats the key.
 REQ_GET_INTPROP = MessageType(0, Kind.REQ, 254, "universal.req.get_intprop", IntpropReq)
-# Changes a named whole number of the driver.
+# Changes a named integer of the driver.
 REQ_SET_INTPROP = MessageType(0, Kind.REQ, 253, "universal.req.set_intprop", IntpropReq)
 # Reads a named number of the driver; the answer repeats the key.
 REQ_GET_DBLPROP = MessageType(0, Kind.REQ, 252, "universal.req.get_dblprop", DblpropReq)
 # Changes a named number of the driver.
 REQ_SET_DBLPROP = MessageType(0, Kind.REQ, 251, "universal.req.set_dblprop", DblpropReq)
-# Reads a named text of the driver; the answer repeats the key.
+# Reads a named string of the driver; the answer repeats the key.
 REQ_GET_STRPROP = MessageType(0, Kind.REQ, 250, "universal.req.get_strprop", StrpropReq)
-# Changes a named text of the driver.
+# Changes a named string of the driver.
 REQ_SET_STRPROP = MessageType(0, Kind.REQ, 249, "universal.req.set_strprop", StrpropReq)
 # Reads a named switch of the driver; the answer repeats the key.
 REQ_GET_BOOLPROP = MessageType(0, Kind.REQ, 248, "universal.req.get_boolprop", BoolpropReq)

@@ -17,7 +17,7 @@ ORIGIN_MOBILEBASE = 1
 ORIGIN_MOTE = 2
 ORIGIN_ROBOT = 3
 
-# Kinds of message that nodes exchange.
+# Types of messages between nodes.
 MSG_NONE = -1
 MSG_HEALTH = 0
 MSG_POSITION = 1
@@ -49,12 +49,12 @@ OPTSWITCH = 16
 
 @dataclass
 class Header(Struct):
-    """Which node. (player_coopobject_header_t)"""
+    """Id of the node. (player_coopobject_header_t)"""
 
-    # Kind of node.
+    # Type of node.
     origin: int = 0
     id: int = 0
-    # Node that passed the message on.
+    # Node that relayed the message.
     parent_id: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -73,20 +73,20 @@ class Header(Struct):
 
 @dataclass
 class Rssi(Struct):
-    """Strength of a radio signal. (player_coopobject_rssi_t)"""
+    """Radio signal strength. (player_coopobject_rssi_t)"""
 
     header: Header = field(default_factory=Header)
-    # Node whose signal it was.
+    # Node that sent the signal.
     sender_id: int = 0
     # As the radio reports it.
     rssi: int = 0
-    # Counts measurements.
+    # Counter of measurements.
     stamp: int = 0
     # Clock of the node: upper half.
     nodeTimeHigh: int = 0
     # Clock of the node: lower half.
     nodeTimeLow: int = 0
-    # Where the receiver was (in m, frame p_WS).
+    # Position of the receiver (in m, frame p_WS).
     x: float = 0.0
     # In m, frame p_WS.
     y: float = 0.0
@@ -121,7 +121,7 @@ class Rssi(Struct):
 
 @dataclass
 class Position(Struct):
-    """Where a node is. (player_coopobject_position_t)"""
+    """Position of a node. (player_coopobject_position_t)"""
 
     header: Header = field(default_factory=Header)
     # In m, frame p_WS.
@@ -130,7 +130,7 @@ class Position(Struct):
     y: float = 0.0
     # In m, frame p_WS.
     z: float = 0.0
-    # Meaning given by the driver.
+    # Driver-specific.
     status: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -155,7 +155,7 @@ class Position(Struct):
 class Sensor(Struct):
     """One reading. (player_coopobject_sensor_t)"""
 
-    # What was measured.
+    # Measured quantity.
     type: int = 0
     # As the sensor reports it.
     value: int = 0
@@ -201,7 +201,7 @@ class DataUserdefined(Struct):
     """Bytes from or to a node. (player_coopobject_data_userdefined_t)"""
 
     header: Header = field(default_factory=Header)
-    # Meaning given by the user.
+    # User-specific.
     type: int = 0
     data: bytes = b""
 
@@ -229,7 +229,7 @@ class Req(Struct):
     header: Header = field(default_factory=Header)
     # Which.
     request: int = 0
-    # Meaning given by the request.
+    # Request-specific.
     parameters: bytes = b""
 
     def write(self, writer: Writer) -> None:
@@ -251,12 +251,12 @@ class Req(Struct):
 
 @dataclass
 class Cmd(Struct):
-    """An order. (player_coopobject_cmd_t)"""
+    """A command. (player_coopobject_cmd_t)"""
 
     header: Header = field(default_factory=Header)
     # Which.
     command: int = 0
-    # Meaning given by the command.
+    # Command-specific.
     parameters: bytes = b""
 
     def write(self, writer: Writer) -> None:
@@ -278,7 +278,7 @@ class Cmd(Struct):
 
 # A node is alive.
 DATA_HEALTH = MessageType(66, Kind.DATA, 1, "coopobject.data.health", Header)
-# Strength of a radio signal that a node received.
+# Signal strength received by a node.
 DATA_RSSI = MessageType(66, Kind.DATA, 2, "coopobject.data.rssi", Rssi)
 # Readings of a node.
 DATA_SENSOR = MessageType(66, Kind.DATA, 3, "coopobject.data.sensor", DataSensor)
@@ -286,17 +286,17 @@ DATA_SENSOR = MessageType(66, Kind.DATA, 3, "coopobject.data.sensor", DataSensor
 DATA_ALARM = MessageType(66, Kind.DATA, 4, "coopobject.data.alarm", DataSensor)
 # Bytes from a node.
 DATA_USERDEFINED = MessageType(66, Kind.DATA, 5, "coopobject.data.userdefined", DataUserdefined)
-# A node asks for something.
+# A request of a node.
 DATA_REQUEST = MessageType(66, Kind.DATA, 6, "coopobject.data.request", Req)
-# A node orders something.
+# A command of a node.
 DATA_COMMAND = MessageType(66, Kind.DATA, 7, "coopobject.data.command", Cmd)
-# Where a node is.
+# Position of a node.
 DATA_POSITION = MessageType(66, Kind.DATA, 8, "coopobject.data.position", Position)
-# Orders something from a node.
+# Sends a command to a node.
 CMD_STANDARD = MessageType(66, Kind.CMD, 1, "coopobject.cmd.standard", Cmd)
 # Sends bytes to a node.
 CMD_DATA = MessageType(66, Kind.CMD, 2, "coopobject.cmd.data", DataUserdefined)
-# Tells a node where a node is.
+# Sends the position of a node to a node.
 CMD_POSITION = MessageType(66, Kind.CMD, 3, "coopobject.cmd.position", Position)
-# Asks a node for something.
+# Sends a request to a node.
 REQ_STANDARD = MessageType(66, Kind.REQ, 1, "coopobject.req.standard", Req)

@@ -14,7 +14,7 @@ CODE = 20
 class Data(Struct):
     """State of the inputs. (player_dio_data_t)"""
 
-    # How many of the bits hold something.
+    # Number of valid bits.
     count: int = 0
     # One bit per input, the first in the lowest bit.
     bits: int = 0
@@ -33,9 +33,9 @@ class Data(Struct):
 
 @dataclass
 class Cmd(Struct):
-    """Wanted state of the outputs. (player_dio_cmd_t)"""
+    """Commanded state of the outputs. (player_dio_cmd_t)"""
 
-    # How many of the bits hold something.
+    # Number of valid bits.
     count: int = 0
     # One bit per output, the first in the lowest bit.
     digout: int = 0
@@ -54,5 +54,5 @@ class Cmd(Struct):
 
 # State of the inputs.
 DATA_VALUES = MessageType(20, Kind.DATA, 1, "dio.data.values", Data)
-# Wanted state of the outputs.
+# Commanded state of the outputs.
 CMD_VALUES = MessageType(20, Kind.CMD, 1, "dio.cmd.values", Cmd)

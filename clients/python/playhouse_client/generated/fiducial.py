@@ -1,4 +1,4 @@
-"""Interface fiducial, code 10. Sees marked things and tells which and where they are.
+"""Interface fiducial, code 10. Detects markers and reports their ids and poses.
 
 Generated from interfaces/010_fiducial.toml by codegen; do not edit.
 """
@@ -16,11 +16,11 @@ CODE = 10
 class Item(Struct):
     """One marker in view. (player_fiducial_item_t)"""
 
-    # Number of the marker; if it cannot be told -1, from simulated finders 0.
+    # Id of the marker; -1 if it cannot be identified, from simulated finders 0.
     id: int = 0
-    # Where the marker is (in m, m, m, rad, rad, rad, frame X_ST).
+    # Pose of the marker (in m, m, m, rad, rad, rad, frame X_ST).
     pose: common.Pose3d = field(default_factory=common.Pose3d)
-    # Standard deviation of each part of the pose; 0 if unknown (in m, m, m, rad, rad, rad, frame X_ST).
+    # Standard deviation of each component of the pose; 0 if unknown (in m, m, m, rad, rad, rad, frame X_ST).
     upose: common.Pose3d = field(default_factory=common.Pose3d)
 
     def write(self, writer: Writer) -> None:
@@ -60,11 +60,11 @@ class Data(Struct):
 
 @dataclass
 class Geom(Struct):
-    """Size and place. (player_fiducial_geom_t)"""
+    """Size and pose. (player_fiducial_geom_t)"""
 
-    # Where the device is on the robot (in m, m, m, rad, rad, rad, frame X_RS).
+    # Pose of the device on the robot (in m, m, m, rad, rad, rad, frame X_RS).
     pose: common.Pose3d = field(default_factory=common.Pose3d)
-    # Of a box around the device (in m, m, m).
+    # Bounding box of the device (in m, m, m).
     size: common.Bbox3d = field(default_factory=common.Bbox3d)
     # Of the markers; 0 if unknown (in m, m).
     fiducial_size: common.Bbox2d = field(default_factory=common.Bbox2d)
@@ -85,7 +85,7 @@ class Geom(Struct):
 
 @dataclass
 class Fov(Struct):
-    """How far and how wide the device sees. (player_fiducial_fov_t)"""
+    """Range and field of view. (player_fiducial_fov_t)"""
 
     # In m.
     min_range: float = 0.0
@@ -110,7 +110,7 @@ class Fov(Struct):
 
 @dataclass
 class Id(Struct):
-    """A marker's number. (player_fiducial_id_t)"""
+    """A marker id. (player_fiducial_id_t)"""
 
     id: int = 0
 
@@ -126,13 +126,13 @@ class Id(Struct):
 
 # The markers in view.
 DATA_SCAN = MessageType(10, Kind.DATA, 1, "fiducial.data.scan", Data)
-# Asks for the device's size and place and the markers' size.
+# Requests the device's size and pose and the markers' size.
 REQ_GET_GEOM = MessageType(10, Kind.REQ, 1, "fiducial.req.get_geom", Geom)
-# Asks how far and how wide the device sees.
+# Requests the range and the field of view.
 REQ_GET_FOV = MessageType(10, Kind.REQ, 2, "fiducial.req.get_fov", Fov)
-# Sets how far and how wide the device sees; the answer tells what was taken.
+# Sets the range and the field of view; the answer has the values in effect.
 REQ_SET_FOV = MessageType(10, Kind.REQ, 3, "fiducial.req.set_fov", Fov)
-# Asks for the number that the robot itself shows to others.
+# Requests the robot's own marker id.
 REQ_GET_ID = MessageType(10, Kind.REQ, 7, "fiducial.req.get_id", Id)
-# Sets the number that the robot itself shows to others.
+# Sets the robot's own marker id.
 REQ_SET_ID = MessageType(10, Kind.REQ, 8, "fiducial.req.set_id", Id)

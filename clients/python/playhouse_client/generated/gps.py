@@ -16,7 +16,7 @@ class Data(Struct):
 
     # Time of the fix since 1970: whole seconds (in s).
     time_sec: int = 0
-    # Time of the fix: microseconds on top (in us).
+    # Time of the fix: microseconds of the second (in us).
     time_usec: int = 0
     # Positive north, WGS84 (in 1e-7 deg).
     latitude: int = 0
@@ -32,7 +32,7 @@ class Data(Struct):
     utm_e: float = 0.0
     # UTM northing (in m).
     utm_n: float = 0.0
-    # 0 no fix, 1 plain, 2 differential.
+    # 0: no fix, 1: plain, 2: differential.
     quality: int = 0
     # Satellites used.
     num_sats: int = 0
@@ -83,5 +83,5 @@ class Data(Struct):
         return self
 
 
-# The latest fix.
+# The newest fix.
 DATA_STATE = MessageType(13, Kind.DATA, 1, "gps.data.state", Data)

@@ -1,4 +1,4 @@
-"""Interface graphics2d, code 55. Draws flat shapes for people to see.
+"""Interface graphics2d, code 55. Draws 2D shapes for display.
 
 Generated from interfaces/055_graphics2d.toml by codegen; do not edit.
 """
@@ -64,15 +64,15 @@ class CmdPolyline(Struct):
 
 @dataclass
 class CmdPolygon(Struct):
-    """A closed shape. (player_graphics2d_cmd_polygon_t)"""
+    """A polygon. (player_graphics2d_cmd_polygon_t)"""
 
-    # Its corners (in m, frame p_SP).
+    # Vertices (in m, frame p_SP).
     points: List[common.Point2d] = field(default_factory=list)
-    # Of the outline.
+    # Outline color.
     color: common.Color = field(default_factory=common.Color)
-    # Of the inside.
+    # Fill color.
     fill_color: common.Color = field(default_factory=common.Color)
-    # 1 to fill it.
+    # 1: filled.
     filled: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -100,7 +100,7 @@ class CmdPolygon(Struct):
 class CmdMultiline(Struct):
     """Lines, each between two points. (player_graphics2d_cmd_multiline_t)"""
 
-    # Start and end of each line in turn (in m, frame p_SP).
+    # Start and end of each line, alternating (in m, frame p_SP).
     points: List[common.Point2d] = field(default_factory=list)
     color: common.Color = field(default_factory=common.Color)
 
@@ -121,13 +121,13 @@ class CmdMultiline(Struct):
         return self
 
 
-# Removes everything that was drawn.
+# Removes all drawn shapes.
 CMD_CLEAR = MessageType(55, Kind.CMD, 1, "graphics2d.cmd.clear")
 # Draws points.
 CMD_POINTS = MessageType(55, Kind.CMD, 2, "graphics2d.cmd.points", CmdPoints)
 # Draws a line through points.
 CMD_POLYLINE = MessageType(55, Kind.CMD, 3, "graphics2d.cmd.polyline", CmdPolyline)
-# Draws a closed shape.
+# Draws a polygon.
 CMD_POLYGON = MessageType(55, Kind.CMD, 4, "graphics2d.cmd.polygon", CmdPolygon)
 # Draws a line for each pair of points.
 CMD_MULTILINE = MessageType(55, Kind.CMD, 5, "graphics2d.cmd.multiline", CmdMultiline)

@@ -1,4 +1,4 @@
-"""Interface graphics3d, code 58. Draws shapes in space for people to see.
+"""Interface graphics3d, code 58. Draws 3D shapes for display.
 
 Generated from interfaces/058_graphics3d.toml by codegen; do not edit.
 """
@@ -11,7 +11,7 @@ from ..wire import Kind, MessageType, Reader, Struct, Writer
 
 CODE = 58
 
-# Values of CmdDraw.draw_mode: how points make shapes.
+# Values of CmdDraw.draw_mode: primitives made from the points.
 DRAW_POINTS = 0
 DRAW_LINES = 1
 DRAW_LINE_STRIP = 2
@@ -54,7 +54,7 @@ class CmdDraw(Struct):
 
 @dataclass
 class CmdTranslate(Struct):
-    """A move of the origin. (player_graphics3d_cmd_translate_t)"""
+    """A translation of the coordinate frame. (player_graphics3d_cmd_translate_t)"""
 
     # In m.
     x: float = 0.0
@@ -79,7 +79,7 @@ class CmdTranslate(Struct):
 
 @dataclass
 class CmdRotate(Struct):
-    """A turn of the axes. (player_graphics3d_cmd_rotate_t)"""
+    """A rotation of the coordinate frame. (player_graphics3d_cmd_rotate_t)"""
 
     # Angle about the vector (x, y, z) (in rad).
     a: float = 0.0
@@ -103,15 +103,15 @@ class CmdRotate(Struct):
         return self
 
 
-# Removes everything that was drawn.
+# Removes all drawn shapes.
 CMD_CLEAR = MessageType(58, Kind.CMD, 1, "graphics3d.cmd.clear")
 # Draws points, lines or faces.
 CMD_DRAW = MessageType(58, Kind.CMD, 2, "graphics3d.cmd.draw", CmdDraw)
-# Moves the origin of what is drawn next.
+# Translates the coordinate frame of subsequent drawing.
 CMD_TRANSLATE = MessageType(58, Kind.CMD, 3, "graphics3d.cmd.translate", CmdTranslate)
-# Turns the axes of what is drawn next.
+# Rotates the coordinate frame of subsequent drawing.
 CMD_ROTATE = MessageType(58, Kind.CMD, 4, "graphics3d.cmd.rotate", CmdRotate)
-# Remembers the present origin and axes.
+# Pushes the current coordinate frame.
 CMD_PUSH = MessageType(58, Kind.CMD, 5, "graphics3d.cmd.push")
-# Goes back to the remembered origin and axes.
+# Pops the pushed coordinate frame.
 CMD_POP = MessageType(58, Kind.CMD, 6, "graphics3d.cmd.pop")

@@ -1,5 +1,5 @@
-"""Interface gripper, code 3. A two-finger gripper, with light beams between the fingers and perhaps a
-place to store things.
+"""Interface gripper, code 3. A two-finger gripper, with break beams between the fingers and optionally a
+store for objects.
 
 Generated from interfaces/003_gripper.toml by codegen; do not edit.
 """
@@ -20,13 +20,13 @@ STATE_ERROR = 4
 
 @dataclass
 class Data(Struct):
-    """What the fingers do and hold. (player_gripper_data_t)"""
+    """State of the fingers and of the break beams. (player_gripper_data_t)"""
 
     # Open, closed, moving or faulty.
     state: int = 0
-    # One bit per light beam, set where something breaks the beam.
+    # One bit per break beam, set if it is interrupted.
     beams: int = 0
-    # How many things are stored.
+    # Number of stored objects.
     stored: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -45,17 +45,17 @@ class Data(Struct):
 
 @dataclass
 class Geom(Struct):
-    """The gripper's size and place. (player_gripper_geom_t)"""
+    """The gripper's size and pose. (player_gripper_geom_t)"""
 
-    # Where the gripper is on the robot (in m, m, m, rad, rad, rad, frame X_RS).
+    # Pose of the gripper on the robot (in m, m, m, rad, rad, rad, frame X_RS).
     pose: common.Pose3d = field(default_factory=common.Pose3d)
     # Around the fingers (in m, m, m).
     outer_size: common.Bbox3d = field(default_factory=common.Bbox3d)
     # Of the gap between the open fingers (in m, m, m).
     inner_size: common.Bbox3d = field(default_factory=common.Bbox3d)
-    # How many light beams there are.
+    # Number of break beams.
     num_beams: int = 0
-    # How many things the store can take.
+    # Capacity of the store, in objects.
     capacity: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -76,17 +76,17 @@ class Geom(Struct):
         return self
 
 
-# What the fingers do and hold.
+# State of the fingers and of the break beams.
 DATA_STATE = MessageType(3, Kind.DATA, 1, "gripper.data.state", Data)
-# Asks for the gripper's size and place.
+# Requests the gripper's size and pose.
 REQ_GET_GEOM = MessageType(3, Kind.REQ, 1, "gripper.req.get_geom", Geom)
 # Opens the fingers.
 CMD_OPEN = MessageType(3, Kind.CMD, 1, "gripper.cmd.open")
 # Closes the fingers.
 CMD_CLOSE = MessageType(3, Kind.CMD, 2, "gripper.cmd.close")
-# Stops the fingers where they are.
+# Stops the fingers at their current position.
 CMD_STOP = MessageType(3, Kind.CMD, 3, "gripper.cmd.stop")
-# Puts what the fingers hold into the store.
+# Moves the held object into the store.
 CMD_STORE = MessageType(3, Kind.CMD, 4, "gripper.cmd.store")
-# Takes the last stored thing between the fingers.
+# Moves the object stored last between the fingers.
 CMD_RETRIEVE = MessageType(3, Kind.CMD, 5, "gripper.cmd.retrieve")

@@ -12,9 +12,9 @@ CODE = 59
 
 @dataclass
 class Cpu(Struct):
-    """Use of the processor. (player_health_cpu_t)"""
+    """Processor load. (player_health_cpu_t)"""
 
-    # Time without work (in %).
+    # Idle time (in %).
     idle: float = 0.0
     # Time in the operating system (in %).
     system: float = 0.0
@@ -37,7 +37,7 @@ class Cpu(Struct):
 
 @dataclass
 class Memory(Struct):
-    """Use of a kind of memory. (player_health_memory_t)"""
+    """Usage of a type of memory. (player_health_memory_t)"""
 
     # In byte.
     total: int = 0

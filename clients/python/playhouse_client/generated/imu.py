@@ -1,4 +1,4 @@
-"""Interface imu, code 60. Accelerations, turning rates, magnetic field and attitude.
+"""Interface imu, code 60. Accelerations, turn rates, magnetic field and orientation.
 
 Generated from interfaces/060_imu.toml by codegen; do not edit.
 """
@@ -44,7 +44,7 @@ class DataCalib(Struct):
     gyro_y: float = 0.0
     # In rad/s, frame v_WS_S.
     gyro_z: float = 0.0
-    # Magnetic field, in a unit given by the driver (frame n_S).
+    # Magnetic field, in a driver-specific unit (frame n_S).
     magn_x: float = 0.0
     # Frame n_S.
     magn_y: float = 0.0
@@ -79,7 +79,7 @@ class DataCalib(Struct):
 
 @dataclass
 class DataQuat(Struct):
-    """Calibrated readings and attitude as a quaternion. (player_imu_data_quat_t)"""
+    """Calibrated readings and orientation as a quaternion. (player_imu_data_quat_t)"""
 
     calib_data: DataCalib = field(default_factory=DataCalib)
     # Real part (frame R_WS).
@@ -111,7 +111,7 @@ class DataQuat(Struct):
 
 @dataclass
 class DataEuler(Struct):
-    """Calibrated readings and attitude as angles. (player_imu_data_euler_t)"""
+    """Calibrated readings and orientation as angles. (player_imu_data_euler_t)"""
 
     calib_data: DataCalib = field(default_factory=DataCalib)
     # In rad, frame R_WS.
@@ -156,7 +156,7 @@ class DataFullstate(Struct):
 
 @dataclass
 class DatatypeConfig(Struct):
-    """Which data message is sent. (player_imu_datatype_config_t)"""
+    """Selected data message. (player_imu_datatype_config_t)"""
 
     # Its subtype.
     value: int = 0
@@ -173,9 +173,9 @@ class DatatypeConfig(Struct):
 
 @dataclass
 class ResetOrientationConfig(Struct):
-    """What becomes the reference. (player_imu_reset_orientation_config_t)"""
+    """Quantity that becomes the reference. (player_imu_reset_orientation_config_t)"""
 
-    # 0 heading, 1 whole attitude, 2 as the driver sees fit.
+    # 0: heading, 1: orientation, 2: driver-specific.
     value: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -190,9 +190,9 @@ class ResetOrientationConfig(Struct):
 
 @dataclass
 class ResetEulerConfig(Struct):
-    """A new attitude. (player_imu_reset_euler_config_t)"""
+    """A new orientation. (player_imu_reset_euler_config_t)"""
 
-    # Only the angles count (in m, m, m, rad, rad, rad, frame X_WS).
+    # Only the angles apply (in m, m, m, rad, rad, rad, frame X_WS).
     orientation: common.Pose3d = field(default_factory=common.Pose3d)
 
     def write(self, writer: Writer) -> None:
@@ -209,15 +209,15 @@ class ResetEulerConfig(Struct):
 DATA_STATE = MessageType(60, Kind.DATA, 1, "imu.data.state", DataState)
 # Calibrated readings.
 DATA_CALIB = MessageType(60, Kind.DATA, 2, "imu.data.calib", DataCalib)
-# Calibrated readings and attitude as a quaternion.
+# Calibrated readings and orientation as a quaternion.
 DATA_QUAT = MessageType(60, Kind.DATA, 3, "imu.data.quat", DataQuat)
-# Calibrated readings and attitude as angles.
+# Calibrated readings and orientation as angles.
 DATA_EULER = MessageType(60, Kind.DATA, 4, "imu.data.euler", DataEuler)
 # Pose, velocity and acceleration.
 DATA_FULLSTATE = MessageType(60, Kind.DATA, 5, "imu.data.fullstate", DataFullstate)
-# Chooses which data message is sent.
+# Selects which data message is sent.
 REQ_SET_DATATYPE = MessageType(60, Kind.REQ, 1, "imu.req.set_datatype", DatatypeConfig)
-# Makes the present attitude a reference.
+# Makes the current orientation the reference.
 REQ_RESET_ORIENTATION = MessageType(60, Kind.REQ, 2, "imu.req.reset_orientation", ResetOrientationConfig)
-# Sets the present attitude.
+# Sets the current orientation.
 REQ_RESET_EULER = MessageType(60, Kind.REQ, 3, "imu.req.reset_euler", ResetEulerConfig)

@@ -14,7 +14,7 @@ CODE = 22
 
 @dataclass
 class Data(Struct):
-    """What the sensors see. (player_ir_data_t)"""
+    """Measurements of the sensors. (player_ir_data_t)"""
 
     # One per sensor, as measured (in V).
     voltages: List[float] = field(default_factory=list)
@@ -41,7 +41,7 @@ class Data(Struct):
 
 @dataclass
 class Pose(Struct):
-    """Where the sensors are. (player_ir_pose_t)"""
+    """Poses of the sensors. (player_ir_pose_t)"""
 
     # One per sensor; x points along its beam (in m, m, m, rad, rad, rad, frame X_RS).
     poses: List[common.Pose3d] = field(default_factory=list)
@@ -65,7 +65,7 @@ class Pose(Struct):
 class PowerReq(Struct):
     """The sensors' switch. (player_ir_power_req_t)"""
 
-    # 1 on, 0 off.
+    # 1: on, 0: off.
     state: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -78,7 +78,7 @@ class PowerReq(Struct):
         return self
 
 
-# Asks where the sensors are.
+# Requests the poses of the sensors.
 REQ_POSE = MessageType(22, Kind.REQ, 1, "ir.req.pose", Pose)
 # Switches the sensors on or off.
 REQ_POWER = MessageType(22, Kind.REQ, 2, "ir.req.power", PowerReq)

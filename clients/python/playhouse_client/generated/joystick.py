@@ -17,11 +17,11 @@ class Data(Struct):
 
     # One per axis, from -scale to scale.
     pos: List[int] = field(default_factory=lambda: [0 for _ in range(8)])
-    # Largest value per axis.
+    # Maximum value per axis.
     scale: List[int] = field(default_factory=lambda: [0 for _ in range(8)])
     # One bit per button, the first in the lowest bit.
     buttons: int = 0
-    # How many of the axes are there.
+    # Number of axes.
     axes_count: int = 0
 
     def write(self, writer: Writer) -> None:

@@ -29,15 +29,15 @@ class Data(Struct):
     min_angle: float = 0.0
     # Of the last beam (in rad).
     max_angle: float = 0.0
-    # Between neighbouring beams (in rad).
+    # Angle between neighbouring beams (in rad).
     resolution: float = 0.0
-    # What a beam that hits nothing shows (in m).
+    # Reported range of a beam without a hit (in m).
     max_range: float = 0.0
     # From right to left (in m).
     ranges: List[float] = field(default_factory=list)
-    # Strength of the echo per beam; empty if the device has none.
+    # Intensity of the echo per beam; empty if the device has none.
     intensity: bytes = b""
-    # Grows from scan to scan, by one or more.
+    # Increases from scan to scan, by one or more.
     id: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -70,7 +70,7 @@ class Data(Struct):
 
 @dataclass
 class DataScanpose(Struct):
-    """One scan and the pose at which it was taken. (player_laser_data_scanpose_t)"""
+    """One scan and the pose at which it was measured. (player_laser_data_scanpose_t)"""
 
     scan: Data = field(default_factory=Data)
     # Of the robot at the time of the scan (in m, m, rad, frame X_OR).
@@ -92,15 +92,15 @@ class DataScanpose(Struct):
 class DataScanangle(Struct):
     """One scan with an angle per beam. (player_laser_data_scanangle_t)"""
 
-    # What a beam that hits nothing shows (in m).
+    # Reported range of a beam without a hit (in m).
     max_range: float = 0.0
     # One per beam (in m).
     ranges: List[float] = field(default_factory=list)
     # One per beam, counter-clockwise from x (in rad).
     angles: List[float] = field(default_factory=list)
-    # Strength of the echo per beam; empty if the device has none.
+    # Intensity of the echo per beam; empty if the device has none.
     intensity: bytes = b""
-    # Grows from scan to scan, by one or more.
+    # Increases from scan to scan, by one or more.
     id: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -132,11 +132,11 @@ class DataScanangle(Struct):
 
 @dataclass
 class Geom(Struct):
-    """The device's size and place. (player_laser_geom_t)"""
+    """The device's size and pose. (player_laser_geom_t)"""
 
-    # Where the device is on the robot (in m, m, m, rad, rad, rad, frame X_RS).
+    # Pose of the device on the robot (in m, m, m, rad, rad, rad, frame X_RS).
     pose: common.Pose3d = field(default_factory=common.Pose3d)
-    # Of a box around the device (in m, m, m).
+    # Bounding box of the device (in m, m, m).
     size: common.Bbox3d = field(default_factory=common.Bbox3d)
 
     def write(self, writer: Writer) -> None:
@@ -159,13 +159,13 @@ class Config(Struct):
     min_angle: float = 0.0
     # Of the last beam (in rad).
     max_angle: float = 0.0
-    # Between neighbouring beams (in rad).
+    # Angle between neighbouring beams (in rad).
     resolution: float = 0.0
-    # Farthest that can be seen (in m).
+    # Maximum range (in m).
     max_range: float = 0.0
-    # Smallest difference of ranges that is told apart (in m).
+    # Range resolution (in m).
     range_res: float = 0.0
-    # 1 to send intensities as well.
+    # 1: send intensities, too.
     intensity: int = 0
     # Scans per second (in Hz).
     scanning_frequency: float = 0.0
@@ -196,7 +196,7 @@ class Config(Struct):
 class PowerConfig(Struct):
     """The device's switch. (player_laser_power_config_t)"""
 
-    # 1 on, 0 off.
+    # 1: on, 0: off.
     state: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -213,7 +213,7 @@ class PowerConfig(Struct):
 class GetIdConfig(Struct):
     """A serial number. (player_laser_get_id_config_t)"""
 
-    # 0 in the question.
+    # 0 in the request.
     serial_number: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -230,9 +230,9 @@ class GetIdConfig(Struct):
 class SetFilterConfig(Struct):
     """A filter. (player_laser_set_filter_config_t)"""
 
-    # Which filter.
+    # Type of filter.
     filter_type: int = 0
-    # Meaning given by the filter.
+    # Filter-specific.
     parameters: List[float] = field(default_factory=list)
 
     def write(self, writer: Writer) -> None:
@@ -252,19 +252,19 @@ class SetFilterConfig(Struct):
 
 # One scan at equal angles.
 DATA_SCAN = MessageType(6, Kind.DATA, 1, "laser.data.scan", Data)
-# One scan and the pose at which it was taken.
+# One scan and the pose at which it was measured.
 DATA_SCANPOSE = MessageType(6, Kind.DATA, 2, "laser.data.scanpose", DataScanpose)
 # One scan with an angle per beam.
 DATA_SCANANGLE = MessageType(6, Kind.DATA, 3, "laser.data.scanangle", DataScanangle)
-# Asks for the device's size and place.
+# Requests the device's size and pose.
 REQ_GET_GEOM = MessageType(6, Kind.REQ, 1, "laser.req.get_geom", Geom)
-# Sets angles, resolution and rate; the answer tells what was taken.
+# Sets angles, resolution and rate; the answer has the values in effect.
 REQ_SET_CONFIG = MessageType(6, Kind.REQ, 2, "laser.req.set_config", Config)
-# Asks for angles, resolution and rate.
+# Requests angles, resolution and rate.
 REQ_GET_CONFIG = MessageType(6, Kind.REQ, 3, "laser.req.get_config", Config)
 # Switches the device on or off.
 REQ_POWER = MessageType(6, Kind.REQ, 4, "laser.req.power", PowerConfig)
-# Asks for the serial number.
+# Requests the serial number.
 REQ_GET_ID = MessageType(6, Kind.REQ, 5, "laser.req.get_id", GetIdConfig)
-# Chooses a filter for the ranges.
+# Selects a filter for the ranges.
 REQ_SET_FILTER = MessageType(6, Kind.REQ, 6, "laser.req.set_filter", SetFilterConfig)

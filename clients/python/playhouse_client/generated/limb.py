@@ -1,4 +1,4 @@
-"""Interface limb, code 54. An arm that is told where its hand shall be.
+"""Interface limb, code 54. An arm controlled by the pose of its end effector.
 
 Generated from interfaces/054_limb.toml by codegen; do not edit.
 """
@@ -20,13 +20,13 @@ STATE_COLL = 5
 
 @dataclass
 class Data(Struct):
-    """Where the hand is. (player_limb_data_t)"""
+    """Pose of the end effector. (player_limb_data_t)"""
 
     # In m, frame p_BE.
     position: common.Point3d = field(default_factory=common.Point3d)
-    # Unit vector along which the hand reaches (frame n_B).
+    # Approach direction, a unit vector (frame n_B).
     approach: common.Point3d = field(default_factory=common.Point3d)
-    # Unit vector across the hand (frame n_B).
+    # Unit vector across the end effector (frame n_B).
     orientation: common.Point3d = field(default_factory=common.Point3d)
     # Idle, braked, moving, out of reach or in contact.
     state: int = 0
@@ -49,13 +49,13 @@ class Data(Struct):
 
 @dataclass
 class SetposeCmd(Struct):
-    """Wanted place and attitude of the hand. (player_limb_setpose_cmd_t)"""
+    """Commanded pose of the end effector. (player_limb_setpose_cmd_t)"""
 
     # In m, frame p_BE.
     position: common.Point3d = field(default_factory=common.Point3d)
-    # Unit vector along which the hand shall reach (frame n_B).
+    # Commanded approach direction, a unit vector (frame n_B).
     approach: common.Point3d = field(default_factory=common.Point3d)
-    # Unit vector across the hand (frame n_B).
+    # Unit vector across the end effector (frame n_B).
     orientation: common.Point3d = field(default_factory=common.Point3d)
 
     def write(self, writer: Writer) -> None:
@@ -74,7 +74,7 @@ class SetposeCmd(Struct):
 
 @dataclass
 class SetpositionCmd(Struct):
-    """Wanted place of the hand. (player_limb_setposition_cmd_t)"""
+    """Commanded position of the end effector. (player_limb_setposition_cmd_t)"""
 
     # In m, frame p_BE.
     position: common.Point3d = field(default_factory=common.Point3d)
@@ -91,11 +91,11 @@ class SetpositionCmd(Struct):
 
 @dataclass
 class VecmoveCmd(Struct):
-    """A straight move of the hand. (player_limb_vecmove_cmd_t)"""
+    """A straight motion of the end effector. (player_limb_vecmove_cmd_t)"""
 
-    # Unit vector of the move (frame n_B).
+    # Unit vector of the motion (frame n_B).
     direction: common.Point3d = field(default_factory=common.Point3d)
-    # How far (in m).
+    # Distance (in m).
     length: float = 0.0
 
     def write(self, writer: Writer) -> None:
@@ -114,7 +114,7 @@ class VecmoveCmd(Struct):
 class PowerReq(Struct):
     """The motors' switch. (player_limb_power_req_t)"""
 
-    # 1 on, 0 off.
+    # 1: on, 0: off.
     value: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -131,7 +131,7 @@ class PowerReq(Struct):
 class BrakesReq(Struct):
     """The brakes' switch. (player_limb_brakes_req_t)"""
 
-    # 1 braked, 0 released.
+    # 1: braked, 0: released.
     value: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -146,7 +146,7 @@ class BrakesReq(Struct):
 
 @dataclass
 class GeomReq(Struct):
-    """Where the arm starts. (player_limb_geom_req_t)"""
+    """Pose of the arm's base. (player_limb_geom_req_t)"""
 
     # Of the arm's base on the robot (in m, frame p_RB).
     basePos: common.Point3d = field(default_factory=common.Point3d)
@@ -163,9 +163,9 @@ class GeomReq(Struct):
 
 @dataclass
 class SpeedReq(Struct):
-    """Speed of the hand. (player_limb_speed_req_t)"""
+    """Speed of the end effector. (player_limb_speed_req_t)"""
 
-    # Largest speed of the hand (in m/s).
+    # Maximum speed of the end effector (in m/s).
     speed: float = 0.0
 
     def write(self, writer: Writer) -> None:
@@ -178,23 +178,23 @@ class SpeedReq(Struct):
         return self
 
 
-# Where the hand is.
+# Pose of the end effector.
 DATA_STATE = MessageType(54, Kind.DATA, 1, "limb.data.state", Data)
-# Sends the arm home.
+# Moves the arm to its home position.
 CMD_HOME = MessageType(54, Kind.CMD, 1, "limb.cmd.home")
-# Stops the arm where it is.
+# Stops the arm at its current position.
 CMD_STOP = MessageType(54, Kind.CMD, 2, "limb.cmd.stop")
-# Moves the hand to a place and an attitude.
+# Moves the end effector to a pose.
 CMD_SETPOSE = MessageType(54, Kind.CMD, 3, "limb.cmd.setpose", SetposeCmd)
-# Moves the hand to a place in any attitude.
+# Moves the end effector to a position, in any orientation.
 CMD_SETPOSITION = MessageType(54, Kind.CMD, 4, "limb.cmd.setposition", SetpositionCmd)
-# Moves the hand along a line from where it is.
+# Moves the end effector along a line from its current position.
 CMD_VECMOVE = MessageType(54, Kind.CMD, 5, "limb.cmd.vecmove", VecmoveCmd)
 # Switches the motors on or off.
 REQ_POWER = MessageType(54, Kind.REQ, 1, "limb.req.power", PowerReq)
 # Sets or releases the brakes.
 REQ_BRAKES = MessageType(54, Kind.REQ, 2, "limb.req.brakes", BrakesReq)
-# Asks where the arm starts on the robot.
+# Requests the pose of the arm's base on the robot.
 REQ_GEOM = MessageType(54, Kind.REQ, 3, "limb.req.geom", GeomReq)
-# Sets the speed of the hand.
+# Sets the speed of the end effector.
 REQ_SPEED = MessageType(54, Kind.REQ, 4, "limb.req.speed", SpeedReq)

@@ -1,4 +1,4 @@
-"""Interface localize, code 25. Tells where the robot may be on a map, as weighted guesses.
+"""Interface localize, code 25. Localization on a map: weighted hypotheses of the robot's pose.
 
 Generated from interfaces/025_localize.toml by codegen; do not edit.
 """
@@ -14,13 +14,13 @@ CODE = 25
 
 @dataclass
 class Hypoth(Struct):
-    """One guess. (player_localize_hypoth_t)"""
+    """A hypothesis. (player_localize_hypoth_t)"""
 
-    # Centre of the guess (in m, m, rad, frame X_MR).
+    # Mean of the hypothesis (in m, m, rad, frame X_MR).
     mean: common.Pose2d = field(default_factory=common.Pose2d)
     # Spread: xx, yy, aa, xy, ya, xa (in m^2, m^2, rad^2, m^2, m rad, m rad).
     cov: List[float] = field(default_factory=lambda: [0.0 for _ in range(6)])
-    # Weight; all weights together make 1.
+    # Weight; the weights sum to 1.
     alpha: float = 0.0
 
     def write(self, writer: Writer) -> None:
@@ -40,11 +40,11 @@ class Hypoth(Struct):
 
 @dataclass
 class Data(Struct):
-    """The guesses. (player_localize_data_t)"""
+    """The hypotheses. (player_localize_data_t)"""
 
-    # How many sensor readings wait to be used.
+    # Number of queued sensor readings.
     pending_count: int = 0
-    # Time of the last reading that was used (in s).
+    # Time of the last processed reading (in s).
     pending_time: float = 0.0
     hypoths: List[Hypoth] = field(default_factory=list)
 
@@ -69,9 +69,9 @@ class Data(Struct):
 
 @dataclass
 class SetPose(Struct):
-    """Where the robot is. (player_localize_set_pose_t)"""
+    """Pose of the robot. (player_localize_set_pose_t)"""
 
-    # Centre of the guess (in m, m, rad, frame X_MR).
+    # Mean of the hypothesis (in m, m, rad, frame X_MR).
     mean: common.Pose2d = field(default_factory=common.Pose2d)
     # Spread: xx, yy, aa, xy, ya, xa (in m^2, m^2, rad^2, m^2, m rad, m rad).
     cov: List[float] = field(default_factory=lambda: [0.0 for _ in range(6)])
@@ -93,7 +93,7 @@ class SetPose(Struct):
 class Particle(Struct):
     """One particle. (player_localize_particle_t)"""
 
-    # Where the particle believes the robot to be (in m, m, rad, frame X_MR).
+    # The particle's estimate of the robot's pose (in m, m, rad, frame X_MR).
     pose: common.Pose2d = field(default_factory=common.Pose2d)
     # Weight.
     alpha: float = 0.0
@@ -114,9 +114,9 @@ class Particle(Struct):
 class GetParticles(Struct):
     """The particles of the filter. (player_localize_get_particles_t)"""
 
-    # Of the best guess (in m, m, rad, frame X_MR).
+    # Of the most likely hypothesis (in m, m, rad, frame X_MR).
     mean: common.Pose2d = field(default_factory=common.Pose2d)
-    # Of the best guess (in m^2).
+    # Of the most likely hypothesis (in m^2).
     variance: float = 0.0
     particles: List[Particle] = field(default_factory=list)
 
@@ -139,9 +139,9 @@ class GetParticles(Struct):
         return self
 
 
-# The guesses, the likeliest first.
+# The hypotheses, the most likely first.
 DATA_HYPOTHS = MessageType(25, Kind.DATA, 1, "localize.data.hypoths", Data)
-# Tells the driver where the robot is.
+# Sets the robot's pose estimate.
 REQ_SET_POSE = MessageType(25, Kind.REQ, 1, "localize.req.set_pose", SetPose)
-# Asks for the particles of the driver's filter.
+# Requests the particles of the driver's filter.
 REQ_GET_PARTICLES = MessageType(25, Kind.REQ, 2, "localize.req.get_particles", GetParticles)

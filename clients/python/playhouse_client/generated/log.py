@@ -1,4 +1,4 @@
-"""Interface log, code 45. Writes data of devices to a file, or plays such a file back.
+"""Interface log, code 45. Records data of devices to a file, or plays back such a file.
 
 Generated from interfaces/045_log.toml by codegen; do not edit.
 """
@@ -16,9 +16,9 @@ TYPE_WRITE = 2
 
 @dataclass
 class SetWriteState(Struct):
-    """Whether data is written. (player_log_set_write_state_t)"""
+    """Whether data is being recorded. (player_log_set_write_state_t)"""
 
-    # 1 on, 0 off.
+    # 1: on, 0: off.
     state: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -33,9 +33,9 @@ class SetWriteState(Struct):
 
 @dataclass
 class SetReadState(Struct):
-    """Whether the file is played. (player_log_set_read_state_t)"""
+    """Whether the file is being played. (player_log_set_read_state_t)"""
 
-    # 1 on, 0 off.
+    # 1: on, 0: off.
     state: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -50,11 +50,11 @@ class SetReadState(Struct):
 
 @dataclass
 class GetState(Struct):
-    """What the device is and does. (player_log_get_state_t)"""
+    """Type and state of the device. (player_log_get_state_t)"""
 
     # Reader or writer.
     type: int = 0
-    # 1 runs, 0 stands.
+    # 1: running, 0: stopped.
     state: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -73,7 +73,7 @@ class GetState(Struct):
 class SetFilename(Struct):
     """The file to write to. (player_log_set_filename_t)"""
 
-    # With its final NUL.
+    # NUL-terminated.
     filename: bytes = b""
 
     def write(self, writer: Writer) -> None:
@@ -93,9 +93,9 @@ class SetFilename(Struct):
 REQ_SET_WRITE_STATE = MessageType(45, Kind.REQ, 1, "log.req.set_write_state", SetWriteState)
 # Starts or stops playing.
 REQ_SET_READ_STATE = MessageType(45, Kind.REQ, 2, "log.req.set_read_state", SetReadState)
-# Asks what the device is and whether it runs.
+# Requests the type and state of the device.
 REQ_GET_STATE = MessageType(45, Kind.REQ, 3, "log.req.get_state", GetState)
-# Goes back to the start of the file.
+# Rewinds to the start of the file.
 REQ_SET_READ_REWIND = MessageType(45, Kind.REQ, 4, "log.req.set_read_rewind")
 # Sets the file to write to.
 REQ_SET_FILENAME = MessageType(45, Kind.REQ, 5, "log.req.set_filename", SetFilename)

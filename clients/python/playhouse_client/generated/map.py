@@ -14,9 +14,9 @@ CODE = 42
 
 @dataclass
 class Info(Struct):
-    """Size, scale and place of the map. (player_map_info_t)"""
+    """Size, scale and origin of the map. (player_map_info_t)"""
 
-    # Side of a cell (in m/pixel).
+    # Cell size (in m/pixel).
     scale: float = 0.0
     # In px.
     width: int = 0
@@ -53,9 +53,9 @@ class Data(Struct):
     width: int = 0
     # In px.
     height: int = 0
-    # A cell of this value is surely occupied, of its negative surely free, 0 is unknown.
+    # Value of a cell that is certainly occupied; its negative: certainly free, 0: unknown.
     data_range: int = 0
-    # Rows one after the other, compressed with zlib in an answer; empty in a question.
+    # Rows, concatenated; compressed with zlib in an answer, empty in a request.
     data: bytes = b""
 
     def write(self, writer: Writer) -> None:
@@ -83,7 +83,7 @@ class Data(Struct):
 
 @dataclass
 class DataVector(Struct):
-    """The map as lines, and what they span. (player_map_data_vector_t)"""
+    """The map as line segments, and its extent. (player_map_data_vector_t)"""
 
     # In m.
     minx: float = 0.0
@@ -119,11 +119,11 @@ class DataVector(Struct):
         return self
 
 
-# Size and scale of the map, sent when they change.
+# Size and scale of the map, sent on change.
 DATA_INFO = MessageType(42, Kind.DATA, 1, "map.data.info", Info)
-# Asks for the size and scale of the map.
+# Requests the size and scale of the map.
 REQ_GET_INFO = MessageType(42, Kind.REQ, 1, "map.req.get_info", Info)
-# Asks for a rectangle of cells; the answer's cells are compressed with zlib.
+# Requests a rectangle of cells; the answer's cells are compressed with zlib.
 REQ_GET_DATA = MessageType(42, Kind.REQ, 2, "map.req.get_data", Data)
-# Asks for the map as lines.
+# Requests the map as lines.
 REQ_GET_VECTOR = MessageType(42, Kind.REQ, 3, "map.req.get_vector", DataVector)

@@ -1,4 +1,4 @@
-"""Interface opaque, code 51. Bytes whose meaning only the driver and its clients know.
+"""Interface opaque, code 51. Opaque bytes, defined by the driver and its clients.
 
 Generated from interfaces/051_opaque.toml by codegen; do not edit.
 """
@@ -16,7 +16,7 @@ CMD = 1
 
 @dataclass
 class Data(Struct):
-    """Bytes without a meaning here. (player_opaque_data_t)"""
+    """Opaque bytes. (player_opaque_data_t)"""
 
     data: bytes = b""
 

@@ -14,7 +14,7 @@ CODE = 44
 
 @dataclass
 class Data(Struct):
-    """Where the robot is on its way. (player_planner_data_t)"""
+    """Progress of the robot along its path. (player_planner_data_t)"""
 
     # 1 if there is a path to the goal.
     valid: int = 0
@@ -24,11 +24,11 @@ class Data(Struct):
     pos: common.Pose2d = field(default_factory=common.Pose2d)
     # The goal (in m, m, rad, frame X_MG).
     goal: common.Pose2d = field(default_factory=common.Pose2d)
-    # The waypoint that the robot is heading for (in m, m, rad, frame X_MP).
+    # Current waypoint of the robot (in m, m, rad, frame X_MP).
     waypoint: common.Pose2d = field(default_factory=common.Pose2d)
-    # Its index in the path; -1 if there is none.
+    # Index of that waypoint in the path; -1 if there is none.
     waypoint_idx: int = 0
-    # How many waypoints the path has.
+    # Number of waypoints of the path.
     waypoints_count: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -57,7 +57,7 @@ class Data(Struct):
 class Cmd(Struct):
     """A goal. (player_planner_cmd_t)"""
 
-    # Where to go (in m, m, rad, frame X_MG).
+    # Goal pose (in m, m, rad, frame X_MG).
     goal: common.Pose2d = field(default_factory=common.Pose2d)
 
     def write(self, writer: Writer) -> None:
@@ -100,7 +100,7 @@ class WaypointsReq(Struct):
 class EnableReq(Struct):
     """The planner's switch. (player_planner_enable_req_t)"""
 
-    # 1 may move, 0 stop.
+    # 1: may move, 0: stop.
     state: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -113,13 +113,13 @@ class EnableReq(Struct):
         return self
 
 
-# Where the robot is on its way.
+# Progress of the robot along its path.
 DATA_STATE = MessageType(44, Kind.DATA, 1, "planner.data.state", Data)
 # Sets the goal.
 CMD_GOAL = MessageType(44, Kind.CMD, 1, "planner.cmd.goal", Cmd)
 # Sets the goal and starts to move.
 CMD_START = MessageType(44, Kind.CMD, 2, "planner.cmd.start", Cmd)
-# Asks for the planned path.
+# Requests the planned path.
 REQ_GET_WAYPOINTS = MessageType(44, Kind.REQ, 1, "planner.req.get_waypoints", WaypointsReq)
-# Lets the robot move, or stops it.
+# Enables or stops the robot.
 REQ_ENABLE = MessageType(44, Kind.REQ, 2, "planner.req.enable", EnableReq)

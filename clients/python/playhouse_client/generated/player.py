@@ -1,5 +1,5 @@
-"""Interface player, code 1. The server itself: what devices there are, opening and closing them, and how
-data is delivered. Always open as player:0.
+"""Interface player, code 1. The server itself: lists, opens and closes devices, and selects the delivery
+of data. Always open as player:0.
 
 Generated from interfaces/001_player.toml by codegen; do not edit.
 """
@@ -31,7 +31,7 @@ MSG_REPLACE_RULE_IGNORE = 2
 class DeviceDevlist(Struct):
     """The devices of a server. (player_device_devlist_t)"""
 
-    # In the order of their creation; player:0 is not among them.
+    # In the order of creation, without player:0.
     devices: List[common.Devaddr] = field(default_factory=list)
 
     def write(self, writer: Writer) -> None:
@@ -53,9 +53,9 @@ class DeviceDevlist(Struct):
 class DeviceDriverinfo(Struct):
     """A device and the driver behind it. (player_device_driverinfo_t)"""
 
-    # The device asked about.
+    # The queried device.
     addr: common.Devaddr = field(default_factory=common.Devaddr)
-    # With its final NUL; empty in the question.
+    # NUL-terminated; empty in the request.
     driver_name: bytes = b""
 
     def write(self, writer: Writer) -> None:
@@ -75,13 +75,13 @@ class DeviceDriverinfo(Struct):
 
 @dataclass
 class DeviceReq(Struct):
-    """A wish to open or close a device, and its answer. (player_device_req_t)"""
+    """Request to open or close a device, and its answer. (player_device_req_t)"""
 
     # The device; in the answer, completed with host and robot.
     addr: common.Devaddr = field(default_factory=common.Devaddr)
-    # Wanted or granted access.
+    # Requested or granted access.
     access: int = 0
-    # With its final NUL; empty in the question.
+    # NUL-terminated; empty in the request.
     driver_name: bytes = b""
 
     def write(self, writer: Writer) -> None:
@@ -103,7 +103,7 @@ class DeviceReq(Struct):
 
 @dataclass
 class DeviceDatamodeReq(Struct):
-    """A way of delivery. (player_device_datamode_req_t)"""
+    """A delivery mode. (player_device_datamode_req_t)"""
 
     # Push or pull.
     mode: int = 0
@@ -142,7 +142,7 @@ class DeviceNameserviceReq(Struct):
     """A robot's name and its port. (player_device_nameservice_req_t)"""
 
     name: bytes = b""
-    # 0 in the question.
+    # 0 in the request.
     port: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -162,7 +162,8 @@ class DeviceNameserviceReq(Struct):
 
 @dataclass
 class AddReplaceRuleReq(Struct):
-    """Which messages a rule is for, and what it does; -1 matches anything. (player_add_replace_rule_req_t)"""
+    """Messages to which a rule applies, and its effect; -1 matches anything.
+    (player_add_replace_rule_req_t)"""
 
     # Interface code, or -1.
     interf: int = 0
@@ -195,21 +196,21 @@ class AddReplaceRuleReq(Struct):
 
 # Lists the devices that this connection can open.
 REQ_DEVLIST = MessageType(1, Kind.REQ, 1, "player.req.devlist", DeviceDevlist)
-# Tells the name of the driver behind a device.
+# Requests the name of the driver behind a device.
 REQ_DRIVERINFO = MessageType(1, Kind.REQ, 2, "player.req.driverinfo", DeviceDriverinfo)
-# Opens or closes a device; the answer says which access was granted.
+# Opens or closes a device; the answer has the granted access.
 REQ_DEV = MessageType(1, Kind.REQ, 3, "player.req.dev", DeviceReq)
-# Asks for one round of data, in pull mode; a synch ends the round.
+# Requests one round of data, in pull mode; a synch ends the round.
 REQ_DATA = MessageType(1, Kind.REQ, 4, "player.req.data")
-# Chooses between data as it comes (push) and data on request (pull).
+# Selects the delivery mode: immediately (push) or on request (pull).
 REQ_DATAMODE = MessageType(1, Kind.REQ, 5, "player.req.datamode", DeviceDatamodeReq)
-# Offers a key; not in use, answered by NACK.
+# Sends an authentication key; unused, answered by NACK.
 REQ_AUTH = MessageType(1, Kind.REQ, 7, "player.req.auth", DeviceAuthReq)
-# Asks which port a named robot has; not in use, answered by NACK.
+# Requests the port of a named robot; unused, answered by NACK.
 REQ_NAMESERVICE = MessageType(1, Kind.REQ, 8, "player.req.nameservice", DeviceNameserviceReq)
-# Adds a rule that says which waiting messages a newer one replaces.
+# Adds a replace rule: which queued messages a newer one replaces.
 REQ_ADD_REPLACE_RULE = MessageType(1, Kind.REQ, 10, "player.req.add_replace_rule", AddReplaceRuleReq)
-# Ends a round of data; nothing was dropped since the last one.
+# Ends a round of data; no message was dropped since the previous one.
 SYNCH_OK = MessageType(1, Kind.SYNCH, 1, "player.synch.ok")
-# Ends a round of data; messages were dropped since the last one, the body says how many.
+# Ends a round of data; the body is the number of messages dropped since the previous one.
 SYNCH_OVERFLOW = MessageType(1, Kind.SYNCH, 2, "player.synch.overflow", common.Uint32)

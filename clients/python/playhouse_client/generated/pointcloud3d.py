@@ -1,4 +1,4 @@
-"""Interface pointcloud3d, code 61. Points in space with colours.
+"""Interface pointcloud3d, code 61. Points in space with colors.
 
 Generated from interfaces/061_pointcloud3d.toml by codegen; do not edit.
 """

@@ -1,4 +1,4 @@
-"""Interface position1d, code 52. One actuator that slides or turns.
+"""Interface position1d, code 52. A single prismatic or revolute actuator.
 
 Generated from interfaces/052_position1d.toml by codegen; do not edit.
 """
@@ -21,13 +21,13 @@ STATUS_ENABLED = 5
 
 @dataclass
 class Data(Struct):
-    """Where the actuator is. (player_position1d_data_t)"""
+    """Position of the actuator. (player_position1d_data_t)"""
 
     # From its zero (in m or rad).
     pos: float = 0.0
     # In m/s or rad/s.
     vel: float = 0.0
-    # 1 if it is pushing against something that does not give way.
+    # 1 if it is blocked by an obstacle.
     stall: int = 0
     # Limits, current, motion and power, one bit each.
     status: int = 0
@@ -50,11 +50,11 @@ class Data(Struct):
 
 @dataclass
 class CmdVel(Struct):
-    """Wanted velocity. (player_position1d_cmd_vel_t)"""
+    """Commanded velocity. (player_position1d_cmd_vel_t)"""
 
     # In m/s or rad/s.
     vel: float = 0.0
-    # 1 motor on, 0 off.
+    # 1: motor on, 0: off.
     state: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -71,13 +71,13 @@ class CmdVel(Struct):
 
 @dataclass
 class CmdPos(Struct):
-    """Wanted position. (player_position1d_cmd_pos_t)"""
+    """Commanded position. (player_position1d_cmd_pos_t)"""
 
     # From its zero (in m or rad).
     pos: float = 0.0
-    # On the way; zero leaves it to the driver (in m/s or rad/s).
+    # Velocity on the way; zero: chosen by the driver (in m/s or rad/s).
     vel: float = 0.0
-    # 1 motor on, 0 off.
+    # 1: motor on, 0: off.
     state: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -96,11 +96,11 @@ class CmdPos(Struct):
 
 @dataclass
 class Geom(Struct):
-    """Size and place. (player_position1d_geom_t)"""
+    """Size and pose. (player_position1d_geom_t)"""
 
-    # Where the actuator is on the robot (in m, m, m, rad, rad, rad, frame X_RS).
+    # Pose of the actuator on the robot (in m, m, m, rad, rad, rad, frame X_RS).
     pose: common.Pose3d = field(default_factory=common.Pose3d)
-    # Of a box around the actuator (in m, m, m).
+    # Bounding box of the actuator (in m, m, m).
     size: common.Bbox3d = field(default_factory=common.Bbox3d)
 
     def write(self, writer: Writer) -> None:
@@ -119,7 +119,7 @@ class Geom(Struct):
 class PowerConfig(Struct):
     """The motor's switch. (player_position1d_power_config_t)"""
 
-    # 1 on, 0 off.
+    # 1: on, 0: off.
     state: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -134,9 +134,9 @@ class PowerConfig(Struct):
 
 @dataclass
 class VelocityModeConfig(Struct):
-    """A mode of velocity control. (player_position1d_velocity_mode_config_t)"""
+    """A velocity controller. (player_position1d_velocity_mode_config_t)"""
 
-    # Meaning given by the driver.
+    # Driver-specific.
     value: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -151,7 +151,7 @@ class VelocityModeConfig(Struct):
 
 @dataclass
 class ResetOdomConfig(Struct):
-    """A wish to make the present position zero. (player_position1d_reset_odom_config_t)"""
+    """Request to set the current position to zero. (player_position1d_reset_odom_config_t)"""
 
     # Without meaning.
     value: int = 0
@@ -168,9 +168,9 @@ class ResetOdomConfig(Struct):
 
 @dataclass
 class PositionModeReq(Struct):
-    """A mode of control. (player_position1d_position_mode_req_t)"""
+    """A control mode. (player_position1d_position_mode_req_t)"""
 
-    # 0 velocity, 1 position.
+    # 0: velocity, 1: position.
     state: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -185,9 +185,9 @@ class PositionModeReq(Struct):
 
 @dataclass
 class SetOdomReq(Struct):
-    """A new value for the present position. (player_position1d_set_odom_req_t)"""
+    """New value of the current position. (player_position1d_set_odom_req_t)"""
 
-    # What the position shall be called (in m or rad).
+    # New value of the current position (in m or rad).
     pos: float = 0.0
 
     def write(self, writer: Writer) -> None:
@@ -252,11 +252,11 @@ class PositionPidReq(Struct):
 
 @dataclass
 class SpeedProfReq(Struct):
-    """Motion that position control may use. (player_position1d_speed_prof_req_t)"""
+    """Limits of position control. (player_position1d_speed_prof_req_t)"""
 
-    # Largest speed (in m/s or rad/s).
+    # Maximum speed (in m/s or rad/s).
     speed: float = 0.0
-    # Largest acceleration (in m/s^2 or rad/s^2).
+    # Maximum acceleration (in m/s^2 or rad/s^2).
     acc: float = 0.0
 
     def write(self, writer: Writer) -> None:
@@ -271,29 +271,29 @@ class SpeedProfReq(Struct):
         return self
 
 
-# Asks for size and place.
+# Requests size and pose.
 REQ_GET_GEOM = MessageType(52, Kind.REQ, 1, "position1d.req.get_geom", Geom)
 # Switches the motor on or off.
 REQ_MOTOR_POWER = MessageType(52, Kind.REQ, 2, "position1d.req.motor_power", PowerConfig)
-# Chooses how the driver controls velocity.
+# Selects the driver's velocity controller.
 REQ_VELOCITY_MODE = MessageType(52, Kind.REQ, 3, "position1d.req.velocity_mode", VelocityModeConfig)
-# Chooses between velocity and position control.
+# Selects between velocity and position control.
 REQ_POSITION_MODE = MessageType(52, Kind.REQ, 4, "position1d.req.position_mode", PositionModeReq)
-# Sets what the position counts from.
+# Sets the reference of the position.
 REQ_SET_ODOM = MessageType(52, Kind.REQ, 5, "position1d.req.set_odom", SetOdomReq)
-# Makes the present position zero.
+# Sets the current position to zero.
 REQ_RESET_ODOM = MessageType(52, Kind.REQ, 6, "position1d.req.reset_odom", ResetOdomConfig)
 # Sets the gains of velocity control.
 REQ_SPEED_PID = MessageType(52, Kind.REQ, 7, "position1d.req.speed_pid", SpeedPidReq)
 # Sets the gains of position control.
 REQ_POSITION_PID = MessageType(52, Kind.REQ, 8, "position1d.req.position_pid", PositionPidReq)
-# Sets the speed and acceleration that position control uses.
+# Sets the speed and acceleration limits of position control.
 REQ_SPEED_PROF = MessageType(52, Kind.REQ, 9, "position1d.req.speed_prof", SpeedProfReq)
-# Where the actuator is.
+# Position of the actuator.
 DATA_STATE = MessageType(52, Kind.DATA, 1, "position1d.data.state", Data)
-# Size and place, sent when they change.
+# Size and pose, sent on change.
 DATA_GEOM = MessageType(52, Kind.DATA, 2, "position1d.data.geom", Geom)
-# Wanted velocity.
+# Commanded velocity.
 CMD_VEL = MessageType(52, Kind.CMD, 1, "position1d.cmd.vel", CmdVel)
-# Wanted position.
+# Commanded position.
 CMD_POS = MessageType(52, Kind.CMD, 2, "position1d.cmd.pos", CmdPos)

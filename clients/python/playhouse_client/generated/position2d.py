@@ -1,5 +1,4 @@
-"""Interface position2d, code 4. A robot that moves in a plane: wheels, odometry, velocity and position
-control.
+"""Interface position2d, code 4. A robot that moves in the plane: odometry, velocity and position control.
 
 Generated from interfaces/004_position2d.toml by codegen; do not edit.
 """
@@ -20,7 +19,7 @@ class Data(Struct):
     pos: common.Pose2d = field(default_factory=common.Pose2d)
     # Velocity: forward, to the left, turning left (in m/s, m/s, rad/s, frame v_OR_R).
     vel: common.Pose2d = field(default_factory=common.Pose2d)
-    # 1 if the robot is pushing against something that does not give way.
+    # 1 if the robot is blocked by an obstacle.
     stall: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -39,12 +38,12 @@ class Data(Struct):
 
 @dataclass
 class CmdVel(Struct):
-    """Wanted velocity. (player_position2d_cmd_vel_t)"""
+    """Commanded velocity. (player_position2d_cmd_vel_t)"""
 
     # Forward, to the left, turning left; for a simulated car the last part is its steering angle in rad (in
     # m/s, m/s, rad/s, frame v_OR_R).
     vel: common.Pose2d = field(default_factory=common.Pose2d)
-    # 1 motors on, 0 off, if the driver cares; simulated robots do not: MOTOR_POWER is their switch.
+    # 1: motors on, 0: off. Optional for drivers; simulated robots ignore it and use MOTOR_POWER.
     state: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -61,14 +60,14 @@ class CmdVel(Struct):
 
 @dataclass
 class CmdPos(Struct):
-    """Wanted pose and the velocity to get there with. (player_position2d_cmd_pos_t)"""
+    """Commanded pose, and the velocity on the way. (player_position2d_cmd_pos_t)"""
 
     # Goal (in m, m, rad, frame X_OG).
     pos: common.Pose2d = field(default_factory=common.Pose2d)
-    # Velocity on the way; zero leaves it to the driver, as simulated robots always do (in m/s, m/s, rad/s,
-    # frame v_OR_R).
+    # Velocity on the way; zero: chosen by the driver. Simulated robots ignore it (in m/s, m/s, rad/s, frame
+    # v_OR_R).
     vel: common.Pose2d = field(default_factory=common.Pose2d)
-    # 1 motors on, 0 off, if the driver cares; simulated robots do not: MOTOR_POWER is their switch.
+    # 1: motors on, 0: off. Optional for drivers; simulated robots ignore it and use MOTOR_POWER.
     state: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -87,12 +86,12 @@ class CmdPos(Struct):
 
 @dataclass
 class CmdCar(Struct):
-    """Wanted motion of a car. (player_position2d_cmd_car_t)"""
+    """Commanded motion of a car. (player_position2d_cmd_car_t)"""
 
     # Forward (in m/s).
     velocity: float = 0.0
-    # Of the front wheels, positive steers left; a simulated robot without them takes it as its turning rate
-    # in rad/s (in rad).
+    # Steering angle of the front wheels, positive to the left; a simulated robot without them uses it as turn
+    # rate in rad/s (in rad).
     angle: float = 0.0
 
     def write(self, writer: Writer) -> None:
@@ -109,7 +108,7 @@ class CmdCar(Struct):
 
 @dataclass
 class CmdVelHead(Struct):
-    """Wanted speed and heading. (player_position2d_cmd_vel_head_t)"""
+    """Commanded speed and heading. (player_position2d_cmd_vel_head_t)"""
 
     # Forward (in m/s).
     velocity: float = 0.0
@@ -130,11 +129,11 @@ class CmdVelHead(Struct):
 
 @dataclass
 class Geom(Struct):
-    """The robot's size and where its centre of turning is. (player_position2d_geom_t)"""
+    """The robot's size and centre of rotation. (player_position2d_geom_t)"""
 
-    # Of the box's middle from the centre of turning (in m, m, m, rad, rad, rad, frame X_RS).
+    # Centre of the bounding box relative to the centre of rotation (in m, m, m, rad, rad, rad, frame X_RS).
     pose: common.Pose3d = field(default_factory=common.Pose3d)
-    # Of a box around the robot (in m, m, m).
+    # Bounding box of the robot (in m, m, m).
     size: common.Bbox3d = field(default_factory=common.Bbox3d)
 
     def write(self, writer: Writer) -> None:
@@ -153,7 +152,7 @@ class Geom(Struct):
 class PowerConfig(Struct):
     """The motors' switch. (player_position2d_power_config_t)"""
 
-    # 1 on, 0 off.
+    # 1: on, 0: off.
     state: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -168,9 +167,9 @@ class PowerConfig(Struct):
 
 @dataclass
 class VelocityModeConfig(Struct):
-    """A mode of velocity control. (player_position2d_velocity_mode_config_t)"""
+    """A velocity controller. (player_position2d_velocity_mode_config_t)"""
 
-    # Meaning given by the driver.
+    # Driver-specific.
     value: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -185,9 +184,9 @@ class VelocityModeConfig(Struct):
 
 @dataclass
 class PositionModeReq(Struct):
-    """A mode of control. (player_position2d_position_mode_req_t)"""
+    """A control mode. (player_position2d_position_mode_req_t)"""
 
-    # 0 velocity, 1 position.
+    # 0: velocity, 1: position.
     state: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -204,7 +203,7 @@ class PositionModeReq(Struct):
 class SetOdomReq(Struct):
     """A new odometric pose. (player_position2d_set_odom_req_t)"""
 
-    # What odometry shall say now (in m, m, rad, frame X_OR).
+    # New odometric pose (in m, m, rad, frame X_OR).
     pose: common.Pose2d = field(default_factory=common.Pose2d)
 
     def write(self, writer: Writer) -> None:
@@ -269,11 +268,11 @@ class PositionPidReq(Struct):
 
 @dataclass
 class SpeedProfReq(Struct):
-    """Motion that position control may use. (player_position2d_speed_prof_req_t)"""
+    """Limits of position control. (player_position2d_speed_prof_req_t)"""
 
-    # Largest speed (in m/s).
+    # Maximum speed (in m/s).
     speed: float = 0.0
-    # Largest acceleration (in m/s^2).
+    # Maximum acceleration (in m/s^2).
     acc: float = 0.0
 
     def write(self, writer: Writer) -> None:
@@ -288,13 +287,13 @@ class SpeedProfReq(Struct):
         return self
 
 
-# Asks for the robot's size and centre of turning.
+# Requests the robot's size and centre of rotation.
 REQ_GET_GEOM = MessageType(4, Kind.REQ, 1, "position2d.req.get_geom", Geom)
 # Switches the motors on or off.
 REQ_MOTOR_POWER = MessageType(4, Kind.REQ, 2, "position2d.req.motor_power", PowerConfig)
-# Chooses how the driver controls velocity.
+# Selects the driver's velocity controller.
 REQ_VELOCITY_MODE = MessageType(4, Kind.REQ, 3, "position2d.req.velocity_mode", VelocityModeConfig)
-# Chooses between velocity and position control.
+# Selects between velocity and position control.
 REQ_POSITION_MODE = MessageType(4, Kind.REQ, 4, "position2d.req.position_mode", PositionModeReq)
 # Sets the odometric pose.
 REQ_SET_ODOM = MessageType(4, Kind.REQ, 5, "position2d.req.set_odom", SetOdomReq)
@@ -304,17 +303,17 @@ REQ_RESET_ODOM = MessageType(4, Kind.REQ, 6, "position2d.req.reset_odom")
 REQ_SPEED_PID = MessageType(4, Kind.REQ, 7, "position2d.req.speed_pid", SpeedPidReq)
 # Sets the gains of position control.
 REQ_POSITION_PID = MessageType(4, Kind.REQ, 8, "position2d.req.position_pid", PositionPidReq)
-# Sets the speed and acceleration that position control uses.
+# Sets the speed and acceleration limits of position control.
 REQ_SPEED_PROF = MessageType(4, Kind.REQ, 9, "position2d.req.speed_prof", SpeedProfReq)
 # Odometry.
 DATA_STATE = MessageType(4, Kind.DATA, 1, "position2d.data.state", Data)
-# The robot's size, sent when it changes.
+# The robot's size, sent on change.
 DATA_GEOM = MessageType(4, Kind.DATA, 2, "position2d.data.geom", Geom)
-# Wanted velocity.
+# Commanded velocity.
 CMD_VEL = MessageType(4, Kind.CMD, 1, "position2d.cmd.vel", CmdVel)
-# Wanted pose in the odometry frame.
+# Commanded pose in the odometry frame.
 CMD_POS = MessageType(4, Kind.CMD, 2, "position2d.cmd.pos", CmdPos)
-# Wanted speed and steering angle of a car.
+# Commanded speed and steering angle of a car.
 CMD_CAR = MessageType(4, Kind.CMD, 3, "position2d.cmd.car", CmdCar)
-# Wanted speed and heading.
+# Commanded speed and heading.
 CMD_VEL_HEAD = MessageType(4, Kind.CMD, 4, "position2d.cmd.vel_head", CmdVelHead)

@@ -1,4 +1,4 @@
-"""Interface position3d, code 30. A robot that moves in space.
+"""Interface position3d, code 30. A robot that moves in 3D.
 
 Generated from interfaces/030_position3d.toml by codegen; do not edit.
 """
@@ -19,7 +19,7 @@ class Data(Struct):
     pos: common.Pose3d = field(default_factory=common.Pose3d)
     # Velocity along and about x, y and z (in m/s, m/s, m/s, rad/s, rad/s, rad/s, frame v_OR_R).
     vel: common.Pose3d = field(default_factory=common.Pose3d)
-    # 1 if the robot is pushing against something that does not give way.
+    # 1 if the robot is blocked by an obstacle.
     stall: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -38,13 +38,13 @@ class Data(Struct):
 
 @dataclass
 class CmdPos(Struct):
-    """Wanted pose and the velocity to get there with. (player_position3d_cmd_pos_t)"""
+    """Commanded pose, and the velocity on the way. (player_position3d_cmd_pos_t)"""
 
     # Goal (in m, m, m, rad, rad, rad, frame X_OG).
     pos: common.Pose3d = field(default_factory=common.Pose3d)
-    # Velocity on the way; zero leaves it to the driver (in m/s, m/s, m/s, rad/s, rad/s, rad/s, frame v_OR_R).
+    # Velocity on the way; zero: chosen by the driver (in m/s, m/s, m/s, rad/s, rad/s, rad/s, frame v_OR_R).
     vel: common.Pose3d = field(default_factory=common.Pose3d)
-    # 1 motors on, 0 off.
+    # 1: motors on, 0: off.
     state: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -63,11 +63,11 @@ class CmdPos(Struct):
 
 @dataclass
 class CmdVel(Struct):
-    """Wanted velocity. (player_position3d_cmd_vel_t)"""
+    """Commanded velocity. (player_position3d_cmd_vel_t)"""
 
     # Along and about x, y and z (in m/s, m/s, m/s, rad/s, rad/s, rad/s, frame v_OR_R).
     vel: common.Pose3d = field(default_factory=common.Pose3d)
-    # 1 motors on, 0 off.
+    # 1: motors on, 0: off.
     state: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -84,11 +84,11 @@ class CmdVel(Struct):
 
 @dataclass
 class Geom(Struct):
-    """The robot's size and where its centre of turning is. (player_position3d_geom_t)"""
+    """The robot's size and centre of rotation. (player_position3d_geom_t)"""
 
-    # Of the box's middle from the centre of turning (in m, m, m, rad, rad, rad, frame X_RS).
+    # Centre of the bounding box relative to the centre of rotation (in m, m, m, rad, rad, rad, frame X_RS).
     pose: common.Pose3d = field(default_factory=common.Pose3d)
-    # Of a box around the robot (in m, m, m).
+    # Bounding box of the robot (in m, m, m).
     size: common.Bbox3d = field(default_factory=common.Bbox3d)
 
     def write(self, writer: Writer) -> None:
@@ -107,7 +107,7 @@ class Geom(Struct):
 class PowerConfig(Struct):
     """The motors' switch. (player_position3d_power_config_t)"""
 
-    # 1 on, 0 off.
+    # 1: on, 0: off.
     state: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -122,9 +122,9 @@ class PowerConfig(Struct):
 
 @dataclass
 class PositionModeReq(Struct):
-    """A mode of control. (player_position3d_position_mode_req_t)"""
+    """A control mode. (player_position3d_position_mode_req_t)"""
 
-    # 0 velocity, 1 position.
+    # 0: velocity, 1: position.
     value: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -139,9 +139,9 @@ class PositionModeReq(Struct):
 
 @dataclass
 class VelocityModeConfig(Struct):
-    """A mode of velocity control. (player_position3d_velocity_mode_config_t)"""
+    """A velocity controller. (player_position3d_velocity_mode_config_t)"""
 
-    # Meaning given by the driver.
+    # Driver-specific.
     value: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -158,7 +158,7 @@ class VelocityModeConfig(Struct):
 class SetOdomReq(Struct):
     """A new odometric pose. (player_position3d_set_odom_req_t)"""
 
-    # What odometry shall say now (in m, m, m, rad, rad, rad, frame X_OR).
+    # New odometric pose (in m, m, m, rad, rad, rad, frame X_OR).
     pos: common.Pose3d = field(default_factory=common.Pose3d)
 
     def write(self, writer: Writer) -> None:
@@ -223,11 +223,11 @@ class PositionPidReq(Struct):
 
 @dataclass
 class SpeedProfReq(Struct):
-    """Motion that position control may use. (player_position3d_speed_prof_req_t)"""
+    """Limits of position control. (player_position3d_speed_prof_req_t)"""
 
-    # Largest turning speed (in rad/s).
+    # Maximum turn rate (in rad/s).
     speed: float = 0.0
-    # Largest turning acceleration (in rad/s^2).
+    # Maximum angular acceleration (in rad/s^2).
     acc: float = 0.0
 
     def write(self, writer: Writer) -> None:
@@ -244,19 +244,19 @@ class SpeedProfReq(Struct):
 
 # Odometry.
 DATA_STATE = MessageType(30, Kind.DATA, 1, "position3d.data.state", Data)
-# The robot's size, sent when it changes.
+# The robot's size, sent on change.
 DATA_GEOMETRY = MessageType(30, Kind.DATA, 2, "position3d.data.geometry", Geom)
-# Wanted velocity.
+# Commanded velocity.
 CMD_SET_VEL = MessageType(30, Kind.CMD, 1, "position3d.cmd.set_vel", CmdVel)
-# Wanted pose in the odometry frame.
+# Commanded pose in the odometry frame.
 CMD_SET_POS = MessageType(30, Kind.CMD, 2, "position3d.cmd.set_pos", CmdPos)
-# Asks for the robot's size and centre of turning.
+# Requests the robot's size and centre of rotation.
 REQ_GET_GEOM = MessageType(30, Kind.REQ, 1, "position3d.req.get_geom", Geom)
 # Switches the motors on or off.
 REQ_MOTOR_POWER = MessageType(30, Kind.REQ, 2, "position3d.req.motor_power", PowerConfig)
-# Chooses how the driver controls velocity.
+# Selects the driver's velocity controller.
 REQ_VELOCITY_MODE = MessageType(30, Kind.REQ, 3, "position3d.req.velocity_mode", VelocityModeConfig)
-# Chooses between velocity and position control.
+# Selects between velocity and position control.
 REQ_POSITION_MODE = MessageType(30, Kind.REQ, 4, "position3d.req.position_mode", PositionModeReq)
 # Sets the odometric pose to zero.
 REQ_RESET_ODOM = MessageType(30, Kind.REQ, 5, "position3d.req.reset_odom")
@@ -266,5 +266,5 @@ REQ_SET_ODOM = MessageType(30, Kind.REQ, 6, "position3d.req.set_odom", SetOdomRe
 REQ_SPEED_PID = MessageType(30, Kind.REQ, 7, "position3d.req.speed_pid", SpeedPidReq)
 # Sets the gains of position control.
 REQ_POSITION_PID = MessageType(30, Kind.REQ, 8, "position3d.req.position_pid", PositionPidReq)
-# Sets the turning speed and acceleration that position control uses.
+# Sets the turn rate and angular acceleration limits of position control.
 REQ_SPEED_PROF = MessageType(30, Kind.REQ, 9, "position3d.req.speed_prof", SpeedProfReq)

@@ -9,7 +9,7 @@ from ..wire import Kind, MessageType, Reader, Struct, Writer
 
 CODE = 2
 
-# Bits of Data.valid: which of the fields hold something.
+# Bits of Data.valid: valid fields.
 MASK_VOLTS = 1
 MASK_WATTS = 2
 MASK_JOULES = 4
@@ -19,17 +19,17 @@ MASK_CHARGING = 16
 
 @dataclass
 class Data(Struct):
-    """State of charge; only the fields named in `valid` count. (player_power_data_t)"""
+    """State of charge; only the fields flagged in `valid` apply. (player_power_data_t)"""
 
-    # Bits of the fields that hold something.
+    # Bits of the valid fields.
     valid: int = 0
     # In V.
     volts: float = 0.0
-    # Share of a full charge, 0 to 100 (in %).
+    # Percentage of a full charge, 0 to 100 (in %).
     percent: float = 0.0
-    # Energy that is left (in J).
+    # Remaining energy (in J).
     joules: float = 0.0
-    # Power that flows out of the battery; negative while charging (in W).
+    # Power drawn from the battery; negative while charging (in W).
     watts: float = 0.0
     # 1 charging, 0 not, -1 charging is impossible.
     charging: int = 0
@@ -56,11 +56,11 @@ class Data(Struct):
 
 @dataclass
 class ChargepolicyConfig(Struct):
-    """Which flows of power are allowed. (player_power_chargepolicy_config_t)"""
+    """Enabled flows of power. (player_power_chargepolicy_config_t)"""
 
-    # 1 the battery may be charged.
+    # 1: the battery may be charged.
     enable_input: int = 0
-    # 1 the battery may feed others.
+    # 1: the battery may supply others.
     enable_output: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -77,5 +77,5 @@ class ChargepolicyConfig(Struct):
 
 # State of charge.
 DATA_STATE = MessageType(2, Kind.DATA, 1, "power.data.state", Data)
-# Says whether the battery may take and give power.
+# Enables or disables charging and discharging of the battery.
 REQ_SET_CHARGING_POLICY = MessageType(2, Kind.REQ, 1, "power.req.set_charging_policy", ChargepolicyConfig)

@@ -18,7 +18,7 @@ POSITION_CONTROL = 1
 
 @dataclass
 class Data(Struct):
-    """Where the mount points. (player_ptz_data_t)"""
+    """Direction of the mount. (player_ptz_data_t)"""
 
     # Positive to the left (in rad).
     pan: float = 0.0
@@ -30,7 +30,7 @@ class Data(Struct):
     panspeed: float = 0.0
     # Positive upwards (in rad/s).
     tiltspeed: float = 0.0
-    # Meaning given by the driver.
+    # Driver-specific.
     status: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -55,7 +55,7 @@ class Data(Struct):
 
 @dataclass
 class Cmd(Struct):
-    """Where the mount shall point, or how fast it shall turn. (player_ptz_cmd_t)"""
+    """Commanded direction or velocity of the mount. (player_ptz_cmd_t)"""
 
     # Positive to the left (in rad).
     pan: float = 0.0
@@ -90,7 +90,7 @@ class Cmd(Struct):
 class ReqStatus(Struct):
     """The mount's status. (player_ptz_req_status_t)"""
 
-    # Meaning given by the driver.
+    # Driver-specific.
     status: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -105,11 +105,11 @@ class ReqStatus(Struct):
 
 @dataclass
 class Geom(Struct):
-    """The mount's size and place. (player_ptz_geom_t)"""
+    """The mount's size and pose. (player_ptz_geom_t)"""
 
-    # Where the mount is on the robot (in m, m, m, rad, rad, rad, frame X_RS).
+    # Pose of the mount on the robot (in m, m, m, rad, rad, rad, frame X_RS).
     pos: common.Pose3d = field(default_factory=common.Pose3d)
-    # Of a box around the mount (in m, m, m).
+    # Bounding box of the mount (in m, m, m).
     size: common.Bbox3d = field(default_factory=common.Bbox3d)
 
     def write(self, writer: Writer) -> None:
@@ -128,7 +128,7 @@ class Geom(Struct):
 class ReqGeneric(Struct):
     """Driver-specific words. (player_ptz_req_generic_t)"""
 
-    # Meaning given by the driver.
+    # Driver-specific.
     config: List[int] = field(default_factory=list)
 
     def write(self, writer: Writer) -> None:
@@ -146,7 +146,7 @@ class ReqGeneric(Struct):
 
 @dataclass
 class ReqControlMode(Struct):
-    """A mode of control. (player_ptz_req_control_mode_t)"""
+    """A control mode. (player_ptz_req_control_mode_t)"""
 
     # Velocity or position.
     mode: int = 0
@@ -161,17 +161,17 @@ class ReqControlMode(Struct):
         return self
 
 
-# Sends driver-specific words to the mount and gets some back.
+# Exchanges driver-specific words with the mount.
 REQ_GENERIC = MessageType(8, Kind.REQ, 1, "ptz.req.generic", ReqGeneric)
-# Chooses between velocity and position control.
+# Selects between velocity and position control.
 REQ_CONTROL_MODE = MessageType(8, Kind.REQ, 2, "ptz.req.control_mode", ReqControlMode)
-# Asks for size and place.
+# Requests size and pose.
 REQ_GEOM = MessageType(8, Kind.REQ, 4, "ptz.req.geom", Geom)
-# Asks for the mount's status.
+# Requests the mount's status.
 REQ_STATUS = MessageType(8, Kind.REQ, 5, "ptz.req.status", ReqStatus)
-# Where the mount points.
+# Direction of the mount.
 DATA_STATE = MessageType(8, Kind.DATA, 1, "ptz.data.state", Data)
-# Size and place, sent when they change.
+# Size and pose, sent on change.
 DATA_GEOM = MessageType(8, Kind.DATA, 2, "ptz.data.geom", Geom)
-# Where the mount shall point.
+# Commanded direction of the mount.
 CMD_STATE = MessageType(8, Kind.CMD, 1, "ptz.cmd.state", Cmd)

@@ -1,4 +1,4 @@
-"""Interface ranger, code 62. Range finders of any kind: lasers, sonars, infrared, single or in arrays.
+"""Interface ranger, code 62. Range finders of any type: lasers, sonars, infrared, single or in arrays.
 
 Generated from interfaces/062_ranger.toml by codegen; do not edit.
 """
@@ -20,13 +20,13 @@ class Config(Struct):
     min_angle: float = 0.0
     # Of the last beam (in rad).
     max_angle: float = 0.0
-    # Between neighbouring beams (in rad).
+    # Angle between neighbouring beams (in rad).
     angular_res: float = 0.0
-    # Nearest that can be seen (in m).
+    # Minimum range (in m).
     min_range: float = 0.0
-    # Farthest that can be seen; what a beam that hits nothing shows (in m).
+    # Maximum range, and reported range of a beam without a hit (in m).
     max_range: float = 0.0
-    # Smallest difference of ranges that is told apart (in m).
+    # Range resolution (in m).
     range_res: float = 0.0
     # Scans per second (in Hz).
     frequency: float = 0.0
@@ -55,11 +55,11 @@ class Config(Struct):
 
 @dataclass
 class Geom(Struct):
-    """Size and place of the device and its elements. (player_ranger_geom_t)"""
+    """Size and pose of the device and its elements. (player_ranger_geom_t)"""
 
-    # Where the device is on the robot (in m, m, m, rad, rad, rad, frame X_RS).
+    # Pose of the device on the robot (in m, m, m, rad, rad, rad, frame X_RS).
     pose: common.Pose3d = field(default_factory=common.Pose3d)
-    # Of a box around the device (in m, m, m).
+    # Bounding box of the device (in m, m, m).
     size: common.Bbox3d = field(default_factory=common.Bbox3d)
     # One per element; x points along its beam, or along the middle of its scan (in m, m, m, rad, rad, rad,
     # frame X_SE).
@@ -115,13 +115,13 @@ class DataRange(Struct):
 
 @dataclass
 class DataRangestamped(Struct):
-    """Ranges with what they depend on. (player_ranger_data_rangestamped_t)"""
+    """Ranges with geometry and configuration. (player_ranger_data_rangestamped_t)"""
 
     data: DataRange = field(default_factory=DataRange)
-    # 1 if `geom` holds something.
+    # 1 if `geom` is valid.
     have_geom: int = 0
     geom: Geom = field(default_factory=Geom)
-    # 1 if `config` holds something.
+    # 1 if `config` is valid.
     have_config: int = 0
     config: Config = field(default_factory=Config)
 
@@ -147,7 +147,7 @@ class DataRangestamped(Struct):
 class DataIntns(Struct):
     """Intensities. (player_ranger_data_intns_t)"""
 
-    # In the order of the ranges; scale given by the driver.
+    # In the order of the ranges; driver-specific scale.
     intensities: List[float] = field(default_factory=list)
 
     def write(self, writer: Writer) -> None:
@@ -165,13 +165,13 @@ class DataIntns(Struct):
 
 @dataclass
 class DataIntnsstamped(Struct):
-    """Intensities with what they depend on. (player_ranger_data_intnsstamped_t)"""
+    """Intensities with geometry and configuration. (player_ranger_data_intnsstamped_t)"""
 
     data: DataIntns = field(default_factory=DataIntns)
-    # 1 if `geom` holds something.
+    # 1 if `geom` is valid.
     have_geom: int = 0
     geom: Geom = field(default_factory=Geom)
-    # 1 if `config` holds something.
+    # 1 if `config` is valid.
     have_config: int = 0
     config: Config = field(default_factory=Config)
 
@@ -197,7 +197,7 @@ class DataIntnsstamped(Struct):
 class PowerConfig(Struct):
     """The device's switch. (player_ranger_power_config_t)"""
 
-    # 1 on, 0 off.
+    # 1: on, 0: off.
     state: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -214,7 +214,7 @@ class PowerConfig(Struct):
 class IntnsConfig(Struct):
     """The switch of intensities. (player_ranger_intns_config_t)"""
 
-    # 1 on, 0 off.
+    # 1: on, 0: off.
     state: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -229,21 +229,21 @@ class IntnsConfig(Struct):
 
 # Ranges.
 DATA_RANGE = MessageType(62, Kind.DATA, 1, "ranger.data.range", DataRange)
-# Ranges with the geometry and configuration at which they were taken.
+# Ranges with the geometry and configuration of the measurement.
 DATA_RANGESTAMPED = MessageType(62, Kind.DATA, 2, "ranger.data.rangestamped", DataRangestamped)
 # Intensities.
 DATA_INTNS = MessageType(62, Kind.DATA, 3, "ranger.data.intns", DataIntns)
-# Intensities with the geometry and configuration at which they were taken.
+# Intensities with the geometry and configuration of the measurement.
 DATA_INTNSSTAMPED = MessageType(62, Kind.DATA, 4, "ranger.data.intnsstamped", DataIntnsstamped)
-# Size and place, sent when they change.
+# Size and pose, sent on change.
 DATA_GEOM = MessageType(62, Kind.DATA, 5, "ranger.data.geom", Geom)
-# Asks for size and place.
+# Requests size and pose.
 REQ_GET_GEOM = MessageType(62, Kind.REQ, 1, "ranger.req.get_geom", Geom)
 # Switches the device on or off.
 REQ_POWER = MessageType(62, Kind.REQ, 2, "ranger.req.power", PowerConfig)
 # Switches intensities on or off.
 REQ_INTNS = MessageType(62, Kind.REQ, 3, "ranger.req.intns", IntnsConfig)
-# Sets angles, ranges and rate; the answer tells what was taken.
+# Sets angles, ranges and rate; the answer has the values in effect.
 REQ_SET_CONFIG = MessageType(62, Kind.REQ, 4, "ranger.req.set_config", Config)
-# Asks for angles, ranges and rate.
+# Requests angles, ranges and rate.
 REQ_GET_CONFIG = MessageType(62, Kind.REQ, 5, "ranger.req.get_config", Config)

@@ -15,9 +15,9 @@ CODE = 56
 class Tag(Struct):
     """One tag. (player_rfid_tag_t)"""
 
-    # Kind of tag.
+    # Type of tag.
     type: int = 0
-    # Number of the tag, as its bytes.
+    # Id of the tag, as bytes.
     guid: bytes = b""
 
     def write(self, writer: Writer) -> None:
@@ -37,7 +37,7 @@ class Tag(Struct):
 
 @dataclass
 class Data(Struct):
-    """The tags in reach. (player_rfid_data_t)"""
+    """Tags in range. (player_rfid_data_t)"""
 
     tags: List[Tag] = field(default_factory=list)
 
@@ -56,7 +56,7 @@ class Data(Struct):
         return self
 
 
-# The tags in reach.
+# Tags in range.
 DATA_TAGS = MessageType(56, Kind.DATA, 1, "rfid.data.tags", Data)
 # Switches the reader on or off.
 REQ_POWER = MessageType(56, Kind.REQ, 1, "rfid.req.power")

@@ -49,10 +49,10 @@ class Cmd(Struct):
 class Pose2dReq(Struct):
     """A model and its pose. (player_simulation_pose2d_req_t)"""
 
-    # Of the model, with its final NUL.
+    # Of the model, NUL-terminated.
     name: bytes = b""
-    # Of the model in its parent, which is the world for a model that nothing carries; ignored in a question
-    # (in m, m, rad, frame X_PT).
+    # Pose of the model in its parent (the world for a top-level model); ignored in a request (in m, m, rad,
+    # frame X_PT).
     pose: common.Pose2d = field(default_factory=common.Pose2d)
 
     def write(self, writer: Writer) -> None:
@@ -74,12 +74,12 @@ class Pose2dReq(Struct):
 class Pose3dReq(Struct):
     """A model, its pose and the time. (player_simulation_pose3d_req_t)"""
 
-    # Of the model, with its final NUL.
+    # Of the model, NUL-terminated.
     name: bytes = b""
-    # Of the model in its parent, which is the world for a model that nothing carries; ignored in a question
-    # (in m, m, m, rad, rad, rad, frame X_PT).
+    # Pose of the model in its parent (the world for a top-level model); ignored in a request (in m, m, m,
+    # rad, rad, rad, frame X_PT).
     pose: common.Pose3d = field(default_factory=common.Pose3d)
-    # Simulated time at which the pose held, as Stage counts it; only answers fill it in (in us).
+    # Simulated time of the pose, as counted by Stage; set in answers only (in us).
     simtime: float = 0.0
 
     def write(self, writer: Writer) -> None:
@@ -103,14 +103,14 @@ class Pose3dReq(Struct):
 class PropertyReq(Struct):
     """A property of a model. (player_simulation_property_req_t)"""
 
-    # Of the model, with its final NUL; empty for a property of the whole world.
+    # Name of the model, NUL-terminated; empty for a property of the world.
     name: bytes = b""
-    # Name of the property, with its final NUL.
+    # Name of the property, NUL-terminated.
     prop: bytes = b""
-    # Which element, if the property is a list: the first that is wanted; in an answer the one to ask from
-    # next, 0 when there are no more.
+    # Element of a list property: in a request the first one requested, in an answer the first of the next
+    # request, 0 at the end of the list.
     index: int = 0
-    # The property's bytes, in a form given by the simulator; empty in a question.
+    # Bytes of the property, in a simulator-specific format; empty in a request.
     value: bytes = b""
 
     def write(self, writer: Writer) -> None:
@@ -138,22 +138,22 @@ class PropertyReq(Struct):
         return self
 
 
-# Asks for the pose of a model by name.
+# Requests the pose of a model by name.
 REQ_GET_POSE2D = MessageType(31, Kind.REQ, 1, "simulation.req.get_pose2d", Pose2dReq)
 # Moves a model by name.
 REQ_SET_POSE2D = MessageType(31, Kind.REQ, 2, "simulation.req.set_pose2d", Pose2dReq)
-# Asks for the pose of a model by name, and the time.
+# Requests the pose of a model by name, and the time.
 REQ_GET_POSE3D = MessageType(31, Kind.REQ, 3, "simulation.req.get_pose3d", Pose3dReq)
 # Moves a model by name.
 REQ_SET_POSE3D = MessageType(31, Kind.REQ, 4, "simulation.req.set_pose3d", Pose3dReq)
-# Asks for a property of a model by name; without a name, for "models", the list of all with their devices
+# Requests a property of a model by name; without a name, for "models", the list of all with their devices
 # (docs/drivers.md).
 REQ_GET_PROPERTY = MessageType(31, Kind.REQ, 5, "simulation.req.get_property", PropertyReq)
 # Sets a property of a model by name.
 REQ_SET_PROPERTY = MessageType(31, Kind.REQ, 6, "simulation.req.set_property", PropertyReq)
-# Stops the simulated clock, or lets it go on.
+# Pauses or resumes the simulated clock.
 CMD_PAUSE = MessageType(31, Kind.CMD, 1, "simulation.cmd.pause")
-# Puts everything back to the start.
+# Resets the world to its start.
 CMD_RESET = MessageType(31, Kind.CMD, 2, "simulation.cmd.reset")
-# Saves the world as it stands.
+# Saves the current world.
 CMD_SAVE = MessageType(31, Kind.CMD, 3, "simulation.cmd.save")

@@ -16,7 +16,7 @@ CODE = 5
 class Data(Struct):
     """One range per sonar. (player_sonar_data_t)"""
 
-    # To the nearest echo, in the order of the geometry (in m).
+    # Range of the nearest echo, in the order of the geometry (in m).
     ranges: List[float] = field(default_factory=list)
 
     def write(self, writer: Writer) -> None:
@@ -34,7 +34,7 @@ class Data(Struct):
 
 @dataclass
 class Geom(Struct):
-    """Where the sonars are. (player_sonar_geom_t)"""
+    """Poses of the sonars. (player_sonar_geom_t)"""
 
     # One per sonar; x points along its beam (in m, m, m, rad, rad, rad, frame X_RS).
     poses: List[common.Pose3d] = field(default_factory=list)
@@ -58,7 +58,7 @@ class Geom(Struct):
 class PowerConfig(Struct):
     """The sonars' switch. (player_sonar_power_config_t)"""
 
-    # 1 on, 0 off.
+    # 1: on, 0: off.
     state: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -71,11 +71,11 @@ class PowerConfig(Struct):
         return self
 
 
-# Asks where the sonars are.
+# Requests the poses of the sonars.
 REQ_GET_GEOM = MessageType(5, Kind.REQ, 1, "sonar.req.get_geom", Geom)
 # Switches the sonars on or off.
 REQ_POWER = MessageType(5, Kind.REQ, 2, "sonar.req.power", PowerConfig)
 # One range per sonar.
 DATA_RANGES = MessageType(5, Kind.DATA, 1, "sonar.data.ranges", Data)
-# Where the sonars are, sent when it changes.
+# Poses of the sonars, sent on change.
 DATA_GEOM = MessageType(5, Kind.DATA, 2, "sonar.data.geom", Geom)

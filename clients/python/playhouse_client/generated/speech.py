@@ -14,7 +14,7 @@ CODE = 12
 class Cmd(Struct):
     """A text to speak. (player_speech_cmd_t)"""
 
-    # With its final NUL.
+    # NUL-terminated.
     string: bytes = b""
 
     def write(self, writer: Writer) -> None:

@@ -1,4 +1,4 @@
-"""Interface speech_recognition, code 50. Tells what was said.
+"""Interface speech_recognition, code 50. Reports recognised speech.
 
 Generated from interfaces/050_speech_recognition.toml by codegen; do not edit.
 """
@@ -12,9 +12,9 @@ CODE = 50
 
 @dataclass
 class Data(Struct):
-    """What was said. (player_speech_recognition_data_t)"""
+    """Recognised speech. (player_speech_recognition_data_t)"""
 
-    # With its final NUL.
+    # NUL-terminated.
     text: bytes = b""
 
     def write(self, writer: Writer) -> None:
@@ -30,5 +30,5 @@ class Data(Struct):
         return self
 
 
-# The words that were understood.
+# Recognised words.
 DATA_STRING = MessageType(50, Kind.DATA, 1, "speech_recognition.data.string", Data)

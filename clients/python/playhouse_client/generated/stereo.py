@@ -48,7 +48,7 @@ class Pointcloud3dStereoElement(Struct):
 
 @dataclass
 class Data(Struct):
-    """One pair of images and what was made of it. (player_stereo_data_t)"""
+    """A pair of images, and the results computed from it. (player_stereo_data_t)"""
 
     # Image of the left camera.
     left_channel: camera.Data = field(default_factory=camera.Data)
@@ -58,7 +58,7 @@ class Data(Struct):
     disparity: camera.Data = field(default_factory=camera.Data)
     # Points in space.
     points: List[Pointcloud3dStereoElement] = field(default_factory=list)
-    # Meaning given by the driver.
+    # Driver-specific.
     mode: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -84,5 +84,5 @@ class Data(Struct):
         return self
 
 
-# One pair of images and what was made of it.
+# A pair of images, and the results computed from it.
 DATA_STATE = MessageType(65, Kind.DATA, 1, "stereo.data.state", Data)

@@ -19,7 +19,7 @@ class FeatureData(Struct):
     name: bytes = b""
     # Its shape, as OGC well-known binary, in map coordinates.
     wkb: bytes = b""
-    # Free text about it.
+    # Free text.
     attrib: bytes = b""
 
     def write(self, writer: Writer) -> None:
@@ -47,10 +47,10 @@ class FeatureData(Struct):
 
 @dataclass
 class LayerInfo(Struct):
-    """What a layer is. (player_vectormap_layer_info_t)"""
+    """Description of a layer. (player_vectormap_layer_info_t)"""
 
     name: bytes = b""
-    # Around all its features (in m, frame p_MP).
+    # Bounding box of all its features (in m, frame p_MP).
     extent: common.Extent2d = field(default_factory=common.Extent2d)
 
     def write(self, writer: Writer) -> None:
@@ -97,12 +97,12 @@ class LayerData(Struct):
 
 @dataclass
 class Info(Struct):
-    """What layers there are. (player_vectormap_info_t)"""
+    """List of layers. (player_vectormap_info_t)"""
 
-    # Number of the spatial reference system; 0 for none.
+    # Id of the spatial reference system; 0: none.
     srid: int = 0
     layers: List[LayerInfo] = field(default_factory=list)
-    # Around all layers (in m, frame p_MP).
+    # Bounding box of all layers (in m, frame p_MP).
     extent: common.Extent2d = field(default_factory=common.Extent2d)
 
     def write(self, writer: Writer) -> None:
@@ -124,9 +124,9 @@ class Info(Struct):
         return self
 
 
-# Asks which layers there are.
+# Requests the list of layers.
 REQ_GET_MAP_INFO = MessageType(63, Kind.REQ, 1, "vectormap.req.get_map_info", Info)
-# Asks for the features of a layer.
+# Requests the features of a layer.
 REQ_GET_LAYER_DATA = MessageType(63, Kind.REQ, 3, "vectormap.req.get_layer_data", LayerData)
 # Replaces the features of a layer.
 REQ_WRITE_LAYER = MessageType(63, Kind.REQ, 4, "vectormap.req.write_layer", LayerData)

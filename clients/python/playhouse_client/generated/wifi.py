@@ -10,7 +10,7 @@ from ..wire import Kind, MessageType, Reader, Struct, Writer
 
 CODE = 23
 
-# Values of Data.qual_type: what link quality is measured in.
+# Values of Data.qual_type: unit of link quality.
 QUAL_DBM = 1
 QUAL_REL = 2
 QUAL_UNKNOWN = 3
@@ -29,17 +29,17 @@ MODE_SECOND = 6
 class Link(Struct):
     """One link. (player_wifi_link_t)"""
 
-    # Hardware address, as text.
+    # Hardware address, as a string.
     mac: bytes = b""
-    # Network address, as text.
+    # Network address, as a string.
     ip: bytes = b""
-    # Name of the network, as text.
+    # Name of the network, as a string.
     essid: bytes = b""
     # Role in the network.
     mode: int = 0
     # In MHz.
     freq: int = 0
-    # 0 open, else encrypted.
+    # 0: open, else encrypted.
     encrypt: int = 0
     # Quality, up to Data.maxqual.
     qual: int = 0
@@ -88,21 +88,21 @@ class Data(Struct):
     """Every link and the state of the card. (player_wifi_data_t)"""
 
     links: List[Link] = field(default_factory=list)
-    # What the card is believed to carry (in bit/s).
+    # Estimated throughput of the card (in bit/s).
     throughput: int = 0
-    # What the card is set to (in bit/s).
+    # Configured bit rate of the card (in bit/s).
     bitrate: int = 0
     # Role in the network.
     mode: int = 0
-    # What quality, level and noise are measured in.
+    # Unit of quality, level and noise.
     qual_type: int = 0
-    # Best quality that can be told.
+    # Maximum reported quality.
     maxqual: int = 0
-    # Strongest signal that can be told.
+    # Maximum reported signal level.
     maxlevel: int = 0
-    # Strongest noise that can be told.
+    # Maximum reported noise level.
     maxnoise: int = 0
-    # Hardware address of the access point, as text.
+    # Hardware address of the access point, as a string.
     ap: bytes = b""
 
     def write(self, writer: Writer) -> None:
@@ -140,7 +140,7 @@ class Data(Struct):
 class MacReq(Struct):
     """The card's own address. (player_wifi_mac_req_t)"""
 
-    # Hardware address, as text.
+    # Hardware address, as a string.
     mac: bytes = b""
 
     def write(self, writer: Writer) -> None:
@@ -160,7 +160,7 @@ class MacReq(Struct):
 class IwspyAddrReq(Struct):
     """The address of a station. (player_wifi_iwspy_addr_req_t)"""
 
-    # Hardware address, as text.
+    # Hardware address, as a string.
     address: bytes = b""
 
     def write(self, writer: Writer) -> None:
@@ -173,13 +173,13 @@ class IwspyAddrReq(Struct):
         return self
 
 
-# Asks for the card's own address.
+# Requests the card's own address.
 REQ_MAC = MessageType(23, Kind.REQ, 1, "wifi.req.mac", MacReq)
-# Starts to watch the links to an address.
+# Starts monitoring the links to an address.
 REQ_IWSPY_ADD = MessageType(23, Kind.REQ, 2, "wifi.req.iwspy_add", IwspyAddrReq)
-# Stops watching the links to an address.
+# Stops monitoring the links to an address.
 REQ_IWSPY_DEL = MessageType(23, Kind.REQ, 3, "wifi.req.iwspy_del", IwspyAddrReq)
-# Sends a packet to an address, so that its link can be measured.
+# Sends a packet to an address to measure its link.
 REQ_IWSPY_PING = MessageType(23, Kind.REQ, 4, "wifi.req.iwspy_ping", IwspyAddrReq)
 # Every link and the state of the card.
 DATA_STATE = MessageType(23, Kind.DATA, 1, "wifi.data.state", Data)

@@ -12,7 +12,7 @@ CODE = 57
 
 @dataclass
 class NodeData(Struct):
-    """Readings, as raw counts or converted as DATATYPE says. (player_wsn_node_data_t)"""
+    """Readings, raw or converted as selected by DATATYPE. (player_wsn_node_data_t)"""
 
     # In 1 or lx.
     light: float = 0.0
@@ -66,11 +66,11 @@ class NodeData(Struct):
 class Data(Struct):
     """Readings of one node. (player_wsn_data_t)"""
 
-    # Kind of node.
+    # Type of node.
     node_type: int = 0
-    # Which node.
+    # Id of the node.
     node_id: int = 0
-    # Node that passed the readings on.
+    # Node that relayed the readings.
     node_parent_id: int = 0
     data_packet: NodeData = field(default_factory=NodeData)
 
@@ -94,13 +94,13 @@ class Data(Struct):
 class Cmd(Struct):
     """Switch of an actuator of a node. (player_wsn_cmd_t)"""
 
-    # Which node; -1 all.
+    # Id of the node; -1: all.
     node_id: int = 0
-    # Group of the node; -1 all.
+    # Group of the node; -1: all.
     group_id: int = 0
-    # Which actuator, such as a light or a buzzer.
+    # Actuator, such as a light or a buzzer.
     device: int = 0
-    # 1 on, 0 off.
+    # 1: on, 0: off.
     enable: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -121,13 +121,13 @@ class Cmd(Struct):
 
 @dataclass
 class PowerConfig(Struct):
-    """Sleep of nodes. (player_wsn_power_config_t)"""
+    """Sleep mode of nodes. (player_wsn_power_config_t)"""
 
-    # Which node; -1 all.
+    # Id of the node; -1: all.
     node_id: int = 0
-    # Group of the node; -1 all.
+    # Group of the node; -1: all.
     group_id: int = 0
-    # 0 asleep, 1 awake, 2 as the driver sees fit.
+    # 0: asleep, 1: awake, 2: driver-specific.
     value: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -146,9 +146,9 @@ class PowerConfig(Struct):
 
 @dataclass
 class DatatypeConfig(Struct):
-    """Form of readings. (player_wsn_datatype_config_t)"""
+    """Format of readings. (player_wsn_datatype_config_t)"""
 
-    # 0 raw, 1 converted.
+    # 0: raw, 1: converted.
     value: int = 0
 
     def write(self, writer: Writer) -> None:
@@ -165,9 +165,9 @@ class DatatypeConfig(Struct):
 class DatafreqConfig(Struct):
     """Rate of reports. (player_wsn_datafreq_config_t)"""
 
-    # Which node; -1 all.
+    # Id of the node; -1: all.
     node_id: int = 0
-    # Group of the node; -1 all.
+    # Group of the node; -1: all.
     group_id: int = 0
     # In Hz.
     frequency: float = 0.0
@@ -192,7 +192,7 @@ DATA_STATE = MessageType(57, Kind.DATA, 1, "wsn.data.state", Data)
 CMD_DEVSTATE = MessageType(57, Kind.CMD, 1, "wsn.cmd.devstate", Cmd)
 # Puts nodes to sleep or wakes them.
 REQ_POWER = MessageType(57, Kind.REQ, 1, "wsn.req.power", PowerConfig)
-# Chooses between raw and converted readings.
+# Selects between raw and converted readings.
 REQ_DATATYPE = MessageType(57, Kind.REQ, 2, "wsn.req.datatype", DatatypeConfig)
-# Sets how often nodes report.
+# Sets the reporting rate of nodes.
 REQ_DATAFREQ = MessageType(57, Kind.REQ, 3, "wsn.req.datafreq", DatafreqConfig)
