@@ -1,4 +1,4 @@
-// A controller in twenty lines: drives on, and backs away from whatever comes closer than its argument
+// A controller in twenty lines: drives forward, and backs away from objects closer than its argument
 // (default 0.7 m).
 #include <algorithm>
 #include <string>

@@ -1,12 +1,12 @@
-// A model: a barrier that swings open when it is told to, or when a robot comes near, and closes again. What
-// is in its way stops it. It is green while it is wholly open, and red otherwise.
+// A model: a barrier that opens on command, or when a robot approaches, and closes again. Obstacles
+// stop it. It is green while fully open, and red otherwise.
 //
 //   custom( library "barrier NEAR" )
 //
-// NEAR: how near a robot comes before it opens, in metres.
+// NEAR: distance of a robot at which it opens, in metres.
 //
-// Command 0: 1 opens it, 0 leaves it to the robots. Readings: 0 how far it is open in radians, 1 whether
-// something is in its way.
+// Command 0: 1 opens it, 0: it opens for robots only. Readings: 0 the opening angle in radians, 1 whether
+// an obstacle blocks it.
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -29,7 +29,7 @@ class Barrier : public pw::CustomKind {
     return {.commands = 1, .state = 1, .readings = 2};
   }
 
-  // The state is the heading at which it is closed.
+  // The state is its heading when closed.
   void begin(const pw::CustomModel& self, std::span<double> state, std::span<double>) const override {
     state[0] = self.world.models.X_PM[self.model.index].a;
   }

@@ -1,12 +1,12 @@
-// A sensor: counts the decays of the sources around it. Each wall on the way halves what comes from one, and
-// what comes gets less with the square of the distance.
+// A sensor: counts decays of the sources around it. The rate of a source falls with the square of the
+// distance, and each wall in between halves it.
 //
 //   custom( library "geiger BACKGROUND SOURCE" )
 //
-// BACKGROUND: counts per second without any source. SOURCE: the fiducial_return of models that are sources,
-// of each of which 100 counts per second come at a distance of 1 m.
+// BACKGROUND: counts per second without any source. SOURCE: the fiducial_return of models that are sources;
+// each gives 100 counts per second at a distance of 1 m.
 //
-// Readings: 0 counts since it last measured, 1 counts since the start, 2 sources within its range.
+// Readings: 0 counts since the previous measurement, 1 counts since the start, 2 sources within its range.
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -22,15 +22,15 @@ namespace {
 
 constexpr double kActivity = 100;  // counts per second at 1 m
 constexpr double kRange = 10;      // m
-constexpr double kNearest = 0.1;   // m; nearer does not count more
+constexpr double kNearest = 0.1;   // m; the rate is limited to that at this distance
 
 double squared_distance(const geom::Pose& a, const geom::Pose& b) {
   const geom::Vec2 apart = a.xy() - b.xy();
   return geom::dot(apart, apart) + (a.z - b.z) * (a.z - b.z);
 }
 
-// How many events of a mean number there are: a Poisson distribution, by the times between them; of many a
-// normal one, which is near enough.
+// Number of events for a given mean: Poisson-distributed, by the times between events; for large means a
+// normal distribution as approximation.
 double poisson(double mean, playhouse::Rng& random) {
   if (mean > 1000) return std::round(mean + std::sqrt(mean) * random.gaussian());
   constexpr double kLn10 = 2.302585092994046;

@@ -1,4 +1,4 @@
-// Opens the gate of yard.world and drives up to the screen: the counter ticks faster and faster.
+// Opens the gate of yard.world and drives up to the screen: the count rate rises.
 //
 //     build/watch 127.0.0.1:6665
 
@@ -12,7 +12,7 @@ using namespace playhouse::client;
 
 namespace {
 
-/// Waits until the device has measured again.
+/// Waits for the next measurement.
 Result<void> next_data(Client& client, Device& device) {
   while (!device.take_fresh()) {
     if (const auto read = client.read(); !read) return read.error();

@@ -1,4 +1,4 @@
-"""Opens the gate of yard.world and drives up to the screen: the counter ticks faster and faster.
+"""Opens the gate of yard.world and drives up to the screen: the count rate rises.
 
     python3 watch.py 127.0.0.1:6665
 """

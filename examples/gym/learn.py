@@ -1,4 +1,4 @@
-"""Learns to drive far without running into anything, by evolution strategies: python3 examples/gym/learn.py
+"""Learns to drive far without collisions, by evolution strategies: python3 examples/gym/learn.py
 
 Every robot of a crowd drives one episode with parameters of its own, which are the present ones with some noise; where the
 noise did well the parameters go. The policy is linear: twelve distances in, forward and turning speed out.
@@ -19,27 +19,27 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "clients" /
 from playhouse_gym import VectorEnv  # noqa: E402
 
 SECTORS, BEAMS = 12, 60
-INPUTS = SECTORS + 1  # and one that is always 1
+INPUTS = SECTORS + 1  # plus a bias input of 1
 NOISE, RATE = 0.5, 0.5
-COLLISION = 10.0  # m that an episode is worth less
+COLLISION = 10.0  # m, penalty on the score of an episode
 
 
 def inputs_of(ranges: np.ndarray) -> np.ndarray:
-    """The nearest thing in each sector: 1 where it is close, 0 where it is 3 m away or more."""
+    """Proximity of the nearest object in each sector: 1 close, 0 at 3 m or more."""
     nearest = ranges.reshape(len(ranges), SECTORS, -1).min(axis=2)
     near = 1.0 - np.minimum(nearest, 3.0) / 3.0
     return np.concatenate((near, np.ones((len(ranges), 1), np.float32)), axis=1)
 
 
 def actions_of(parameters: np.ndarray, ranges: np.ndarray) -> np.ndarray:
-    """Forward 0 to 1 m/s, turn -1.5 to 1.5 rad/s; a row of parameters for each robot."""
+    """Forward 0 to 1 m/s, turn -1.5 to 1.5 rad/s; one row of parameters per robot."""
     out = np.einsum("ri,rio->ro", inputs_of(ranges), parameters.reshape(-1, INPUTS, 2))
     forward = 1.0 / (1.0 + np.exp(-out[:, 0]))
     return np.stack((forward, np.zeros_like(forward), 1.5 * np.tanh(out[:, 1])), axis=1)
 
 
 def drive(env: VectorEnv, parameters: np.ndarray, seed: int, steps: int) -> Tuple[np.ndarray, np.ndarray]:
-    """One episode of every robot: how far each came until something was in its way [m], and whether something was."""
+    """One episode of every robot: distance until the first collision [m], and whether it collided."""
     ranges, _ = env.reset(seed=seed)
     fitness, running = np.zeros(env.num_envs), np.ones(env.num_envs, np.bool_)
     collided = np.zeros(env.num_envs, np.bool_)
@@ -52,20 +52,20 @@ def drive(env: VectorEnv, parameters: np.ndarray, seed: int, steps: int) -> Tupl
 
 
 def ranks(values: np.ndarray) -> np.ndarray:
-    """-0.5 for the least to 0.5 for the most."""
+    """Ranks, scaled from -0.5 (smallest) to 0.5 (largest)."""
     order = np.empty(len(values))
     order[np.argsort(values, kind="stable")] = np.arange(len(values))
     return order / (len(values) - 1) - 0.5
 
 
 def learn(env: VectorEnv, generations: int, steps: int, seed: int) -> List[Tuple[float, float]]:
-    """Mean distance [m] and share of collisions of each generation, driven with the present parameters by all."""
+    """Mean distance [m] and collision rate of each generation, all robots with the current parameters."""
     random = np.random.default_rng(seed)
     parameters = np.zeros(INPUTS * 2)
     curve = []
     for generation in range(generations):
         half = random.standard_normal((env.num_envs // 2, parameters.size))
-        noise = np.concatenate((half, -half))  # both ways, so that luck is of less account
+        noise = np.concatenate((half, -half))  # antithetic pairs, to reduce variance
         driven, collided = drive(env, parameters + NOISE * noise, seed * 1000 + generation, steps)
         fitness = driven - COLLISION * collided
         parameters = parameters + 12 * RATE * (ranks(fitness) @ noise) / len(noise)
@@ -81,7 +81,7 @@ def path(values: Sequence[float], most: float) -> str:
 
 
 def drawn(curve: List[Tuple[float, float]], about: str) -> str:
-    """The learning curve as an SVG picture."""
+    """The learning curve as an SVG image."""
     most = max(distance for distance, _ in curve) * 1.1
     lines = [
         '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 640 320" font-family="sans-serif" font-size="12">',

@@ -1,4 +1,4 @@
-"""How many agent-steps a second playhouse_gym makes: python3 examples/gym/rate.py [--robots 1000] [--beams 180]"""
+"""Measures agent-steps per second of playhouse_gym: python3 examples/gym/rate.py [--robots 1000] [--beams 180]"""
 
 import argparse
 import pathlib

@@ -4,7 +4,7 @@ import math
 
 
 def swarm(robots: int = 1000, beams: int = 180, density: float = 0.39, reach: float = 8.0) -> str:
-    """The text of a world: robots on a grid, `density` of them per square metre, each with so many beams of `reach` m over
+    """Text of a world: robots on a grid, `density` per square metre, each with this many beams of range `reach` m over
     180 degrees; ticks of 100 ms."""
     side = math.ceil(math.sqrt(robots))
     gap = math.sqrt(1 / density)
