@@ -1,5 +1,4 @@
-"""Robots and scripted people, as programs see them: what a laser says of things that are not on the map, and how to
-drive and walk along ways."""
+"""Robots and scripted people as clients: detection of unmapped objects by laser, and path following."""
 
 import math
 from typing import Iterable, List, Optional
@@ -7,10 +6,10 @@ from typing import Iterable, List, Optional
 from ground import Ground, Point, distance
 
 _CANDIDATES = [math.radians(degrees) for degrees in range(-90, 91, 10)]
-_WIDTH = 0.35      # m to each side of its way that a robot needs
-_STOP = 0.55       # m to what is ahead
-_ARRIVED = 0.35    # m
-_FAR = 7.9         # m; a SICK laser says 8 where nothing is
+_WIDTH = 0.35      # m, half width of the corridor that a robot needs
+_STOP = 0.55       # m, stopping distance from obstacles
+_ARRIVED = 0.35    # m, tolerance at a waypoint
+_FAR = 7.9         # m; a SICK laser reports 8 without a hit
 
 
 def turn_to(angle: float) -> float:
@@ -19,7 +18,7 @@ def turn_to(angle: float) -> float:
 
 
 class Guide:
-    """Who follows ways on the ground: plans anew when the goal has moved by half a metre."""
+    """Path follower; replans when the goal has moved by more than half a metre."""
 
     def __init__(self, ground: Ground) -> None:
         self._ground = ground
@@ -27,7 +26,7 @@ class Guide:
         self._way: List[Point] = []
 
     def next(self, at: Point, goal: Point) -> Point:
-        """Where to go now, at `at`, to get to `goal`."""
+        """Next waypoint from `at` to `goal`."""
         if self._goal is None or distance(goal, self._goal) > 0.5:
             self._goal, self._way = goal, self._ground.way(at, goal)
         while len(self._way) > 1 and distance(at, self._way[0]) < _ARRIVED:
@@ -39,7 +38,7 @@ class Guide:
 
 
 class LaserRobot:
-    """A robot with a laser, which knows where it is and what stands still. It drives by its own scans."""
+    """A robot with a laser, a known pose and a map of fixed obstacles. It avoids obstacles by its own scans."""
 
     def __init__(self, client, name: str, ground: Ground) -> None:
         robot = client.robot(name)
@@ -55,7 +54,7 @@ class LaserRobot:
         return pose.x, pose.y
 
     def look(self) -> None:
-        """Takes the newest scan: `points` in its own frame, `points_W` in the world's."""
+        """Reads the newest scan: `points` in the robot's frame, `points_W` in the world frame."""
         pose = self.base.pose
         c, s = math.cos(pose.a), math.sin(pose.a)
         scan = self.laser.scan()
@@ -63,7 +62,7 @@ class LaserRobot:
         self.points_W = [(pose.x + c * x - s * y, pose.y + s * x + c * y) for x, y in self.points]
 
     def strangers(self, known: Iterable[Point], widest: float) -> List[Point]:
-        """Middles of what it sees that is neither on the map nor near a point of `known`, up to `widest` m across."""
+        """Centres of detected objects up to `widest` m wide that are neither on the map nor near a point of `known`."""
         near = [thing.grown(0.25) for thing in self._ground.things]
         clusters: List[List[Point]] = []
         for p in self.points_W:
@@ -80,12 +79,12 @@ class LaserRobot:
         ]
 
     def go(self, goal: Point, speed: float, ignore: Optional[Point] = None) -> None:
-        """Drives to `goal`, along the map's ways and around what its laser sees, except what is within 0.6 m of `ignore`."""
+        """Drives to `goal` along a planned path, and avoids detected obstacles except those within 0.6 m of `ignore`."""
         pose = self.base.pose
         step = self.guide.next(self.at, goal)
         wanted = turn_to(math.atan2(step[1] - pose.y, step[0] - pose.x) - pose.a)
         ahead = [p for p, w in zip(self.points, self.points_W) if ignore is None or distance(w, ignore) > 0.6]
-        if abs(wanted) > math.radians(100):  # behind it, where it does not see
+        if abs(wanted) > math.radians(100):  # behind it, outside the field of view
             return self.base.drive(0.0, math.copysign(1.0, wanted))
         heading = min(_CANDIDATES, key=lambda h: abs(turn_to(h - wanted)) + 3 * max(0.0, 1 - _clear(ahead, h)))
         room = _clear(ahead, heading) - _STOP
@@ -97,7 +96,7 @@ class LaserRobot:
 
 
 def _clear(points: List[Point], heading: float) -> float:
-    """How far it may go along a heading before something is in the way, at most 2 m."""
+    """Free distance along a heading, at most 2 m."""
     c, s = math.cos(heading), math.sin(heading)
     clear = 2.0
     for x, y in points:
@@ -108,7 +107,7 @@ def _clear(points: List[Point], heading: float) -> float:
 
 
 class StandIn:
-    """A person that a script moves, who sees what is where as people do: without instruments."""
+    """A scripted person, with ground-truth perception in place of sensors."""
 
     def __init__(self, client, name: str, ground: Ground) -> None:
         robot = client.robot(name)
@@ -132,7 +131,7 @@ class StandIn:
 
 
 def say(voice, words: str) -> None:
-    """Has a device of the speech interface say a line."""
+    """Says a line by a device of the speech interface."""
     from playhouse_client.generated import speech
 
     voice.command(speech.CMD_SAY, speech.Cmd(words.encode() + b"\0"))

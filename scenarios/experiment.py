@@ -1,7 +1,7 @@
-"""What the experiments share: starting the program, the clock, who takes part, and the results file.
+"""Common part of the experiments: start of the program, clock, participants and results file.
 
-The world waits for this program in every tick (docs/lock-step.md), in real time or, with --fast, as fast as it can. With
-stand-ins alone the same seed gives the same run to the bit; what people in browsers do is in the recording.
+The simulation runs in lock-step with this program (docs/lock-step.md), in real time or, with --fast, as fast as possible.
+With stand-ins only, runs with the same seed are bit-identical; the actions of people in browsers are in the recording.
 """
 
 import argparse
@@ -23,19 +23,19 @@ from playhouse_client import Client, Mode, PlayerError, RequestRefused, RunEnded
 
 from ground import Point  # noqa: E402
 
-REFEREE = "referee"    # a person of each world, who tells the score; others are like it
-STEP = 2               # ticks from one decision to the next
+REFEREE = "referee"    # a person in each world that announces the score, and the prototype of the stand-ins
+STEP = 2               # ticks per decision
 
 
 def options(about: str, names: List[str], seconds: float) -> argparse.Namespace:
-    """The command line; `names` are those of stand-ins."""
-    parser = argparse.ArgumentParser(description=about, epilog="What stands behind -- goes to playhouse run, as --bind.")
-    parser.add_argument("--stand-ins", type=int, default=0, metavar="N", help=f"people that the script plays, up to {len(names)}")
-    parser.add_argument("--seconds", type=float, default=seconds, help="simulated time from when somebody is there (%(default)s)")
-    parser.add_argument("--seed", type=int, default=1, help="of the world and of the stand-ins (%(default)s)")
+    """Parses the command line; `names` are those of stand-ins."""
+    parser = argparse.ArgumentParser(description=about, epilog="Options after -- are passed to playhouse run, such as --bind.")
+    parser.add_argument("--stand-ins", type=int, default=0, metavar="N", help=f"number of scripted people, up to {len(names)}")
+    parser.add_argument("--seconds", type=float, default=seconds, help="simulated time from the first person on (%(default)s)")
+    parser.add_argument("--seed", type=int, default=1, help="seed of the world and of the stand-ins (%(default)s)")
     parser.add_argument("--fast", action="store_true", help="as fast as possible, without a page")
-    parser.add_argument("--results", default="results.json", metavar="FILE", help="where the results go (%(default)s)")
-    parser.add_argument("--record", metavar="FILE.mcap", help="records the run, with everybody in it")
+    parser.add_argument("--results", default="results.json", metavar="FILE", help="results file (%(default)s)")
+    parser.add_argument("--record", metavar="FILE.mcap", help="record the run, with all participants")
     parser.add_argument("--program", default=os.environ.get("PLAYHOUSE_PROGRAM", str(HOUSE / "build/playhouse")))
     parser.add_argument("more", nargs="*", help=argparse.SUPPRESS)
     chosen = parser.parse_args()
@@ -51,20 +51,20 @@ def options(about: str, names: List[str], seconds: float) -> argparse.Namespace:
 
 
 class Program:
-    """`playhouse run` in the arena, which waits for this program; a context manager that ends it."""
+    """`playhouse run` in the arena, in lock-step with this program; a context manager that terminates it."""
 
     def __init__(self, world: pathlib.Path, chosen: argparse.Namespace) -> None:
         words = [chosen.program, "run", str(world), "--engine", "arena", "--lock-step", REFEREE, "--port", "0"]
         words += ["--seed", str(chosen.seed), "--headless" if chosen.fast else "--speed"] + ([] if chosen.fast else ["1"])
         words += ["--record", chosen.record] if chosen.record else []
         try:
-            # In a session of its own: Ctrl-C is for this program, which ends that one when it has its results.
+            # In its own process session: Ctrl-C reaches this program only, which terminates the other after saving results.
             self._process = subprocess.Popen(words + chosen.more, stderr=subprocess.PIPE, text=True, start_new_session=True)
         except OSError as error:
             sys.exit(f"{chosen.program}: {error.strerror}; make build makes it, --program says where it is")
 
     def port(self) -> int:
-        """That of Player clients. What the program says goes on to standard error."""
+        """Port for Player clients. Forwards the program's output to standard error."""
         assert self._process.stderr
         for line in self._process.stderr:
             sys.stderr.write(line)
@@ -82,12 +82,12 @@ class Program:
         return self
 
     def __exit__(self, *_: object) -> None:
-        self._process.terminate()  # a recording is finished then
+        self._process.terminate()  # SIGTERM: the recording is closed
         self._process.wait()
 
 
 class Experiment:
-    """One run. A scenario derives from it, opens its robots in `prepare` and decides in `tick`."""
+    """One run. A scenario is a subclass that opens its robots in `prepare` and makes decisions in `tick`."""
 
     name = ""
     robot_names: List[str] = []
@@ -97,17 +97,17 @@ class Experiment:
         self.world = client.simulation(0)
         self.random = random.Random(chosen.seed)
         self.stand_in_names = stand_ins
-        self.time = 0.0            # s since somebody is there
+        self.time = 0.0            # s since the first person joined
         self.events: List[Dict[str, Any]] = []
-        self.people: Dict[str, Point] = {}   # where they are, stand-ins included
+        self.people: Dict[str, Point] = {}   # positions, stand-ins included
         self.is_interrupted = False
         self._path = world
 
-    # What a scenario adds.
+    # Implemented by scenarios.
     def prepare(self) -> None: ...
     def arrived(self, person: str) -> None: ...
     def tick(self) -> bool:
-        """Decides; whether the experiment goes on."""
+        """Makes decisions; returns whether the experiment continues."""
         raise NotImplementedError
     def score(self) -> Dict[str, Any]:
         raise NotImplementedError
@@ -130,13 +130,13 @@ class Experiment:
                 if not self.tick() or self.time >= self.chosen.seconds:
                     break
         except RunEnded:
-            pass  # by options of the program; what there is counts
+            pass  # ended by options of the program; results so far are valid
         except KeyboardInterrupt:
             self.is_interrupted = True
         return self.results()
 
     def tell(self, event: str, who: str, **more: Any) -> None:
-        """Keeps an event for the results, and prints it."""
+        """Records an event in the results, and prints it."""
         self.events.append({"time": round(self.time, 3), "event": event, "who": who, **more})
         words = [value if key == "what" else f"{key} {value}" for key, value in more.items()]
         print(f"{self.time:7.1f} s  " + " ".join([who, event, *words]), flush=True)
@@ -169,7 +169,7 @@ class Experiment:
         for name in list(self.people):
             try:
                 pose = self.world.pose(name)
-            except RequestRefused:  # left since the last look
+            except RequestRefused:  # removed since the last query
                 del self.people[name]
                 self.tell("left", name)
                 continue
@@ -177,12 +177,12 @@ class Experiment:
 
 
 def main(kind: Any, world: pathlib.Path, about: str, names: List[str], seconds: float) -> None:
-    """Runs an Experiment with what the command line says, and writes its results."""
+    """Runs an Experiment by the command line, and writes its results."""
     chosen = options(about, names, seconds)
-    signal.signal(signal.SIGTERM, signal.default_int_handler)  # as Ctrl-C: the results of what was are written
+    signal.signal(signal.SIGTERM, signal.default_int_handler)  # as Ctrl-C: results so far are written
     try:
         with open(chosen.results, "a", encoding="utf-8"):
-            pass  # rather now than after the run
+            pass  # fail before the run, not after it
         with Program(world, chosen) as program:
             with connect(f"127.0.0.1:{program.port()}", mode=Mode.PUSH) as client:
                 if not chosen.stand_ins:

@@ -1,7 +1,7 @@
-"""What stands still in a world, as rectangles, and the shortest ways between them.
+"""Path planning among the fixed obstacles of a world, modelled as rectangles.
 
-Ways are those of a visibility graph: straight lines from corner to corner of the rectangles, each grown by the
-clearance of who walks. Source: Lozano-Perez, Wesley, "An algorithm for planning collision-free paths among polyhedral
+Paths are shortest paths in a visibility graph: straight segments between corners of the rectangles, each inflated by the
+clearance of the moving body. Source: Lozano-Perez, Wesley, "An algorithm for planning collision-free paths among polyhedral
 obstacles", 1979.
 """
 
@@ -13,12 +13,12 @@ from typing import Dict, List, NamedTuple, Tuple
 
 Point = Tuple[float, float]
 
-# A line of a world file that is one thing, upright and along the axes, as the scenarios write them.
+# A line of a world file with one upright, axis-aligned obstacle, in the format of the scenarios.
 _THING = re.compile(r'^(\w+)\( name "(\w+)" pose \[(\S+) (\S+) 0 0\] size \[(\S+) (\S+) \S+\]')
 
 
 class Rect(NamedTuple):
-    """A rectangle along the axes, in m."""
+    """An axis-aligned rectangle, in m."""
 
     x0: float
     y0: float
@@ -32,7 +32,7 @@ class Rect(NamedTuple):
         return self.x0 < p[0] < self.x1 and self.y0 < p[1] < self.y1
 
     def meets(self, a: Point, b: Point) -> bool:
-        """Whether the line from a to b goes through its inside (Liang, Barsky, 1984)."""
+        """Whether the segment from a to b intersects the interior (Liang, Barsky, 1984)."""
         first, last = 0.0, 1.0
         for start, end, low, high in ((a[0], b[0], self.x0, self.x1), (a[1], b[1], self.y0, self.y1)):
             way = end - start
@@ -46,7 +46,7 @@ class Rect(NamedTuple):
 
 
 def read_things(world: pathlib.Path, *words: str) -> Dict[str, Rect]:
-    """The things of a world file whose word is one of these, by name: lines as
+    """The obstacles of a world file with one of these words, by name: lines such as
     wall( name "north" pose [0 4 0 0] size [10 0.2 1.2] )."""
     things = {}
     for line in world.read_text().splitlines():
@@ -64,7 +64,7 @@ def distance(a: Point, b: Point) -> float:
 
 
 class Ground:
-    """Rectangles, and ways that keep `clearance` from them (m)."""
+    """Obstacles, and path planning with a `clearance` from them (m)."""
 
     def __init__(self, things: List[Rect], clearance: float) -> None:
         self.things = things
@@ -74,8 +74,8 @@ class Ground:
         self._near = [self._seen_from(p) for p in self._corners]
 
     def is_free(self, a: Point, b: Point) -> bool:
-        """Whether the straight line keeps clear. Of what is too close at its ends it need only not go through the
-        inside, and what an end is in does not count."""
+        """Whether the segment keeps the clearance. Obstacles closer than the clearance to an end are tested without it,
+        and obstacles that contain an end are ignored."""
         return not any(self._is_in_the_way(r, grown, a, b) for r, grown in zip(self.things, self._grown))
 
     @staticmethod
@@ -85,11 +85,11 @@ class Ground:
         return not (thing.holds(a) or thing.holds(b)) and thing.meets(a, b)
 
     def sees(self, a: Point, b: Point) -> bool:
-        """Whether nothing stands between."""
+        """Whether the line of sight is free."""
         return not any(thing.meets(a, b) for thing in self.things)
 
     def way(self, a: Point, b: Point) -> List[Point]:
-        """Corners of the shortest way, without a and with b; empty where there is none."""
+        """Waypoints of the shortest path, without a and with b; empty if there is none."""
         if self.is_free(a, b):
             return [b]
         ends = dict(self._seen_from(b))

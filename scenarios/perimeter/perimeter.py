@@ -1,10 +1,10 @@
-"""Robots guard a fenced yard by lidar, people try to get to what is in its middle.
+"""Robots guard a fenced yard by lidar, people try to reach the cargo in its middle.
 
     python3 scenarios/perimeter/perimeter.py                       # people join in the page
     python3 scenarios/perimeter/perimeter.py --stand-ins 3 --fast  # a script plays them
 
-Who is within 1.3 m of the cargo's middle scores for the intruders. Whom a robot sees with its laser within 1.5 m is caught,
-and scores for the guards. Either way they begin again outside the fence.
+A person within 1.3 m of the cargo's centre scores for the intruders. A person detected by a robot's laser within 1.5 m is
+caught and scores for the guards. In both cases the person restarts outside the fence.
 """
 
 import pathlib
@@ -22,7 +22,7 @@ WORLD = HERE / "yard.world"
 YARD = Rect(-10, -8, 10, 8)
 CARGO = (0.0, 0.0)
 REACHED, CAUGHT = 1.3, 1.5   # m
-MISTAKEN = 0.8               # m that what a robot sees may be from the person it is
+MISTAKEN = 0.8               # m, maximum distance between a detection and a person
 PATROLS = {
     "guard0": [(6.0, 6.0), (-6.0, 6.0)], "guard1": [(-8.0, 3.0), (-4.5, -6.0)], "guard2": [(8.0, -3.0), (2.0, -6.0)],
 }
@@ -30,12 +30,12 @@ GAPS = [(5.0, 8.0), (-5.0, -8.0), (-10.0, 3.0), (10.0, -3.0)]
 OUTSIDE = [(5.0, 11.0), (-5.0, -11.0), (-13.0, 3.0), (13.0, -3.0)]
 NAMES = ["ann", "bo", "cy", "di"]
 PATROL_SPEED, CHASE_SPEED, SNEAK_SPEED, RUN_SPEED = 0.5, 0.9, 1.0, 1.6  # m/s
-FRIGHT = 2.2                 # m at which a stand-in runs from a robot
+FRIGHT = 2.2                 # m, distance of a robot at which a stand-in flees
 REST = 3.0                   # s outside before a stand-in tries again
 
 
 class Guard(LaserRobot):
-    """Patrols between its points; goes after what it is nearest to of what any guard sees."""
+    """Patrols between its points; pursues the nearest of those detections of all guards to which it is the nearest guard."""
 
     def __init__(self, client: Any, name: str, ground: Ground) -> None:
         super().__init__(client, name, ground)
@@ -50,7 +50,7 @@ class Guard(LaserRobot):
 
 
 class Intruder(StandIn):
-    """Goes through a gap to the cargo, runs out again when a robot is near, and then tries another gap."""
+    """Walks through a gap to the cargo, flees when a robot is near, and then tries another gap."""
 
     def __init__(self, client: Any, name: str, ground: Ground, start: int) -> None:
         super().__init__(client, name, ground)
@@ -127,7 +127,7 @@ class Perimeter(Experiment):
 
     @staticmethod
     def _target_of(guard: Guard, targets: List[Point], places: List[Point]) -> Optional[Point]:
-        """The nearest of those that no other guard is nearer to."""
+        """The nearest target to which no other guard is nearer."""
         own = [t for t in targets if distance(guard.at, t) <= min(distance(p, t) for p in places)]
         return min(own, key=lambda t: distance(guard.at, t), default=None)
 

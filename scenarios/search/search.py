@@ -3,9 +3,9 @@
     python3 scenarios/search/search.py                       # people join in the page
     python3 scenarios/search/search.py --stand-ins 2 --fast  # a script plays them
 
-The seed says where the parcels are. A robot finds one by its laser, within 1.5 m, where nobody of the team is that it could be;
-a person by standing within 1 m of it. What is found is taken away. Who comes into a room that nobody has claimed searches it, so
-that nobody looks twice; the run ends when all are found.
+The seed determines the positions of the parcels. A robot finds a parcel by laser within 1.5 m, unless a member of the team is
+there; a person finds one by standing within 1 m of it. Found parcels are removed. Rooms are claimed, so that none is searched
+twice; the run ends when all parcels are found.
 """
 
 import math
@@ -30,9 +30,9 @@ PARCELS = [f"parcel{i}" for i in range(6)]
 ENTRANCE = (-9.0, 0.0)
 NAMES = ["ann", "bo"]
 FOUND_BY_ROBOT, FOUND_BY_PERSON = 1.5, 1.0   # m
-MISTAKEN = 0.4            # m that what a robot takes for a parcel may be from one
-FROM_WALLS = 0.7          # m that parcels are from walls
-NOTICED = 3.0             # m at which a stand-in sees a parcel
+MISTAKEN = 0.4            # m, maximum distance between a detection and a parcel
+FROM_WALLS = 0.7          # m, minimum distance of parcels from walls
+NOTICED = 3.0             # m, range at which a stand-in detects a parcel
 ROBOT_SPEED, WALK_SPEED = 0.8, 0.7           # m/s
 LOOK_ROUND = 0.8          # rad/s
 
@@ -42,14 +42,14 @@ def middle(room: Rect) -> Point:
 
 
 class Plan:
-    """Which rooms are left to search, and who has claimed which."""
+    """The rooms that are neither searched nor claimed."""
 
     def __init__(self, ground: Ground) -> None:
         self._ground = ground
         self._left = dict(ROOMS)
 
     def claim(self, at: Point) -> Optional[str]:
-        """The nearest room that nobody has, on foot; None when all are searched or claimed."""
+        """Claims the nearest unclaimed room by path length; None if all are searched or claimed."""
         name = min(self._left, key=lambda room: self._length(at, middle(self._left[room])), default=None)
         if name:
             del self._left[name]
@@ -61,7 +61,7 @@ class Plan:
 
 
 class Searcher(LaserRobot):
-    """Goes to the middle of a room, looks round, and up to what may be a parcel."""
+    """Drives to the middle of a room, turns once, and approaches possible parcels."""
 
     def __init__(self, client: Any, name: str, ground: Ground) -> None:
         super().__init__(client, name, ground)
@@ -85,7 +85,7 @@ class Searcher(LaserRobot):
 
 
 class Walker(StandIn):
-    """Goes from room to room, and up to what it sees."""
+    """Walks from room to room, and to visible parcels."""
 
     room: Optional[str] = None
 
@@ -111,7 +111,7 @@ class Search(Experiment):
         for name in PARCELS:
             self.parcels[name] = self._lose(name)
         self.found: Dict[str, int] = {robot.name: 0 for robot in self.robots}
-        self.mistakes: List[Point] = []   # what robots took for parcels
+        self.mistakes: List[Point] = []   # false detections of robots
         self.walkers = {}
         for i, name in enumerate(self.stand_in_names):
             self.world.spawn(REFEREE, ENTRANCE[0] - 1, ENTRANCE[1] + 0.8 * i, 0.0, name)
@@ -148,7 +148,7 @@ class Search(Experiment):
         }
 
     def _lose(self, name: str) -> Point:
-        """Puts a parcel into a room, half a metre or more from others."""
+        """Places a parcel in a room, at least half a metre from others."""
         while True:
             room = ROOMS[self.random.choice(sorted(ROOMS))].grown(-FROM_WALLS)
             place = (self.random.uniform(room.x0, room.x1), self.random.uniform(room.y0, room.y1))
