@@ -1,4 +1,4 @@
-"""Player robots from Python: a client of Playhouse and of any Player 3 server.
+"""A Python client of Playhouse and of any Player 3 server.
 
     import playhouse_client
 

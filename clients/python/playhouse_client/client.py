@@ -1,4 +1,4 @@
-"""A program's connection to a Player server, and what it can ask of the server itself."""
+"""A connection to a Player server, and requests to the server itself."""
 
 import enum
 import time
@@ -17,7 +17,7 @@ from .robot import Robot
 from .session import Session
 from .wire import Kind, c_string, text
 
-DEFAULT_HOST = "127.0.0.1"  # not localhost, which a machine without /etc/hosts cannot resolve
+DEFAULT_HOST = "127.0.0.1"  # not localhost: a machine without /etc/hosts cannot resolve it
 DEFAULT_PORT = 6665
 _CLOSING_SECONDS = 1.0
 
@@ -32,14 +32,14 @@ _Place = Tuple[int, str, int]  # port, interface, index
 
 
 class Mode(enum.IntEnum):
-    """When the server sends data: at once, or in rounds that the client asks for."""
+    """Delivery of data: immediately (push), or in rounds requested by the client (pull)."""
 
     PUSH = player.DATAMODE_PUSH
     PULL = player.DATAMODE_PULL
 
 
 class Rule(enum.IntEnum):
-    """What happens to a message for this client when one like it is still waiting."""
+    """Handling of a message for this client while an older one of the same type is queued."""
 
     ACCEPT = player.MSG_REPLACE_RULE_ACCEPT
     REPLACE = player.MSG_REPLACE_RULE_REPLACE
@@ -47,9 +47,9 @@ class Rule(enum.IntEnum):
 
 
 class DeviceEntry(NamedTuple):
-    """One line of the server's device list. `interface` is a name, or a number where no name is known; `model` is the
-    full name of the model behind the device and `robot` that of the model at the top which carries it, both empty
-    where the server does not tell."""
+    """One entry of the server's device list. `interface` is a name, or a number if it has no known name; `model` is the
+    full name of the model behind the device and `robot` that of its top-level model, both empty if the server does
+    not report them."""
 
     interface: str
     index: int
@@ -63,9 +63,9 @@ class DeviceEntry(NamedTuple):
 
 
 class Client:
-    """One connection; one thread. Use it in a `with` block: leaving it closes the devices and the connection.
+    """One connection, for one thread. In a `with` block, devices and connection are closed at its end.
 
-    `timeout` (s) is that of connecting, of every request and of every read() that is given none.
+    `timeout` (s) applies to connecting, to every request, and to every read() without a timeout of its own.
     """
 
     def __init__(
@@ -78,10 +78,10 @@ class Client:
     ) -> None:
         self._devices: Dict[Tuple[int, int], List[Device]] = {}
         self._session = Session(Connection(host, port, timeout), timeout, self._retire)
-        self._families: Optional[List[List[Model]]] = None  # as they were asked for last
+        self._families: Optional[List[List[Model]]] = None  # as of the last query
         self._robots: Dict[Tuple[str, Tuple[DeviceAddress, ...]], Robot] = {}  # by name and devices
         self._reading = False
-        self.mode = Mode.PUSH  # what a server starts with
+        self.mode = Mode.PUSH  # initial mode of a server
         if mode == Mode.PUSH:
             return
         try:
@@ -92,7 +92,7 @@ class Client:
 
     @property
     def banner(self) -> str:
-        """What the server said first, "Player v.3.1" for instance."""
+        """The server's greeting, for instance "Player v.3.1"."""
         return self._session.connection.banner
 
     @property
@@ -101,23 +101,23 @@ class Client:
 
     @property
     def overflow_count(self) -> int:
-        """Data messages that were lost because they were not read in time, here or in the server."""
+        """Data messages dropped because they were not read in time, here or in the server."""
         return self._session.overflow_count
 
     def lost_count(self) -> int:
-        """Asks how many data messages were lost on their way to this client, in any mode: the server's number, and those
-        that were not read here in time. Raises RequestRefused where the server does not tell."""
+        """Queries the number of data messages lost on the way to this client, in any mode: the server's count plus those
+        not read here in time. Raises RequestRefused if the server does not report it."""
         question = common.IntpropReq(c_string("lost"))
         answer = self._session.request(player.CODE, 0, common.REQ_GET_INTPROP, question)
         return common.IntpropReq.decode(answer.body).value + self._session.unread_count
 
     @property
     def skipped_count(self) -> int:
-        """Messages that nobody waited for or that made no sense."""
+        """Messages without a recipient, and invalid messages."""
         return self._session.skipped_count
 
     def devices(self) -> List[DeviceEntry]:
-        """What the server offers, in its own order, with the driver and the model behind each device."""
+        """The devices of the server, in its own order, with the driver and the model behind each."""
         answer = self._session.request(player.CODE, 0, player.REQ_DEVLIST)
         listed = player.DeviceDevlist.decode(answer.body).devices
         owners = self._find_owners() if any(addr.interf == simulation.CODE for addr in listed) else {}
@@ -130,16 +130,16 @@ class Client:
     def set_replace_rule(
         self, rule: Rule, *, interface: int = -1, index: int = -1, kind: int = -1, subtype: int = -1
     ) -> None:
-        """Tells the server what to do with messages that wait for this client; -1 stands for any."""
+        """Sets the server's rule for messages queued for this client; -1 matches any."""
         body = player.AddReplaceRuleReq(interface, index, kind, subtype, int(rule))
         self._session.request(player.CODE, 0, player.REQ_ADD_REPLACE_RULE, body)
 
     def read(self, timeout: Optional[float] = None) -> int:
-        """Waits for the next data and hands them to the devices; returns how many messages there were.
+        """Waits for data and delivers them to the devices; returns the number of messages.
 
-        In pull mode this is one round: everything the server holds for this client. In push mode it is what
-        has arrived, at least one message; none if a device turns out to be gone first (Device.gone). Raises
-        RequestTimeout when no data come; the next read() goes on waiting. When the server goes, what it had sent is delivered first; the next read() raises ConnectionLost.
+        In pull mode this is one round: everything the server has queued for this client. In push mode it is what
+        has arrived, at least one message, or none if a device was retired before (Device.gone). Raises
+        RequestTimeout without data; the next read() continues to wait. If the server disconnects, data it had sent are delivered first; the next read() raises ConnectionLost.
         """
         if self._reading:
             raise PlayerError("read() was called from a callback that read() itself is running")
@@ -151,7 +151,7 @@ class Client:
             self._reading = False
 
     def device(self, interface: str, index: int = 0, access: Access = Access.ALL) -> Device:
-        """Opens a device of any interface: as the proxy of that interface if there is one."""
+        """Opens a device of any interface, as the proxy of that interface if there is one."""
         return self._open(_PROXIES.get(interface, Device), interface, index, access)
 
     def position2d(self, index: int = 0, access: Access = Access.ALL) -> Position2d:
@@ -206,15 +206,15 @@ class Client:
         return self._open(Simulation, "simulation", index, access)
 
     def models(self) -> List[Model]:
-        """All models that are in the simulated world now, with their devices, parents before what they carry. Raises
-        RequestRefused where the server does not tell them (not every simulator does, and no real robot)."""
+        """All models in the simulated world now, with their devices, parents before children. Raises
+        RequestRefused if the server does not report models (not every simulator does, and no real robot)."""
         return [family[0] for family in self._list_families()]
 
     def robot(self, name: str) -> Robot:
-        """The robot of this name, or any other model, with the devices of all that it carries: of those that models() or
-        robots() listed last, or of those that are there now where the name is not among them.
+        """The robot, or any other model, of this name, with the devices of all its descendants. It is looked up in the last
+        list of models() or robots(), and if it is not there, in a new list.
 
-        The same name gives the same Robot as long as it has the same devices; of several models of one name it is the last. Raises RequestRefused if
+        The same name gives the same Robot object while its devices are the same; of several models with one name it is the last. Raises RequestRefused if
         there is none, and as models().
         """
         named = [family for family in self._families or () if family[0].name == name]
@@ -226,13 +226,13 @@ class Client:
         return self._robot_of(named[-1])
 
     def robots(self) -> List[Robot]:
-        """The models at the top of the world that have devices on this connection, of their own or of what they carry,
-        in the world file's order. Raises RequestRefused as models()."""
+        """The top-level models with devices on this connection, of their own or of descendants, in the order of the world
+        file. Raises RequestRefused as models()."""
         tops = [self._robot_of(family) for family in self._list_families() if not family[0].parent]
         return [robot for robot in tops if any(at.port == self._session.server_port for at in robot.devices)]
 
     def deliver_pushed(self) -> None:
-        """In push mode, hands the data that have come to the devices without waiting for more."""
+        """In push mode, delivers data that have arrived to the devices, without waiting for more."""
         if self.mode == Mode.PUSH and not self._reading:
             self._reading = True
             try:
@@ -241,7 +241,7 @@ class Client:
                 self._reading = False
 
     def forget(self, device: Device) -> None:
-        """Takes a closed device off the list; Device.close() does this."""
+        """Removes a closed device from the list; called by Device.close()."""
         same = self._devices.get((device.code, device.index), [])
         if device in same:
             same.remove(device)
@@ -251,13 +251,13 @@ class Client:
                 self._session.drop_waiting(device.code, device.index)
 
     def close(self) -> None:
-        """Closes what is open, last opened first, and waits until the server has read everything."""
+        """Closes all devices in reverse order of opening, and waits until the server has read everything."""
         opened = [device for devices in self._devices.values() for device in devices]
         for device in reversed(opened):
             try:
                 device.close()
             except PlayerError:
-                pass  # the end of the connection closes it as well
+                pass  # closing the connection closes it as well
         self._session.connection.close(_CLOSING_SECONDS)
 
     def __enter__(self) -> "Client":
@@ -278,7 +278,7 @@ class Client:
         return DeviceEntry(interface, addr.index, driver, model, robot)
 
     def _find_owners(self) -> Dict[_Place, Tuple[str, str]]:
-        """The model behind each device, and the model at the top that carries it; nothing if the server tells none."""
+        """The model behind each device and its top-level model; empty if the server does not report models."""
         try:
             tops = [family for family in self._list_families() if not family[0].parent]
         except RequestRefused:
@@ -291,7 +291,7 @@ class Client:
         }
 
     def _list_families(self) -> List[List[Model]]:
-        """All models that are there now, each with what it carries."""
+        """All current models, each with its descendants."""
         try:
             with self.simulation(0) as simulator:
                 self._families = families(ask_models(simulator))
@@ -320,7 +320,7 @@ class Client:
         try:
             device.prepare()
         except RequestRefused:
-            pass  # it works without what prepare() asks for
+            pass  # works without the results of prepare()
         except PlayerError:
             device.close()
             raise
@@ -337,8 +337,8 @@ class Client:
         return self._receive(deadline, lambda delivered: not delivered or self._session.connection.buffered())
 
     def _receive(self, deadline: float, more: Callable[[int], bool]) -> int:
-        """Delivers what waits, and what comes as long as `more` of the count so far; how many messages there were.
-        An end that comes after data is left to the next call, so that the data are seen first."""
+        """Delivers queued messages, and new ones while `more` holds for the count so far; returns the number of messages.
+        A disconnection after data is left to the next call, so that the data are delivered first."""
         delivered = self._deliver()
         while more(delivered) and not (self._session.told and not delivered):
             try:
@@ -366,7 +366,7 @@ class Client:
             except WireError:
                 self._session.skipped_count += 1
                 continue
-            # The last data of a device that is gone are its own, unless another one has taken its address.
+            # The last data of a retired device belong to it, unless a new device has its address.
             for device in [each for each in takers if not each.gone] or list(takers):
                 device.take(row, value, header.timestamp)
             count += 1
@@ -383,7 +383,7 @@ def _split(address: str) -> Tuple[str, str]:
 
 
 def connect(address: str = DEFAULT_HOST, *, mode: Mode = Mode.PULL, timeout: float = 5.0) -> Client:
-    """Connects to "host", "host:port", ":port" or "[::1]:port"; what is missing is 127.0.0.1 and 6665."""
+    """Connects to "host", "host:port", ":port" or "[::1]:port"; the defaults are 127.0.0.1 and 6665."""
     host, port = _split(address)
     if not port.isdigit() or not 0 < int(port) < 65536:
         raise ConnectionLost(f'"{address}" is not HOST or HOST:PORT')

@@ -1,4 +1,4 @@
-"""One TCP connection to a Player server: banner, framing, deadlines. It knows no message but the header."""
+"""One TCP connection to a Player server: banner, framing, deadlines. It interprets headers only."""
 
 import socket
 import time
@@ -9,28 +9,28 @@ from .wire import HEADER_BYTES, MAX_BODY_BYTES, Header
 
 BANNER_BYTES = 32
 _CHUNK = 65536
-_LONGEST_WAIT = 1e9  # seconds; what sockets take for a time-out ends somewhere beyond
+_LONGEST_WAIT = 1e9  # seconds; sockets reject much larger timeouts
 
 
 class Message(NamedTuple):
-    """A header and the bytes that followed it, not decoded."""
+    """A header and the undecoded body."""
 
     header: Header
     body: bytes
 
 
 def checked_seconds(timeout: float) -> float:
-    """A time-out, if it is one: 0 or more, infinity included."""
-    if not timeout >= 0.0:  # nan as well
+    """Checks a timeout: 0 or more, infinity included."""
+    if not timeout >= 0.0:  # also rejects nan
         raise InvalidValue(f"a time-out of {timeout} s")
     return timeout
 
 
 class Connection:
-    """Sends and receives whole messages. A time-out leaves half-read bytes in place, so reading can go on.
+    """Sends and receives complete messages. A timeout keeps partially read bytes, so reading can continue.
 
-    Deadlines are on time.monotonic()'s clock. When the server goes, what it had sent can still be received; then
-    every call tells why it went.
+    Deadlines are times of time.monotonic(). If the server disconnects, messages it had sent can still be received;
+    then every call raises the reason.
     """
 
     def __init__(self, host: str, port: int, timeout: float) -> None:
@@ -39,7 +39,7 @@ class Connection:
         self._timeout = min(checked_seconds(timeout), _LONGEST_WAIT)
         self._bytes = bytearray()
         self._socket: Optional[socket.socket] = None
-        self._fault = ""  # why nothing can be sent any more
+        self._fault = ""  # why nothing can be sent
         self._ended = False  # by the server, in order
         try:
             self._socket = socket.create_connection((host, port), self._timeout)
@@ -61,7 +61,7 @@ class Connection:
         try:
             self._socket.settimeout(self._timeout)
             self._socket.sendall(header.encode() + body)
-        except OSError as error:  # what was sent in part cannot be continued
+        except OSError as error:  # a partially sent message cannot be continued
             self._fault = f"the server is gone: {error}"
             raise self._lost() from error
 
@@ -78,16 +78,16 @@ class Connection:
         return Message(header, body)
 
     def buffered(self) -> bool:
-        """Whether a whole message is here already, so that receive() returns without waiting."""
+        """Whether a complete message is buffered, so that receive() returns without waiting."""
         if len(self._bytes) < HEADER_BYTES:
             return False
         header = Header.decode(self._bytes[:HEADER_BYTES])
         return header.size > MAX_BODY_BYTES or len(self._bytes) >= HEADER_BYTES + header.size
 
     def close(self, timeout: float) -> None:
-        """Ends sending and waits up to `timeout` seconds until the server has read everything.
+        """Shuts down sending and waits up to `timeout` seconds until the server has read everything.
 
-        Closing with unread data makes TCP throw away what is still on its way: a last stop command, perhaps.
+        Closing with unread data makes TCP discard data in transit, such as a last stop command.
         """
         if self._socket is None:
             return
@@ -99,7 +99,7 @@ class Connection:
                 if not self._socket.recv(_CHUNK):
                     break
         except OSError:
-            pass  # it was going away anyhow
+            pass  # already disconnecting
         self._drop("the connection is closed")
 
     def _read_banner(self, deadline: float) -> str:
@@ -127,16 +127,16 @@ class Connection:
             self._bytes += chunk
 
     def _wait_until(self, deadline: float) -> None:
-        """Arms the next recv; a deadline that has passed still takes what has already arrived."""
+        """Sets the timeout of the next recv; after the deadline, data that have arrived are still read."""
         assert self._socket is not None
         left = min(max(deadline - time.monotonic(), 1e-4), _LONGEST_WAIT)
-        self._socket.settimeout(0.0 if self._fault else left)  # one that cannot be sent to will say nothing new
+        self._socket.settimeout(0.0 if self._fault else left)  # after a send error no new data are expected
 
     def _lost(self) -> ConnectionLost:
         return (RunEnded if self._ended else ConnectionLost)(f"{self.peer}: {self._fault}")
 
     def _drop(self, fault: str) -> ConnectionLost:
-        """Ends the connection, for the first reason that was found; the error to raise."""
+        """Closes the connection and returns the error to raise, with the first reason found."""
         self._fault = self._fault or fault
         if self._socket is not None:
             self._socket.close()

@@ -19,7 +19,7 @@ D = TypeVar("D", bound="Device")
 
 
 class Access(enum.IntEnum):
-    """What a program may do with a device. The character codes are those of Player's first servers."""
+    """Access to a device. The character codes are those of Player's first servers."""
 
     ALL = player.OPEN_MODE
     READ = ord("r")
@@ -27,7 +27,7 @@ class Access(enum.IntEnum):
 
 
 class _PropertyKind(NamedTuple):
-    """The messages that get and set properties of one Python type, and how a value goes in and comes out."""
+    """Messages that get and set properties of one Python type, and conversions of the value."""
 
     get: MessageType
     set: MessageType
@@ -48,7 +48,7 @@ _CODES = {name: code for code, name in INTERFACES.items()}
 
 
 def did_you_mean(word: str, known: Iterable[str]) -> str:
-    """' (did you mean "laser"?)' for the known word nearest to this one, nothing if none is near."""
+    """' (did you mean "laser"?)' for the nearest known word, empty if none is near."""
     near = difflib.get_close_matches(word, list(known), 1)
     return f' (did you mean "{near[0]}"?)' if near else ""
 
@@ -69,7 +69,7 @@ class Device:
     """Opened by a function of Client or Robot; closed by close() or by leaving a `with` block.
 
     `driver` is the name of the driver behind the device, `timestamp` the server's time in seconds at the last
-    data (0 before the first), `fresh` says whether data have come that next_data() has not seen.
+    data (0 before the first), `fresh` is set if data have arrived since the last next_data().
     """
 
     def __init__(
@@ -88,7 +88,7 @@ class Device:
         self._latest: Dict[int, Tuple[Struct, float]] = {}
         self._callback: Optional[Callable[[MessageType, Struct, float], None]] = None
         self._open = False
-        self._gone = ""  # why nothing can be asked any more
+        self._gone = ""  # why requests are refused
         self.driver = self._set_access(access)
         self._open = True
 
@@ -103,39 +103,39 @@ class Device:
 
     @property
     def gone(self) -> bool:
-        """Whether read() was told that the server has retired the device. Using it raises DeviceGone from then on, the
-        last data stay, and close() has nothing to do. Until read() comes to it the server refuses requests and drops
+        """Whether read() has received the notice that the server retired the device. From then on its use raises
+        DeviceGone, its last data remain, and close() has no effect. Before, the server refuses requests and drops
         commands."""
         return bool(self._gone)
 
     @property
     def has_data(self) -> bool:
-        """Whether any data have come since this device was opened."""
+        """Whether any data have arrived since this device was opened."""
         return bool(self._latest)
 
     def request(
         self, message: MessageType, payload: Optional[Struct] = None, timeout: Optional[float] = None
     ) -> Optional[Struct]:
-        """Asks and waits for the answer, None if it has no body. Raises RequestRefused or RequestTimeout."""
+        """Sends a request and waits for the answer, None if it has no body. Raises RequestRefused or RequestTimeout."""
         self._insist_on_open()
         answer = self._session.request(self.code, self.index, message, payload, timeout)
         return message.payload.decode(answer.body) if message.payload and answer.body else None
 
     def command(self, message: MessageType, payload: Optional[Struct] = None) -> None:
-        """Sends a command; the server carries it out without an answer."""
+        """Sends a command; commands have no answer."""
         self._insist_on_open()
         self._session.send(self.code, self.index, message, payload)
 
     def latest(self, message: MessageType) -> Optional[Struct]:
-        """The last value of a kind of data, None before the first."""
+        """The newest value of a data message, None before the first."""
         return self._latest[message.subtype][0] if message.subtype in self._latest else None
 
     def on_data(self, callback: Optional[Callable[[MessageType, Struct, float], None]]) -> None:
-        """Calls back from inside Client.read() with (kind, value, timestamp) of all data of this device."""
+        """Sets a callback, called within Client.read() with (message, value, timestamp) of all data of this device."""
         self._callback = callback
 
     def next_data(self, timeout: Optional[float] = None) -> None:
-        """Waits until this device has data newer than at the last call. Raises RequestTimeout after `timeout` (s)."""
+        """Waits for data newer than those of the last call. Raises RequestTimeout after `timeout` (s)."""
         seconds = self._session.timeout_or_own(timeout)
         deadline = time.monotonic() + seconds
         late = f"{self._session.peer}: no data of {self.name} in {seconds:g} s"
@@ -145,7 +145,7 @@ class Device:
                 self._client.read(max(deadline - time.monotonic(), 0.0))
             except RequestTimeout as error:
                 raise RequestTimeout(late) from error
-            if not self.fresh and time.monotonic() >= deadline:  # others keep read() busy
+            if not self.fresh and time.monotonic() >= deadline:  # read() is busy with other devices
                 raise RequestTimeout(late)
         self.fresh = False
 
@@ -169,7 +169,7 @@ class Device:
             raise RequestRefused(f'{self._session.peer}: {self.name} refuses {value!r} as "{key}"') from None
 
     def has_capability(self, message: MessageType) -> bool:
-        """Whether the driver says that it understands a kind of message. Many drivers never say so."""
+        """Whether the driver reports that it supports a message. Many drivers never do."""
         try:
             self.request(common.REQ_CAPABILITIES, common.CapabilitiesReq(int(message.kind), message.subtype))
         except RequestRefused:
@@ -177,7 +177,7 @@ class Device:
         return True
 
     def prepare(self) -> None:
-        """Asks what a proxy needs to know once. Called after opening."""
+        """Requests constant data for a proxy. Called after opening."""
 
     def take(self, message: MessageType, value: Struct, timestamp: float) -> None:
         """Receives data from Client.read()."""
@@ -188,11 +188,11 @@ class Device:
             self._callback(message, value, timestamp)
 
     def retire(self, port: int) -> None:
-        """Hears that the server, which knows its port by this number, has retired the device."""
+        """Marks the device as retired by the server, whose own port number is `port`."""
         self._gone = self._gone or f"{port}:{self.name} is gone: the server retired it"
 
     def close(self) -> None:
-        """Closes the device; a second call does nothing."""
+        """Closes the device; a second call has no effect."""
         if not self._open:
             return
         self._open = False
@@ -214,11 +214,11 @@ class Device:
 
     def _insist_on_finite(self, **values: float) -> None:
         for name, value in values.items():
-            if not -_LARGEST <= value <= _LARGEST:  # nan as well
+            if not -_LARGEST <= value <= _LARGEST:  # also rejects nan
                 raise InvalidValue(f"{self.name}: {name} is {value}, not a finite number")
 
     def _stamped(self, message: MessageType) -> Tuple[Any, float]:
-        """The last value of a kind of data and the server's time (s) of it. Raises NoData before the first."""
+        """The newest value of a data message and its server time (s). Raises NoData before the first."""
         if message.subtype not in self._latest:
             raise NoData(f"{self._session.peer}: {self.name} has sent no data yet; next_data() waits for them")
         return self._latest[message.subtype]

@@ -1,4 +1,4 @@
-"""What can go wrong between a program and its server; all are PlayerError."""
+"""Errors of this package, all derived from PlayerError."""
 
 
 class PlayerError(Exception):
@@ -6,19 +6,19 @@ class PlayerError(Exception):
 
 
 class ConnectionLost(PlayerError):
-    """The server could not be reached, is gone, or sent bytes that are not Player's."""
+    """The server is unreachable, has disconnected, or sent bytes that violate the protocol."""
 
 
 class RunEnded(ConnectionLost):
-    """The server closed the connection behind all that it had to say: the run is over."""
+    """The server closed the connection in order, after sending all data: the run has ended."""
 
 
 class RequestTimeout(PlayerError):
-    """No answer, or no data, within the time allowed. The connection is still good."""
+    """No answer, or no data, before the timeout. The connection remains usable."""
 
 
 class RequestRefused(PlayerError):
-    """The server answered NACK, or has no device or model of that name. `body` is what came with a NACK, undecoded."""
+    """The server answered NACK, or has no device or model of that name. `body` is the undecoded body of a NACK."""
 
     def __init__(self, text: str, body: bytes = b"") -> None:
         super().__init__(text)
@@ -26,20 +26,20 @@ class RequestRefused(PlayerError):
 
 
 class NoData(PlayerError):
-    """A device was asked for a value before its first data; Device.next_data() waits for them."""
+    """A value was read before the first data of the device; Device.next_data() waits for them."""
 
 
 class DeviceClosed(PlayerError):
-    """A device was used after close(), or after its client's."""
+    """A device was used after close() of the device or of its client."""
 
 
 class DeviceGone(PlayerError):
-    """A device was used that the server has retired: what it belonged to is no more."""
+    """A device was used that the server has retired: its model was removed."""
 
 
 class InvalidValue(PlayerError, ValueError):
-    """An argument that means nothing: a speed that is no number, an interface that does not exist. Nothing was sent."""
+    """An invalid argument, such as a speed that is not a number or an unknown interface. Nothing was sent."""
 
 
 class WireError(PlayerError):
-    """Bytes that do not decode as the message they claim to be, or a value that does not fit the wire."""
+    """Bytes that do not decode as the message of their header, or a value outside the range of its field."""

@@ -12,8 +12,7 @@ _ESCAPES = {"\\\\": "\\", "\\t": "\t", "\\n": "\n"}
 
 
 class DeviceAddress(NamedTuple):
-    """Where a device is: the port of its server, the name of its interface, and which one of that interface; and the
-    full name of the model that it belongs to."""
+    """Address of a device: port of its server, interface and index, with the full name of its model."""
 
     port: int
     interface: str
@@ -22,13 +21,13 @@ class DeviceAddress(NamedTuple):
 
     @property
     def name(self) -> str:
-        """As in "position2d:12"."""
+        """INTERFACE:INDEX, for instance "position2d:12"."""
         return f"{self.interface}:{self.index}"
 
 
 class Model(NamedTuple):
-    """One model of the world: its full name, its type ("position", whatever macro made it), the name of the model that
-    carries it (empty: none does), its own devices, and its id, which no other model of the run ever has."""
+    """One model of the world: full name, type ("position", independent of macros), name of its parent (empty for a
+    top-level model), own devices, and id, which is unique in the run."""
 
     name: str
     type: str
@@ -38,7 +37,7 @@ class Model(NamedTuple):
 
 
 def ask_models(simulator: Device) -> List[Model]:
-    """All models of a simulation device's world. Raises RequestRefused where the simulator does not tell them."""
+    """All models of a simulation device's world. Raises RequestRefused if the simulator does not report them."""
     found: List[Model] = []
     index = 0
     while True:
@@ -53,16 +52,16 @@ def ask_models(simulator: Device) -> List[Model]:
 
 
 def parse_models(lines: str) -> List[Model]:
-    """The models of one answer, a line each: id, name, type, parent and devices between TABs. Raises WireError."""
+    """The models of one answer, one per line: id, name, type, parent and devices, separated by TABs. Raises WireError."""
     return [_parse_line(line) for line in lines.split("\n") if line]
 
 
 def families(models: List[Model]) -> List[List[Model]]:
-    """For each model, in order: itself and all that it carries, and what those carry, in the list's order."""
+    """For each model, in order: itself and all its descendants, in the order of the list."""
     found = [[model] for model in models]
     parents: List[Optional[int]] = []
-    places: Dict[str, int] = {}  # of equal names the last before
-    for at, model in enumerate(models):  # parents come before what they carry
+    places: Dict[str, int] = {}  # of equal names the last one so far
+    for at, model in enumerate(models):  # parents come before children
         parents.append(places.get(model.parent))
         places[model.name] = at
         above = parents[at]

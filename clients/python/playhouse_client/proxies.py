@@ -1,7 +1,7 @@
-"""What programs do with the common kinds of device. SI units and radians; x forward, y left, z up, angles
+"""Proxies of the common interfaces. SI units and radians; x forward, y left, z up, angles
 counter-clockwise.
 
-Looking at a device's data never waits: it shows what the last Client.read() brought, and raises NoData before the
+Reading a device's data never waits: it returns the data of the last Client.read(), and raises NoData before the
 first data of the device. next_data() and updates() wait.
 """
 
@@ -18,12 +18,12 @@ from .wire import MessageType, Struct, c_string, text
 
 Kept = TypeVar("Kept")
 
-_ENDED = "the run has ended"  # why the server refuses a step then
+_ENDED = "the run has ended"  # the server's reason to refuse a step then
 
 
 class Pose(NamedTuple):
-    """A place in the plane and a heading there, in this order: x (m), y (m), a (rad, counter-clockwise, 0 along the
-    frame's x, in (-pi, pi] as servers tell it). Who returns one says in which frame it is."""
+    """A pose in the plane, in this order: x (m), y (m), a (heading in rad, counter-clockwise, 0 along the frame's x, in
+    (-pi, pi] as servers report it). The frame is documented where a pose is returned."""
 
     x: float = 0.0
     y: float = 0.0
@@ -31,8 +31,8 @@ class Pose(NamedTuple):
 
 
 class Pose3d(NamedTuple):
-    """A place in space and an attitude there, in this order: x, y, z (m), then roll, pitch, yaw (rad): turned about z
-    by yaw, then about the new y by pitch, then about the new x by roll. Who returns one says in which frame it is."""
+    """A pose in space, in this order: x, y, z (m), then roll, pitch, yaw (rad): rotations about z by yaw, then about the
+    new y by pitch, then about the new x by roll. The frame is documented where a pose is returned."""
 
     x: float = 0.0
     y: float = 0.0
@@ -51,7 +51,7 @@ class Size(NamedTuple):
 
 
 class Velocity(NamedTuple):
-    """x and y in m/s, a in rad/s, in the robot's own frame."""
+    """x and y in m/s, a in rad/s, in the robot's frame."""
 
     x: float = 0.0
     y: float = 0.0
@@ -59,17 +59,17 @@ class Velocity(NamedTuple):
 
 
 class Geometry(NamedTuple):
-    """Where a device sits on its robot (for a base: its own centre), and how big it is."""
+    """Pose of a device on its robot (for a base: its own centre), and its size."""
 
     pose: Pose3d
     size: Size
 
 
 class State(NamedTuple):
-    """The data of a base: its own estimate of where it is, how it moves, and whether it is blocked.
+    """The data of a base: pose estimate, velocity, and whether it is blocked.
 
-    `pose` is in the frame of that estimate: with odometry the pose where it started, or what set_odometry() made of it;
-    with a GPS the world. `time` is the server's, in s.
+    `pose` is in the frame of the estimate: with odometry that of the start pose, or as set by set_odometry();
+    with localization by gps the world. `time` is the server's, in s.
     """
 
     pose: Pose
@@ -79,9 +79,9 @@ class State(NamedTuple):
 
 
 class Scan(NamedTuple):
-    """Distances in m and their directions in rad, one for one, in the order of measurement.
+    """Ranges in m and their directions in rad, pairwise, in the order of measurement.
 
-    Directions are from the sensor's front, counter-clockwise. `time` is the server's, in s.
+    Directions are counter-clockwise from the sensor's x axis. `time` is the server's, in s.
     """
 
     ranges: List[float]
@@ -90,16 +90,16 @@ class Scan(NamedTuple):
     time: float
 
     def nearest(self, low: float = -math.pi, high: float = math.pi) -> float:
-        """The shortest range between two directions; max_range if nothing is measured there."""
+        """The minimum range between two directions; max_range if no beam is there."""
         return min((r for r, a in zip(self.ranges, self.angles) if low <= a <= high), default=self.max_range)
 
     def points(self) -> List[Tuple[float, float]]:
-        """Where the beams end, in the sensor's frame."""
+        """End points of the beams, in the sensor's frame."""
         return [(r * math.cos(a), r * math.sin(a)) for r, a in zip(self.ranges, self.angles)]
 
 
 class Marker(NamedTuple):
-    """A fiducial in sight: its number and where it is, seen from the sensor."""
+    """A marker in view: its id, and its pose in the sensor's frame."""
 
     id: int
     pose: Pose3d
@@ -114,8 +114,8 @@ class Marker(NamedTuple):
 
 
 class Face(NamedTuple):
-    """Where a switch of a bumper is touched: the middle on the robot, facing yaw, and how long it is across. `radius`
-    is that of its bend, 0 if it is straight. In m."""
+    """The face of a bumper switch: pose of its centre on the robot (yaw: outward direction) and its length. `radius` is
+    its radius of curvature, 0 if it is straight. In m."""
 
     pose: Pose3d
     length: float
@@ -123,9 +123,9 @@ class Face(NamedTuple):
 
 
 class Image(NamedTuple):
-    """A picture: rows from the top, pixels from the left. `format` is one of camera.FORMAT_MONO8, FORMAT_MONO16 (of
-    Playhouse: distances in mm, the low byte first, 0 where nothing is in range), FORMAT_RGB565 and FORMAT_RGB888.
-    `data` is those pixels, or, where `is_jpeg`, a JPEG file. `time` is the server's, in s."""
+    """An image: rows from the top, pixels from the left. `format` is one of camera.FORMAT_MONO8, FORMAT_MONO16 (of
+    Playhouse: depth in mm, little-endian, 0 if nothing is in range), FORMAT_RGB565 and FORMAT_RGB888.
+    `data` is the pixels, or a JPEG file if `is_jpeg`. `time` is the server's, in s."""
 
     width: int
     height: int
@@ -135,8 +135,8 @@ class Image(NamedTuple):
     time: float
 
     def pixel(self, column: int, row: int) -> Tuple[int, ...]:
-        """(red, green, blue), or (brightness,), or (distance in mm,). Raises InvalidValue for a JPEG file, for other
-        formats, outside the picture, and where the data are fewer than the pixels."""
+        """(red, green, blue), or (brightness,), or (depth in mm,). Raises InvalidValue for a JPEG file, for other
+        formats, outside the image, and if the data are shorter than the image."""
         if self.is_jpeg or self.format not in _CHANNELS:
             raise InvalidValue("pixels can be told of raw MONO8, MONO16 and RGB888 alone")
         if not (0 <= column < self.width and 0 <= row < self.height):
@@ -148,8 +148,8 @@ class Image(NamedTuple):
         return struct.unpack_from(channel, self.data, first)
 
     def model_id(self, column: int, row: int) -> Optional[int]:
-        """Of a picture of a camera with `image "segmentation"`: the id of the model that the pixel shows, as client.models()
-        has it, up to 24 bits; None where it shows none. Raises InvalidValue as pixel(), and for other formats."""
+        """For images of a camera with `image "segmentation"`: the id of the model at the pixel, as in client.models(),
+        up to 24 bits; None without a model. Raises InvalidValue as pixel(), and for other formats."""
         channels = self.pixel(column, row)
         if len(channels) != 3:
             raise InvalidValue("which model a pixel shows is told by RGB888 alone")
@@ -162,7 +162,7 @@ _CHANNELS = {camera.FORMAT_MONO8: ("<B", 1), camera.FORMAT_MONO16: ("<H", 2), ca
 
 
 class View(NamedTuple):
-    """Where a camera looks: to the left, up, and its horizontal field of view, in rad; how fast it turns, in rad/s."""
+    """State of a camera mount: pan to the left, tilt upwards and horizontal field of view, in rad; speeds in rad/s."""
 
     pan: float
     tilt: float
@@ -172,8 +172,8 @@ class View(NamedTuple):
 
 
 class State3d(NamedTuple):
-    """The data of a base that moves in space: its own estimate of where it is and how it stands, how it moves (m/s and
-    rad/s along and about its own axes), and whether it is blocked. `time` is the server's, in s."""
+    """The data of a base that moves in space: pose estimate, velocity (m/s and rad/s along and about its own axes), and
+    whether it is blocked. `time` is the server's, in s."""
 
     pose: Pose3d
     velocity: Pose3d
@@ -182,8 +182,8 @@ class State3d(NamedTuple):
 
 
 class Inertia(NamedTuple):
-    """What an inertial unit feels along and about its own axes: acceleration with gravity, so that (0, 0, 9.81) is at
-    rest and level, in m/s^2; turn rates in rad/s; the direction of the magnetic field, in a unit of the server's."""
+    """Measurements of an inertial unit along and about its own axes: specific force in m/s^2, (0, 0, 9.81) when level
+    and at rest; turn rates in rad/s; magnetic field, in a unit of the server."""
 
     acceleration: Tuple[float, float, float]
     turn_rate: Tuple[float, float, float]
@@ -191,9 +191,9 @@ class Inertia(NamedTuple):
 
 
 class Fix(NamedTuple):
-    """Where on the earth a receiver believes to be: latitude and longitude in degrees, altitude in m above the ellipsoid
-    (WGS84), easting and northing of UTM in m; its speed in m/s, its course in rad, clockwise from north; expected errors
-    in m. `quality` is 0 where it has no fix, and then the rest means nothing. `time` is the server's, in s."""
+    """A fix of a satellite receiver: latitude and longitude in degrees, altitude in m above the ellipsoid (WGS84), UTM
+    easting and northing in m; speed in m/s, course in rad, clockwise from north; expected errors in m. `quality` is 0
+    without a fix, and then the rest is invalid. `time` is the server's, in s."""
 
     latitude: float
     longitude: float
@@ -210,7 +210,7 @@ class Fix(NamedTuple):
 
 
 class Point(NamedTuple):
-    """A point of a cloud, in m in the frame of the sensor, and its color: red, green, blue, alpha from 0 to 255."""
+    """A point of a cloud, in m in the sensor's frame, and its color: red, green, blue, alpha from 0 to 255."""
 
     x: float
     y: float
@@ -229,14 +229,14 @@ class Position2d(Device):
         return State(_pose(data.pos), Velocity(*_pose(data.vel)), bool(data.stall), time)
 
     def updates(self, timeout: Optional[float] = None) -> Iterator[State]:
-        """Reads for ever: one State for each time new data have come. Raises RequestTimeout."""
+        """Reads for ever: one State per new data message. Raises RequestTimeout."""
         while True:
             self.next_data(timeout)
             yield self.state
 
     @property
     def pose(self) -> Pose:
-        """The robot's own estimate of where it is: State.pose."""
+        """The robot's pose estimate: State.pose."""
         return self.state.pose
 
     @property
@@ -257,13 +257,13 @@ class Position2d(Device):
         self.drive(0.0)
 
     def drive_car(self, speed: float, steering: float) -> None:
-        """A base that steers like a car: m/s, and rad to the left."""
+        """For a base with car steering: speed in m/s, and steering angle in rad, positive to the left."""
         self._insist_on_finite(speed=speed, steering=steering)
         self._moving = speed != 0.0
         self.command(position2d.CMD_CAR, position2d.CmdCar(speed, steering))
 
     def go_to(self, x: float, y: float, a: float, speed: float = 0.0) -> None:
-        """To a pose in the frame of State.pose, with the driver's own planning; speed 0 is the driver's choice."""
+        """Drives to a pose in the frame of State.pose, by the driver's position control; speed 0: the driver's choice."""
         self._insist_on_finite(x=x, y=y, a=a, speed=speed)
         self._moving = True
         goal, velocity = common.Pose2d(x, y, a), common.Pose2d(speed, 0.0, 0.0)
@@ -273,7 +273,7 @@ class Position2d(Device):
         self.request(position2d.REQ_MOTOR_POWER, position2d.PowerConfig(int(on)))
 
     def set_odometry(self, x: float, y: float, a: float) -> None:
-        """Says where the base is from now on; the robot does not move."""
+        """Sets the pose estimate; the robot does not move."""
         self._insist_on_finite(x=x, y=y, a=a)
         self.request(position2d.REQ_SET_ODOM, position2d.SetOdomReq(common.Pose2d(x, y, a)))
 
@@ -290,7 +290,7 @@ class Position2d(Device):
 
 
 class Ranger(Device):
-    """A device that measures distances: a laser scanner, or a ring of sonars. Opening asks its set-up."""
+    """A range finder: a laser scanner, or a ring of sonars. Opening requests its configuration."""
 
     config = ranger.Config()
     geom = ranger.Geom()
@@ -307,12 +307,12 @@ class Ranger(Device):
 
     @property
     def intensities(self) -> List[float]:
-        """One per range, in the device's own unit. Raises NoData from a device that measures none as well."""
+        """One per range, in the device's unit. Raises NoData also for a device without intensities."""
         data, _ = self._stamped(ranger.DATA_INTNS)
         return cast(List[float], data.intensities)
 
     def scan(self) -> Scan:
-        """Ranges with directions: each element's own if there is one per range, else spread over the view."""
+        """Ranges with directions: those of the elements if there is one per range, else spread over the field of view."""
         data, time = self._stamped(ranger.DATA_RANGE)
         ranges, poses = data.ranges, self.geom.element_poses
         if len(poses) == len(ranges) and len(ranges) > 1:
@@ -322,7 +322,7 @@ class Ranger(Device):
         return Scan(ranges, angles, self.config.max_range, time)
 
     def updates(self, timeout: Optional[float] = None) -> Iterator[Scan]:
-        """Reads for ever: one Scan for each time new data have come. Raises RequestTimeout."""
+        """Reads for ever: one Scan per new data message. Raises RequestTimeout."""
         while True:
             self.next_data(timeout)
             yield self.scan()
@@ -334,17 +334,17 @@ class Ranger(Device):
         self.request(ranger.REQ_POWER, ranger.PowerConfig(int(on)))
 
     def set_intensities(self, on: bool) -> None:
-        """Whether it sends intensities as well."""
+        """Enables or disables intensities."""
         self.request(ranger.REQ_INTNS, ranger.IntnsConfig(int(on)))
 
     def set_config(self, config: ranger.Config) -> None:
-        """Asks for another set-up; `config` afterwards shows what the device made of it."""
+        """Requests another configuration; `config` then has the values in effect."""
         self.request(ranger.REQ_SET_CONFIG, config)
         self.config = cast(ranger.Config, _answer(self.request(ranger.REQ_GET_CONFIG)))
 
 
 class Laser(Device):
-    """A laser scanner; its data say where the beams point."""
+    """A laser scanner; its data include the directions of the beams."""
 
     def scan(self) -> Scan:
         data, time = self._stamped(laser.DATA_SCAN)
@@ -352,7 +352,7 @@ class Laser(Device):
         return Scan(data.ranges, angles, data.max_range, time)
 
     def updates(self, timeout: Optional[float] = None) -> Iterator[Scan]:
-        """Reads for ever: one Scan for each time new data have come. Raises RequestTimeout."""
+        """Reads for ever: one Scan per new data message. Raises RequestTimeout."""
         while True:
             self.next_data(timeout)
             yield self.scan()
@@ -364,7 +364,7 @@ class Laser(Device):
 
     @property
     def intensities(self) -> bytes:
-        """One per range, in the device's own unit; empty if it measures none."""
+        """One per range, in the device's unit; empty if it measures none."""
         data, _ = self._stamped(laser.DATA_SCAN)
         return cast(bytes, data.intensity)
 
@@ -388,7 +388,7 @@ class Sonar(Device):
         return cast(List[float], data.ranges)
 
     def poses(self) -> List[Pose3d]:
-        """Where the sonars sit on the robot."""
+        """Poses of the sonars on the robot."""
         return [_pose3d(pose) for pose in cast(sonar.Geom, _answer(self.request(sonar.REQ_GET_GEOM))).poses]
 
     def set_power(self, on: bool) -> None:
@@ -396,16 +396,16 @@ class Sonar(Device):
 
 
 class Fiducial(Device):
-    """A finder of markers."""
+    """A fiducial finder."""
 
     @property
     def markers(self) -> List[Marker]:
-        """What is in sight."""
+        """Markers in view."""
         data, _ = self._stamped(fiducial.DATA_SCAN)
         return [Marker(item.id, _pose3d(item.pose)) for item in data.fiducials]
 
     def updates(self, timeout: Optional[float] = None) -> Iterator[List[Marker]]:
-        """Reads for ever: one list for each time new data have come. Raises RequestTimeout."""
+        """Reads for ever: one list per new data message. Raises RequestTimeout."""
         while True:
             self.next_data(timeout)
             yield self.markers
@@ -414,7 +414,7 @@ class Fiducial(Device):
         return cast(fiducial.Fov, _answer(self.request(fiducial.REQ_GET_FOV)))
 
     def set_field_of_view(self, min_range: float, max_range: float, view_angle: float) -> None:
-        """Ranges in m, the whole angle in rad."""
+        """Ranges in m, the full field of view in rad."""
         self._insist_on_finite(min_range=min_range, max_range=max_range, view_angle=view_angle)
         self.request(fiducial.REQ_SET_FOV, fiducial.Fov(min_range, max_range, view_angle))
 
@@ -423,48 +423,48 @@ class Fiducial(Device):
 
 
 class Camera(Device):
-    """Takes pictures."""
+    """A camera."""
 
     @property
     def image(self) -> Image:
-        """The newest."""
+        """The newest image."""
         data, time = self._stamped(camera.DATA_STATE)
         return Image(data.width, data.height, data.format, data.compression == camera.COMPRESS_JPEG, bytes(data.image), time)
 
     def updates(self, timeout: Optional[float] = None) -> Iterator[Image]:
-        """Reads for ever: one picture for each time new data have come. Raises RequestTimeout."""
+        """Reads for ever: one image per new data message. Raises RequestTimeout."""
         while True:
             self.next_data(timeout)
             yield self.image
 
 
 class Ptz(Device):
-    """Turns and zooms a camera."""
+    """A pan-tilt-zoom mount of a camera."""
 
     @property
     def view(self) -> View:
-        """Where it looks now."""
+        """The current direction and field of view."""
         data, _ = self._stamped(ptz.DATA_STATE)
         return View(data.pan, data.tilt, data.zoom, data.panspeed, data.tiltspeed)
 
     def updates(self, timeout: Optional[float] = None) -> Iterator[View]:
-        """Reads for ever: one view for each time new data have come. Raises RequestTimeout."""
+        """Reads for ever: one view per new data message. Raises RequestTimeout."""
         while True:
             self.next_data(timeout)
             yield self.view
 
     def look(self, pan: float, tilt: float = 0.0, zoom: float = 0.0) -> None:
-        """Turns there, as position control has it; a zoom of 0 leaves the field of view as it is."""
+        """Turns to these angles, in position control; a zoom of 0 keeps the field of view."""
         self._insist_on_finite(pan=pan, tilt=tilt, zoom=zoom)
         self.command(ptz.CMD_STATE, ptz.Cmd(pan, tilt, zoom, 0.0, 0.0))
 
     def turn(self, pan_speed: float, tilt_speed: float = 0.0) -> None:
-        """Turns at these speeds; wants set_velocity_control(True) before."""
+        """Turns at these speeds; requires set_velocity_control(True)."""
         self._insist_on_finite(pan_speed=pan_speed, tilt_speed=tilt_speed)
         self.command(ptz.CMD_STATE, ptz.Cmd(0.0, 0.0, 0.0, pan_speed, tilt_speed))
 
     def set_velocity_control(self, on: bool) -> None:
-        """Whether commands mean velocities from now on, or places."""
+        """Selects velocity control, or position control."""
         mode = ptz.VELOCITY_CONTROL if on else ptz.POSITION_CONTROL
         self.request(ptz.REQ_CONTROL_MODE, ptz.ReqControlMode(mode))
 
@@ -474,7 +474,7 @@ class Ptz(Device):
 
 
 class Bumper(Device):
-    """Switches that feel a touch."""
+    """Contact switches."""
 
     @property
     def pressed(self) -> List[bool]:
@@ -483,13 +483,13 @@ class Bumper(Device):
         return [state != 0 for state in data.bumpers]
 
     def updates(self, timeout: Optional[float] = None) -> Iterator[List[bool]]:
-        """Reads for ever: one list for each time new data have come. Raises RequestTimeout."""
+        """Reads for ever: one list per new data message. Raises RequestTimeout."""
         while True:
             self.next_data(timeout)
             yield self.pressed
 
     def faces(self) -> List[Face]:
-        """Where the switches sit on the robot."""
+        """Faces of the switches on the robot."""
         geom = cast(bumper.Geom, _answer(self.request(bumper.REQ_GET_GEOM)))
         return [Face(_pose3d(one.pose), one.length, one.radius) for one in geom.bumper_def]
 
@@ -505,7 +505,7 @@ class Position3d(Device):
         return State3d(_pose3d(data.pos), _pose3d(data.vel), bool(data.stall), time)
 
     def updates(self, timeout: Optional[float] = None) -> Iterator[State3d]:
-        """Reads for ever: one State3d for each time new data have come. Raises RequestTimeout."""
+        """Reads for ever: one State3d per new data message. Raises RequestTimeout."""
         while True:
             self.next_data(timeout)
             yield self.state
@@ -520,7 +520,7 @@ class Position3d(Device):
         self.drive(0.0)
 
     def go_to(self, pose: Pose3d) -> None:
-        """To a pose in the frame of State3d.pose, with the driver's own planning."""
+        """Moves to a pose in the frame of State3d.pose, by the driver's position control."""
         self._insist_on_finite(**pose._asdict())
         self._moving = True
         self.command(position3d.CMD_SET_POS, position3d.CmdPos(common.Pose3d(*pose), common.Pose3d(), 1))
@@ -529,7 +529,7 @@ class Position3d(Device):
         self.request(position3d.REQ_MOTOR_POWER, position3d.PowerConfig(int(on)))
 
     def set_odometry(self, pose: Pose3d) -> None:
-        """What State3d.pose shall say now."""
+        """Sets the pose estimate, State3d.pose."""
         self._insist_on_finite(**pose._asdict())
         self.request(position3d.REQ_SET_ODOM, position3d.SetOdomReq(common.Pose3d(*pose)))
 
@@ -546,22 +546,22 @@ class Position3d(Device):
 
 
 class Imu(Device):
-    """An inertial unit. Which of its data it sends is up to send(); a server sends those of `pose` at first."""
+    """An inertial unit. send() selects the data message; initially it is that of `pose`."""
 
     def send(self, datatype: MessageType) -> None:
         """One of imu.DATA_STATE (`pose`), DATA_CALIB (`inertia`), DATA_QUAT (`inertia` and `quaternion`), DATA_EULER
-        (`inertia` and `attitude`) and DATA_FULLSTATE (`pose` and `velocity`), for all who have the device open."""
+        (`inertia` and `attitude`) and DATA_FULLSTATE (`pose` and `velocity`), for all subscribers of the device."""
         self.request(imu.REQ_SET_DATATYPE, imu.DatatypeConfig(datatype.subtype))
 
     @property
     def pose(self) -> Pose3d:
-        """Where it believes to be."""
+        """Estimated pose."""
         data = self._newest_of(imu.DATA_STATE, imu.DATA_FULLSTATE)
         return _pose3d(data.pose)
 
     @property
     def velocity(self) -> Pose3d:
-        """How it believes to move, along and about its own axes."""
+        """Estimated velocity, along and about its own axes."""
         return _pose3d(self._stamped(imu.DATA_FULLSTATE)[0].vel)
 
     @property
@@ -579,16 +579,16 @@ class Imu(Device):
 
     @property
     def quaternion(self) -> Tuple[float, float, float, float]:
-        """Its attitude, the real part first."""
+        """Orientation, the real part first."""
         data = self._stamped(imu.DATA_QUAT)[0]
         return data.q0, data.q1, data.q2, data.q3
 
     def reset_orientation(self, all_axes: bool = False) -> None:
-        """Makes the present heading 0, or the whole present attitude the reference."""
+        """Makes the current heading, or the whole current orientation, the reference."""
         self.request(imu.REQ_RESET_ORIENTATION, imu.ResetOrientationConfig(int(all_axes)))
 
     def reset_attitude(self, roll: float, pitch: float, yaw: float) -> None:
-        """What its attitude shall be now, in rad."""
+        """Sets the current orientation, in rad."""
         self._insist_on_finite(roll=roll, pitch=pitch, yaw=yaw)
         self.request(imu.REQ_RESET_EULER, imu.ResetEulerConfig(common.Pose3d(0.0, 0.0, 0.0, roll, pitch, yaw)))
 
@@ -607,14 +607,14 @@ class Gps(Device):
                    data.course, data.quality, data.num_sats, data.err_horz, data.err_vert, time)
 
     def updates(self, timeout: Optional[float] = None) -> Iterator[Fix]:
-        """Reads for ever: one Fix for each time new data have come. Raises RequestTimeout."""
+        """Reads for ever: one Fix per new data message. Raises RequestTimeout."""
         while True:
             self.next_data(timeout)
             yield self.fix
 
 
 class PointCloud3d(Device):
-    """Points in space, as of a lidar with several rings."""
+    """A 3D point cloud, such as that of a lidar with several rings."""
 
     @property
     def points(self) -> List[Point]:
@@ -623,14 +623,14 @@ class PointCloud3d(Device):
                       (one.color.red, one.color.green, one.color.blue, one.color.alpha)) for one in data.points]
 
     def updates(self, timeout: Optional[float] = None) -> Iterator[List[Point]]:
-        """Reads for ever: one list for each time new data have come. Raises RequestTimeout."""
+        """Reads for ever: one list per new data message. Raises RequestTimeout."""
         while True:
             self.next_data(timeout)
             yield self.points
 
 
 class Aio(Device):
-    """Analog inputs and outputs; of Playhouse a custom model: its readings are inputs, its commands outputs."""
+    """Analog inputs and outputs; in Playhouse a custom model: its readings are inputs, its commands outputs."""
 
     @property
     def voltages(self) -> List[float]:
@@ -639,7 +639,7 @@ class Aio(Device):
         return list(data.voltages)
 
     def updates(self, timeout: Optional[float] = None) -> Iterator[List[float]]:
-        """Reads for ever: one list for each time new data have come. Raises RequestTimeout."""
+        """Reads for ever: one list per new data message. Raises RequestTimeout."""
         while True:
             self.next_data(timeout)
             yield self.voltages
@@ -651,15 +651,15 @@ class Aio(Device):
 
 
 class _Keeping(Device, Generic[Kept]):
-    """Whose data are each of their own: they are kept until somebody takes them."""
+    """Base of devices whose data messages are queued until the program takes them."""
 
-    WAITING = 1024  # kept; of more the oldest are lost
+    WAITING = 1024  # queue limit; the oldest are dropped
 
     def prepare(self) -> None:
         self._kept: Deque[Kept] = collections.deque(maxlen=self.WAITING)
 
     def updates(self, timeout: Optional[float] = None) -> Iterator[Kept]:
-        """Reads for ever: each of them. Raises RequestTimeout."""
+        """Reads for ever: each message. Raises RequestTimeout."""
         while True:
             while self._kept:
                 yield self._kept.popleft()
@@ -679,19 +679,19 @@ class _Keeping(Device, Generic[Kept]):
 
 
 class Opaque(_Keeping[bytes]):
-    """Messages of bytes: of a simulated radio, those between robots; of other drivers what they make of them."""
+    """Byte messages: those between robots for a simulated radio, driver-specific for other drivers."""
 
     def send(self, message: bytes) -> None:
-        """To the driver; a radio sends it to all who hear it."""
+        """Sends to the driver; a radio broadcasts it to all radios in range."""
         self.command(opaque.CMD_DATA, opaque.Data(bytes(message)))
 
     def send_to(self, address: str, message: bytes) -> None:
-        """Of a radio: to the one of this network address, "" for all who hear it. Returns when it waits to be sent.
-        Raises RequestRefused if there is no such radio, if the message is too long, or if too many wait."""
+        """For a radio: sends to the radio with this network address, "" to broadcast. Returns when the message is queued.
+        Raises RequestRefused for an unknown address, a message that is too long, or a full queue."""
         self.request(opaque.REQ_DATA, opaque.Data(c_string(address) + bytes(message)))
 
     def take_messages(self) -> List[bytes]:
-        """Those that read() brought since the last call, in their order."""
+        """Messages of read() since the last call, in order."""
         return self._take_kept()
 
     def _meaning(self, value: Struct) -> bytes:
@@ -699,18 +699,18 @@ class Opaque(_Keeping[bytes]):
 
 
 class Speech(Device):
-    """What a robot says."""
+    """Speech output of a robot."""
 
     def say(self, text: str) -> None:
-        """In place of what it said; "" says nothing."""
+        """Sets the text that the robot says, replacing the previous one; "": none."""
         self.command(speech.CMD_SAY, speech.Cmd(c_string(text)))
 
 
 class SpeechRecognition(_Keeping[str]):
-    """What others say, as a robot hears it."""
+    """Speech recognition: texts of other models heard by a robot."""
 
     def take_texts(self) -> List[str]:
-        """Those that read() brought since the last call, in their order."""
+        """Messages of read() since the last call, in order."""
         return self._take_kept()
 
     def _meaning(self, value: Struct) -> str:
@@ -718,7 +718,7 @@ class SpeechRecognition(_Keeping[str]):
 
 
 class Simulation(Device):
-    """The simulator itself. Poses are of models by name, each in its parent: the model that carries it, or the world."""
+    """The simulator itself. Poses of models, by name, are relative to the parent, or to the world for a top-level model."""
 
     def pose(self, name: str) -> Pose:
         """Raises RequestRefused if there is no model of that name."""
@@ -742,17 +742,17 @@ class Simulation(Device):
         self._of_model(name, simulation.REQ_SET_POSE3D, request)
 
     def pause(self) -> None:
-        """Stops the clock, or lets it go on."""
+        """Pauses or resumes the clock."""
         self.command(simulation.CMD_PAUSE)
 
     def save(self) -> None:
-        """Has the program write the world as it stands into the file that `playhouse run --save-world` names; without
-        that option nothing happens."""
+        """Saves the current world to the file of `playhouse run --save-world`; without that option it has no
+        effect."""
         self.command(simulation.CMD_SAVE)
 
     def reset(self, seed: Optional[int] = None) -> None:
-        """Everything back to where the world file has it, while time goes on. With a seed the run begins again with
-        that: at tick 0, with the models of then and their ids. A server keeps the start in lock-step only, and else
+        """Moves everything back to its pose in the world file, while time continues. With a seed the run restarts with
+        that seed: at tick 0, with the initial models and their ids. That requires lock-step, else the server
         refuses: RequestRefused."""
         if seed is None:
             self.command(simulation.CMD_RESET)
@@ -762,27 +762,27 @@ class Simulation(Device):
         self._of_world("reset", struct.pack("<Q", seed))
 
     def join(self, name: str) -> None:
-        """This client is one of those that a world in lock-step waits for, by this name, until it closes its connection.
-        Open devices first. Raises RequestRefused, which says why."""
+        """Joins a lock-step run as a member of this name until the connection is closed: ticks wait for its steps.
+        Open devices first. Raises RequestRefused with the reason."""
         self._of_world("join", c_string(name))
 
     def step(self, ticks: int = 1, timeout: Optional[float] = None) -> None:
-        """Lets the world go on by so many ticks, and waits until they are done: in lock-step when the others have asked
-        for as many, for `timeout` seconds, None: for ever. In push mode all data of the ticks have been handed to the
-        devices then; in pull mode they wait for read(). Without lock-step the world is paused afterwards."""
+        """Runs this number of ticks and waits until they are done, in lock-step until all members have requested them:
+        at most `timeout` seconds, None: no limit. In push mode all data of the ticks have then been delivered to the
+        devices; in pull mode they are queued for read(). Without lock-step the world is paused afterwards."""
         if not 0 < ticks <= 1 << 20:
             raise InvalidValue(f"a step of {ticks} ticks")
         self._of_world("step", struct.pack("<I", ticks), timeout=math.inf if timeout is None else timeout)
         self._client.deliver_pushed()
 
     def spawn(self, like: str, x: float, y: float, a: float, name: str = "") -> str:
-        """Adds a robot like the model of that name, at a place in the world (m, m, rad); gives its name."""
+        """Spawns a robot like the model `like` at a pose in the world (m, m, rad); returns its name."""
         self._insist_on_finite(x=x, y=y, a=a)
         value = struct.pack("<ddd", x, y, a) + (c_string(name) if name else b"")
         return text(self._of_world("spawn", value, like).value)
 
     def remove(self, name: str) -> None:
-        """Takes a model at the top out of the world, with what it carries."""
+        """Removes a top-level model from the world, with its descendants."""
         self._of_world("remove", b"", name)
 
     def _of_world(

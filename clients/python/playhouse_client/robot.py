@@ -1,4 +1,4 @@
-"""A robot by the name that the world file gives it, with the devices that it and all it carries have."""
+"""A robot by its name in the world file, with its devices and those of its descendants."""
 
 from typing import TYPE_CHECKING, Dict, List, cast
 
@@ -12,12 +12,12 @@ if TYPE_CHECKING:
 
 
 class Robot:
-    """A model and what it carries; Client.robot() and Client.robots() give it.
+    """A model and its descendants, returned by Client.robot() and Client.robots().
 
-    `name` and `type` are those of the world file; `models` are the model itself and what it carries, `devices` the
+    `name` and `type` are those of the world file; `models` are the model itself and its descendants, `devices` the
     addresses of all their devices. `position2d`, `laser`, `ranger`, `sonar`, `fiducial`, `bumper`, `camera`, `ptz`,
-    `opaque`, `aio`, `position3d`, `imu`, `gps`, `pointcloud3d`, `speech` and `speech_recognition` are the first of their kind, `lasers` and so on all of them, opened on first use. Leaving a
-    `with` block, or close(), closes what was opened here; a moving robot is stopped first.
+    `opaque`, `aio`, `position3d`, `imu`, `gps`, `pointcloud3d`, `speech` and `speech_recognition` are the first of their interface, `lasers` and so on all of them, opened on first use. The end of a
+    `with` block, or close(), closes devices opened here; a moving robot is stopped first.
     """
 
     def __init__(self, client: "Client", models: List[Model], port: int) -> None:
@@ -26,14 +26,14 @@ class Robot:
         self.models = models
         self.devices = [address for model in models for address in model.devices]
         self._client = client
-        self._port = port  # of the server that the client is connected to, as that server knows it
+        self._port = port  # of the connected server, as reported by the server
         self._opened: Dict[DeviceAddress, Device] = {}
 
     def __repr__(self) -> str:
         return f"<Robot {self.name!r}: {_names(self.devices)}>"
 
     def device(self, interface: str, nth: int = 0) -> Device:
-        """The robot's device of any interface, the first or the one after `nth` others."""
+        """The robot's device of an interface at index `nth`, from 0."""
         here = self._reachable(interface)
         if not 0 <= nth < len(here):
             number = f" number {nth}" if nth else ""
@@ -169,7 +169,7 @@ class Robot:
         return cast(List[SpeechRecognition], self._all("speech_recognition"))
 
     def close(self) -> None:
-        """Closes the devices that were opened here, the last opened first. They open again when they are used."""
+        """Closes devices opened here, in reverse order of opening. They reopen on use."""
         while self._opened:
             self._opened.popitem()[1].close()
 
@@ -187,7 +187,7 @@ class Robot:
         return [at for at in self.devices if at.interface == interface and at.port == self._port]
 
     def _elsewhere(self, interface: str) -> str:
-        """Where else the robot has devices of this interface, or else what it has instead."""
+        """Text: other ports with devices of this interface, or else the existing devices."""
         others = [
             f"{at.name} at port {at.port}"
             for at in self.devices

@@ -1,4 +1,4 @@
-"""One conversation with a server: whose an answer is, which data wait, and when a round of data is over."""
+"""One session with a server: matches answers to requests, queues data, and tracks rounds of data."""
 
 import time
 from collections import deque
@@ -9,47 +9,47 @@ from .errors import ConnectionLost, RequestRefused, RequestTimeout, WireError
 from .generated import INTERFACES, common, player
 from .wire import Header, Kind, MessageType, Struct
 
-# Data that come while a request waits for its answer, and wait for the next read(): as many as a server keeps for one
-# client. Older ones give way and are counted.
+# Limit on data queued for the next read() while a request waits for its answer: the queue length of a server per
+# client. The oldest are dropped and counted.
 WAITING_LIMIT = 1024
 
 _Key = Tuple[int, int, int]
 _DATA_KEY: _Key = (player.CODE, 0, player.REQ_DATA.subtype)
 _OPENING_KEY: _Key = (player.CODE, 0, player.REQ_DEV.subtype)
 
-# The access in an answer to an opening that nobody asked for: the device has retired. (Openings that fail say ERROR_MODE.)
+# Access in an unrequested answer to an open request: the device was retired. (Failed open requests have ERROR_MODE.)
 _ERROR_LETTER = ord("e")
 
 
 def device_name(interface: int, index: int) -> str:
-    """As in "position2d:0"; a number where the interface has no known name."""
+    """For instance "position2d:0"; with a number if the interface has no known name."""
     return f"{INTERFACES.get(interface, interface)}:{index}"
 
 
 class Session:
-    """Sorts what arrives: answers to the request that waits, data to the queue, everything else aside."""
+    """Dispatches received messages: answers to the pending request, data to the queue; others are skipped."""
 
     def __init__(
         self, connection: Connection, timeout: float, retire: Callable[[common.Devaddr], None] = lambda _: None
     ) -> None:
-        """`retire` is called with the address of a device when the server says that it has retired."""
+        """`retire` is called with the address of a device that the server has retired."""
         self.connection = connection
         self.timeout = checked_seconds(timeout)
         self.waiting: Deque[Message] = deque()
         self.round_open = False
         self.round_refused = False
-        self._round_waits = False  # it ended while a request waited: its data wait
-        self.told = False  # that a device has retired
+        self._round_waits = False  # it ended during a request: its data are queued
+        self.told = False  # a device was retired
         self._retire = retire
         self.overflow_count = 0
-        self.unread_count = 0  # of these, those that were lost here
+        self.unread_count = 0  # those of them lost here
         self.skipped_count = 0
         self._server_port = 0
         self._abandoned: List[_Key] = []
         self._sequence = 0
 
     def timeout_or_own(self, timeout: Optional[float]) -> float:
-        """The time-out (s) that a caller gave, or this session's own."""
+        """The timeout (s) of the caller, or the session's own."""
         return self.timeout if timeout is None else checked_seconds(timeout)
 
     @property
@@ -59,14 +59,14 @@ class Session:
 
     @property
     def server_port(self) -> int:
-        """The server's port as it says itself in its answers; that connected to may be another's that forwards."""
+        """The server's port as reported in its answers; the connected port may be that of a forwarder."""
         return self._server_port or self.connection.port
 
     def send(
         self, interface: int, index: int, message: MessageType, payload: Optional[Struct], sequence: int = 0
     ) -> None:
         body = payload.encode() if payload is not None else b""
-        # As libplayerc does it: the port in what is meant for a device, nothing in what is for the server.
+        # As in libplayerc: the port in messages to a device, 0 in messages to the server.
         robot = 0 if interface == player.CODE else self.connection.port
         header = Header(
             interface, index, message.kind, message.subtype, time.time(), sequence, len(body), 0, robot
@@ -92,8 +92,8 @@ class Session:
         return answer
 
     def begin_round(self) -> None:
-        """Asks for data, unless a round is open or has ended with all its data waiting; it ends with the SYNCH that
-        closes `round_open`, or is refused."""
+        """Requests a round of data, unless one is open or has ended with its data queued; it ends with the SYNCH that
+        clears `round_open`, or is refused."""
         here, self._round_waits = self._round_waits and bool(self.waiting), False
         if self.round_open or here:
             return
@@ -101,16 +101,16 @@ class Session:
         try:
             self.send(player.CODE, 0, player.REQ_DATA, None, self._sequence)
         except ConnectionLost:
-            pass  # what came before the end is still to be received, and then the same error
+            pass  # data before the disconnection are still to be received, then the same error
 
     def sort_next(self, deadline: float) -> None:
-        """Receives one message that nobody asked for and puts it where it belongs."""
+        """Receives one message outside a request and dispatches it."""
         message = self.connection.receive(deadline)
         if not self._take_notice(message):
             self._sort(message)
 
     def drop_waiting(self, interface: int, index: int) -> None:
-        """Forgets the data of a device that is gone: they must not become those of the next one at its address."""
+        """Drops queued data of a retired device, so that they are not delivered to a new device at its address."""
         kept = [each for each in self.waiting if (each.header.interface, each.header.index) != (interface, index)]
         self.skipped_count += len(self.waiting) - len(kept)
         self.waiting = deque(kept)
@@ -131,16 +131,16 @@ class Session:
                     if key in self._abandoned:
                         self._abandoned.remove(key)
                         settled = True
-        except BaseException:  # a time-out, or Ctrl-C
-            # From now on requests are numbered, so that a late answer to this one is not taken for another's. If the
-            # answer to an abandoned request of this kind came meanwhile, as many answers are missing as before.
+        except BaseException:  # timeout or Ctrl-C
+            # From now on requests are numbered, so that a late answer to this one is not matched to another. If the
+            # answer to an abandoned request of this type arrived meanwhile, the number of missing answers is unchanged.
             self._sequence += 1
             if not settled:
                 self._abandoned.append(key)
             raise
 
     def _is_ours(self, sequence: int, key: _Key) -> bool:
-        """Number 0 is what an old request had, and what servers send that do not return numbers."""
+        """0 is the number of requests before the first timeout, and of servers that do not return numbers."""
         return sequence == self._sequence if sequence else key not in self._abandoned
 
     @staticmethod
@@ -149,7 +149,7 @@ class Session:
         return answers and (header.interface, header.index, header.subtype) == key
 
     def _take_notice(self, message: Message) -> bool:
-        """False for anything but the notice that a device has retired."""
+        """Processes the notice that a device was retired; False for any other message."""
         if message.header.kind != Kind.ACK or not self._answers(message.header, _OPENING_KEY):
             return False
         try:

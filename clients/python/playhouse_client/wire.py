@@ -1,7 +1,7 @@
-"""Bytes and values: Player's flavour of XDR and its message header. The generated classes are built on this.
+"""Encoding and decoding of Player's variant of XDR and of its message header; base of the generated classes.
 
-Everything is big endian and a multiple of four bytes. A list travels as its count at the place of the count
-field and again as a length in front of its elements; docs/wire.md has the rules.
+Everything is big-endian and a multiple of four bytes. A list is encoded as its count in the count field, and again
+as a length before its elements; the rules are in docs/wire.md.
 """
 
 import enum
@@ -18,7 +18,7 @@ _HEADER = struct.Struct(">6Id2I")
 
 
 class Kind(enum.IntEnum):
-    """What a message is for: the header's `type`."""
+    """Type of a message: the header's `type`."""
 
     DATA = 1
     CMD = 2
@@ -49,7 +49,7 @@ class Header(NamedTuple):
 
     @staticmethod
     def decode(data: bytes) -> "Header":
-        """Reads 40 bytes; the narrow fields keep their low bits only, as every Player receiver does."""
+        """Reads 40 bytes; narrow fields keep their low bits only, as in every Player receiver."""
         host, robot, interface, index, kind, subtype, timestamp, sequence, size = _HEADER.unpack(data)
         return Header(
             interface & 0xFFFF, index & 0xFFFF, kind & 0xFF, subtype & 0xFF,
@@ -58,7 +58,7 @@ class Header(NamedTuple):
 
 
 class Reader:
-    """Takes values off the front of a body. Never allocates more than the body's own size allows."""
+    """Reads values from a body, front to back. Allocations are bounded by the size of the body."""
 
     def __init__(self, data: bytes) -> None:
         self._data = data
@@ -76,12 +76,12 @@ class Reader:
         return [narrow(value) for value in values] if narrow else list(values)
 
     def opaque(self, count: int) -> bytes:
-        """`count` raw bytes and the zeros that fill the last word."""
+        """`count` raw bytes and the zero padding of the last word."""
         at = self._take(count + -count % 4)
         return bytes(self._data[at : at + count])
 
     def length(self, name: str, limit: int, least: int) -> int:
-        """The length in front of a list's elements: at most `limit`, each element at least `least` bytes."""
+        """The length before the elements of a list: at most `limit`, each element at least `least` bytes."""
         count: int = self.number("I")
         left = len(self._data) - self._at
         if count > limit:
@@ -99,7 +99,7 @@ class Reader:
 
 
 class Writer:
-    """Puts values at the end of a body. A value that does not fit its field raises WireError."""
+    """Appends values to a body. A value outside the range of its field raises WireError."""
 
     def __init__(self) -> None:
         self._data = bytearray()
@@ -117,23 +117,23 @@ class Writer:
         self._pack(f">{len(values)}{_NUMBERS[code][0][1]}", *values)
 
     def length(self, name: str, count: int, limit: int) -> None:
-        """A count or length word in front of a list of at most `limit` elements."""
+        """A count or length word before a list of at most `limit` elements."""
         if count > limit:
             raise WireError(f"{name} has {count} elements, over its limit of {limit}")
         self.number("I", count)
 
     def exactly(self, name: str, count: int, wanted: int) -> None:
-        """Insists on a list of fixed length, which travels without a length word."""
+        """Checks a list of fixed length, which is encoded without a length word."""
         if count != wanted:
             raise WireError(f"{name} has {count} elements instead of {wanted}")
 
     def opaque(self, data: bytes) -> None:
-        """Raw bytes, then zeros up to a multiple of four."""
+        """Raw bytes, zero-padded to a multiple of four."""
         self._data += data
         self._data += bytes(-len(data) % 4)
 
     def fixed(self, name: str, data: bytes, size: int) -> None:
-        """Exactly `size` bytes: zeros fill what `data` lacks."""
+        """Exactly `size` bytes: `data`, zero-padded."""
         if len(data) > size:
             raise WireError(f"{name} has {len(data)} bytes, over its {size}")
         self.opaque(data + bytes(size - len(data)))
@@ -157,7 +157,7 @@ def _low_signed(bits: int) -> Callable[[int], int]:
     return lambda value: ((value + half) & (2 * half - 1)) - half
 
 
-# code: how it travels, bytes, what a receiver keeps of it
+# code: wire format, bytes, conversion by a receiver
 _NUMBERS = {
     "B": (">I", 4, _low(8)),
     "b": (">i", 4, _low_signed(8)),
@@ -175,7 +175,7 @@ S = TypeVar("S", bound="Struct")
 
 
 class Struct:
-    """Base of the generated classes: one field after the other in the order of the wire."""
+    """Base of the generated classes; fields are in wire order."""
 
     def encode(self) -> bytes:
         writer = Writer()
@@ -184,7 +184,7 @@ class Struct:
 
     @classmethod
     def decode(cls: Type[S], data: bytes) -> S:
-        """The value in `data`; bytes after its end are ignored. Raises WireError."""
+        """Decodes `data`; trailing bytes are ignored. Raises WireError."""
         try:
             return cls.read(Reader(data))
         except WireError as error:
@@ -200,7 +200,7 @@ class Struct:
 
 @dataclass(frozen=True)
 class MessageType:
-    """One kind of message of one interface, as in PLAYER_POSITION2D_CMD_VEL; no `payload`, no body."""
+    """One message type of one interface, as PLAYER_POSITION2D_CMD_VEL; without `payload` it has no body."""
 
     interface: int
     kind: Kind
@@ -210,12 +210,12 @@ class MessageType:
 
 
 def text(data: bytes) -> str:
-    """A string field as text: up to the first NUL."""
+    """The text of a string field, up to the first NUL."""
     return data.split(b"\0", 1)[0].decode("utf-8", "replace")
 
 
 def c_string(value: str) -> bytes:
-    """Text as a string field: with the final NUL that receivers rely on, and none before it."""
+    """Encodes text as a string field, NUL-terminated and without a NUL inside."""
     try:
         encoded = value.encode("utf-8")
     except UnicodeEncodeError as error:

@@ -1,5 +1,5 @@
-"""Learning programs and a world of robots: a velocity for every robot in, what every robot senses out, a thousand
-robots a call.
+"""Reinforcement learning in a simulated world: velocities of all robots in, measurements of all robots out, a thousand
+robots per call.
 
     from playhouse_gym import VectorEnv
 
@@ -9,7 +9,7 @@ robots a call.
             observations, rewards, terminations, truncations, infos = env.step(policy(observations))
 
 VectorEnv has the interface of Gymnasium's vector environments, ParallelEnv that of PettingZoo's parallel ones, Arena is
-what both are made of. Needs numpy, and Python 3.9; docs/gym.md tells more.
+the common base. Requires numpy and Python 3.9; see docs/gym.md.
 """
 
 from .arena import Arena, ArenaError

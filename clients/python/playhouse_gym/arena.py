@@ -1,4 +1,4 @@
-"""A world in a program of its own, stepped through a socket, with its arrays in memory that both have."""
+"""A world in a separate process, stepped through a socket, with its arrays in shared memory."""
 
 import array
 import mmap
@@ -22,15 +22,15 @@ _ANSWER = struct.Struct("<II")
 _MAGIC, _VERSION = b"plhsgym\0", 1
 _STEP, _START_AGAIN = 1, 2
 _SEEDS = 1 << 64
-_ENDING, _ENDING_RECORD = 10.0, 600.0  # s; a recording is completed first
+_ENDING, _ENDING_RECORD = 10.0, 600.0  # s; longer with a recording, which is completed first
 
 
 class ArenaError(RuntimeError):
-    """The program cannot be started, has ended, or refuses."""
+    """The program cannot be started, has ended, or refuses a request."""
 
 
 def find_program() -> str:
-    """PLAYHOUSE_PROGRAM, or `playhouse` where commands are looked for, or that of the checkout of this file."""
+    """PLAYHOUSE_PROGRAM, or `playhouse` in PATH, or the build of the checkout of this file."""
     named = os.environ.get("PLAYHOUSE_PROGRAM")
     built = pathlib.Path(__file__).resolve().parents[3] / "build" / "playhouse"
     found = named or shutil.which("playhouse") or (str(built) if built.exists() else None)
@@ -40,18 +40,18 @@ def find_program() -> str:
 
 
 class Arena:
-    """Columns of all agents, the robots at the top of the world that have a range finder, in the world file's order:
+    """Columns of all agents, the top-level robots with a range finder, in the order of the world file:
 
     actions    float32 [agents, 3]      to be written: velocities along x, y (m/s) and about z (rad/s)
-    reset_mask bool [agents]            to be written: the agent is put to a free place before the next tick, and stands
+    reset_mask bool [agents]            to be written: the agent is moved to a free position before the next tick, at rest
     ranges     float32 [agents, beams]  m, of its first range finder
     pose       float64 [agents, 3]      x, y (m), heading (rad) in the world
-    odometry   float64 [agents, 3]      the same as the robot believes
+    odometry   float64 [agents, 3]      the same, as estimated by the robot
     velocity   float64 [agents, 3]      m/s, m/s, rad/s
-    stalled    bool [agents]            something was in the way of its last motion
-    range_max  float32 [agents]         m, the farthest that it sees
+    stalled    bool [agents]            an obstacle blocked its last motion
+    range_max  float32 [agents]         m, maximum range
 
-    They are views of shared memory: the next step changes what is in them. One thread.
+    They are views of shared memory: the next step overwrites them. For one thread.
     """
 
     def __init__(
@@ -66,9 +66,9 @@ class Arena:
         record: Union[str, "os.PathLike[str]", None] = None,
         timeout: float = 120.0,
     ) -> None:
-        """`engine`: what moves the agents, "stage" or "arena". `web`: the port of a page that shows the world. `record`: an MCAP file into which all steps are recorded; it
-        is whole after close(). `timeout` (s): a program that is silent for so long is given
-        up."""
+        """`engine`: simulation engine, "stage" or "arena". `web`: port of the page. `record`: an MCAP file that records all steps; it
+        is complete after close(). `timeout` (s): limit on the time without an answer of the
+        program."""
         command = [program or find_program(), "gym", os.fspath(world), "--engine", engine, "--seed", str(seed),
                    "--workers", str(workers)]
         command += [] if web is None else ["--web", str(web)]
@@ -76,7 +76,7 @@ class Arena:
         ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
         self._said = tempfile.TemporaryFile()
         try:
-            # In a group of its own: Ctrl-C is for this program, which ends the other by leaving.
+            # In its own process group: Ctrl-C reaches this program only, whose end terminates the other.
             self._process = subprocess.Popen(
                 [*command, "--socket", str(theirs.fileno())], pass_fds=(theirs.fileno(),), stdin=subprocess.DEVNULL,
                 stdout=subprocess.DEVNULL, stderr=self._said, start_new_session=True)
@@ -112,7 +112,7 @@ class Arena:
 
     @property
     def agents(self) -> int:
-        """How many there are."""
+        """Number of agents."""
         return int(self.ranges.shape[0])
 
     @property
@@ -125,12 +125,12 @@ class Arena:
 
     @property
     def time(self) -> float:
-        """Simulated, since the start or the last start_again(). [s]"""
+        """Simulated time since the start or the last start_again(). [s]"""
         return float(self._columns["time"][0])
 
     @property
     def interval(self) -> float:
-        """One tick. [s]"""
+        """Duration of a tick. [s]"""
         return float(self._columns["interval"][0])
 
     @property
@@ -141,7 +141,7 @@ class Arena:
         return self._page
 
     def _wait_for_page(self) -> Optional[str]:
-        # The program tells the address beside its answers, and may do so later.
+        # The program prints the address asynchronously to its answers, possibly later.
         until = time.monotonic() + _ENDING
         while True:
             ended = self._process.poll() is not None
@@ -151,17 +151,17 @@ class Arena:
             time.sleep(0.01)
 
     def step(self, ticks: int = 1) -> None:
-        """Carries out `actions` and `reset_mask`, which is all False afterwards, and goes on by so many ticks."""
+        """Applies `actions` and `reset_mask`, which is all False afterwards, and runs this number of ticks."""
         self._ask(_STEP, ticks, 0)
 
     def start_again(self, seed: int) -> None:
-        """The run begins again with this seed, every agent at a place of its own, drawn from those of the world file;
-        after one tick in which all stand there is something to see."""
+        """Restarts the run with this seed, every agent at a different position drawn from those of the world file;
+        one tick with all at rest gives the first measurements."""
         self._ask(_START_AGAIN, 0, seed % _SEEDS)
 
     def close(self) -> None:
-        """Ends the program; the columns stay as they were. A second call does nothing. Raises ArenaError where the
-        recording is not whole."""
+        """Terminates the program; the columns keep their values. A second call has no effect. Raises ArenaError if the
+        recording is incomplete."""
         if self._socket is None:
             return
         self._socket = None
@@ -226,7 +226,7 @@ class Arena:
     def _log(self) -> str:
         if self._said.closed:
             return ""
-        said = self._said.fileno()  # whose place the program writes at: it stays where it is
+        said = self._said.fileno()  # shares its file offset with the program's writes: it must not move
         return os.pread(said, os.fstat(said).st_size, 0).decode("utf-8", "replace")
 
     def _lost(self) -> ArenaError:
@@ -269,7 +269,7 @@ def _columns_in(memory: mmap.mmap) -> Dict[str, np.ndarray]:
 
 
 def _end(link: socket.socket, process: "subprocess.Popen[bytes]", said: Any, patience: float) -> str:
-    """The program ends by itself when nobody is at the other end. Returns all that it said."""
+    """The program ends by itself when the socket is closed. Returns its whole output."""
     link.close()
     try:
         process.wait(patience)

@@ -1,4 +1,4 @@
-"""What both environments share: seeds, rewards, and when an agent's episode is over."""
+"""Common part of both environments: seeds, rewards, and ends of episodes."""
 
 from typing import Any, Callable, Optional, Tuple
 
@@ -13,12 +13,12 @@ Terminated = Callable[[Arena], np.ndarray]
 
 
 def ranges(arena: Arena) -> np.ndarray:
-    """What the range finders measure. [m]"""
+    """Measurements of the range finders. [m]"""
     return arena.ranges
 
 
 def progress(arena: Arena, before: np.ndarray) -> np.ndarray:
-    """How far each robot came, in the direction in which it was headed [m], less 1 where it ran into something.
+    """Distance travelled by each robot along its heading [m], minus 1 after a collision.
     `before` are the poses before the step."""
     moved = arena.pose[:, :2] - before[:, :2]
     forward = moved[:, 0] * np.cos(before[:, 2]) + moved[:, 1] * np.sin(before[:, 2])
@@ -30,7 +30,7 @@ def collided(arena: Arena) -> np.ndarray:
 
 
 class Episodes:
-    """An arena whose agents have episodes."""
+    """Episodes of the agents of an arena."""
 
     def __init__(
         self,
@@ -43,13 +43,13 @@ class Episodes:
         terminated: Terminated,
         seed: Optional[int],
     ) -> None:
-        """`seed`: of all that is drawn until reset() has another; None: a different one each time."""
+        """`seed`: seed of all random numbers until reset() has another; None: a different one each time."""
         self.arena = arena
         self._max_steps, self._ticks = max_steps, ticks
         self._observe, self._reward, self._terminated = observe, reward, terminated
         self._random = np.random.default_rng(seed)
         self._begun = False
-        self.steps = np.zeros(arena.agents, np.int64)  # of each agent's episode
+        self.steps = np.zeros(arena.agents, np.int64)  # steps in each agent's episode
         self._before = arena.pose.copy()
         high = np.asarray(max_action, np.float32)
         self.action_space = Box(-high, high, dtype=np.float32)
@@ -58,7 +58,7 @@ class Episodes:
         self.observation_space = Box(least, most, first.shape, first.dtype)
 
     def reset(self, seed: Optional[int]) -> np.ndarray:
-        """Every agent begins. Without a seed it goes on with that of the last time."""
+        """Starts episodes of all agents. Without a seed it continues with the previous one."""
         if seed is not None:
             self._random = np.random.default_rng(seed)
         self._begun = True
@@ -67,8 +67,8 @@ class Episodes:
         return np.asarray(self._observe(self.arena))
 
     def step(self) -> Tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-        """With the actions, and agents to be reset, in the arena: observations, rewards, terminations, truncations. Who
-        was reset begins anew."""
+        """Applies the actions and resets in the arena; returns observations, rewards, terminations, truncations. Agents
+        that were reset start a new episode."""
         if not self._begun:
             raise RuntimeError("reset() comes before step()")
         begun = self.arena.reset_mask.copy()

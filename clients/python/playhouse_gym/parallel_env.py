@@ -1,4 +1,4 @@
-"""All robots of a world as the agents of one of PettingZoo's parallel environments."""
+"""All robots of a world as the agents of a PettingZoo parallel environment."""
 
 import os
 from typing import Any, Dict, List, Optional, Tuple, Union
@@ -18,8 +18,8 @@ _Values = Dict[str, Any]
 
 
 class ParallelEnv(_Base):  # type: ignore[misc]
-    """One agent per robot, "robot_0" and so on. An agent whose episode is over is no agent any more, and its robot stands
-    where it is until reset(). The functions are as for VectorEnv."""
+    """One agent per robot, "robot_0" and so on. An agent whose episode has ended is removed from the agents, and its robot
+    stands still until reset(). The functions are as for VectorEnv."""
 
     metadata: Dict[str, Any] = {"render_modes": [], "name": "playhouse_v0", "is_parallelizable": True}
     render_mode = None
@@ -72,7 +72,7 @@ class ParallelEnv(_Base):  # type: ignore[misc]
         return dict(zip(self.agents, observations)), {name: {} for name in self.agents}
 
     def step(self, actions: _Values) -> Tuple[_Values, _Values, _Values, _Values, Dict[str, Dict[str, Any]]]:
-        """Velocities of the agents; who has none stands."""
+        """Takes velocities of the agents; agents without one stand still."""
         names = self.agents
         self.arena.actions[:] = 0
         acting = [name for name in names if name in actions]
@@ -93,7 +93,7 @@ class ParallelEnv(_Base):  # type: ignore[misc]
         return np.concatenate((self.arena.pose, self.arena.velocity), axis=1)
 
     def render(self) -> Optional[str]:
-        """The address of the page that shows the world, if `web` was given."""
+        """Address of the page, if `web` was given."""
         return self.arena.page
 
     def close(self) -> None:

@@ -1,4 +1,4 @@
-"""What actions and observations can be: Gymnasium's spaces where that is installed, else the part of them that programs
+"""Spaces of actions and observations: those of Gymnasium if it is installed, else the part of them that programs
 use."""
 
 from typing import Any, Optional
@@ -10,7 +10,7 @@ try:
 except ImportError:
 
     class _Space:
-        """Values of one shape and dtype."""
+        """Values of a fixed shape and dtype."""
 
         def __init__(self, shape: Any, dtype: Any) -> None:
             self.shape = tuple(shape)
@@ -34,7 +34,7 @@ except ImportError:
             return self.contains(x)
 
     class Box(_Space):  # type: ignore[no-redef]
-        """Arrays between two bounds, which are arrays of the shape, or numbers for all of it."""
+        """Arrays between two bounds, given as arrays of the shape or as scalars."""
 
         def __init__(self, low: Any, high: Any, shape: Any = None, dtype: Any = np.float32) -> None:
             super().__init__(np.shape(low) if shape is None else shape, dtype)
@@ -57,7 +57,7 @@ except ImportError:
             return f"Box({self.low.min()}, {self.high.max()}, {self.shape}, {self.dtype})"
 
     class Discrete(_Space):  # type: ignore[no-redef]
-        """Whole numbers from `start`, `n` of them."""
+        """`n` integers from `start` on."""
 
         def __init__(self, n: int, start: int = 0) -> None:
             super().__init__((), np.int64)
@@ -78,6 +78,6 @@ except ImportError:
 
 
 def batch(space: "Box", count: int) -> "Box":
-    """The space of `count` values of this one at once."""
+    """The batched space: `count` values of this space."""
     low, high = (np.repeat(bound[np.newaxis], count, axis=0) for bound in (space.low, space.high))
     return Box(low, high, dtype=space.dtype)

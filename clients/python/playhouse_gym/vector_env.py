@@ -1,4 +1,4 @@
-"""All robots of a world as the sub-environments of one of Gymnasium's vector environments."""
+"""All robots of a world as the sub-environments of a Gymnasium vector environment."""
 
 import os
 from typing import Any, Dict, Optional, Tuple, Union
@@ -18,20 +18,20 @@ except ImportError:
 
 
 class VectorEnv(_Base):  # type: ignore[misc]
-    """One sub-environment per robot; they share a world, and are in each other's way.
+    """One sub-environment per robot; all share a world, so robots can collide.
 
-    Where a robot's episode is over, by `terminated` or after `max_steps` steps, the next step() leaves out its action and
-    puts it to a free place (autoreset of the next step): its observation is the first of the new episode, its reward 0.
+    When a robot's episode ends, by `terminated` or after `max_steps` steps, the next step() ignores its action and
+    moves it to a free position (next-step autoreset): its observation is the first of the new episode, its reward 0.
 
-    `observe(arena)`, `reward(arena, poses_before)` and `terminated(arena)` are functions from the columns of all robots
-    (Arena) to an array with a row for each. `ticks`: of the world, per step. `copy`: False hands out views that the
-    next step() changes.
+    `observe(arena)`, `reward(arena, poses_before)` and `terminated(arena)` map the columns of all robots (Arena) to an
+    array with a row for each. `ticks`: ticks of the world per step. With `copy` False, results are views that the
+    next step() overwrites.
     """
 
     metadata: Dict[str, Any] = {"render_modes": [], "autoreset_mode": _NEXT_STEP}
     render_mode = None
     spec = None
-    closed = True  # until it is made: Gymnasium closes what is not, also where the making failed
+    closed = True  # until constructed: Gymnasium closes open environments, also after a failed construction
 
     def __init__(
         self,
@@ -66,15 +66,15 @@ class VectorEnv(_Base):  # type: ignore[misc]
     def reset(
         self, *, seed: Optional[int] = None, options: Optional[Dict[str, Any]] = None
     ) -> Tuple[np.ndarray, Dict[str, Any]]:
-        """All robots begin, each at a place of its own. The same seed and the same actions give the same observations, to
-        the bit. Without one it goes on with the numbers of the last, which the constructor may have been given. There are
-        no options."""
+        """Starts episodes of all robots, each at a different position. The same seed and actions give bit-identical
+        observations. Without a seed the random numbers of the previous one continue, which may be the constructor's.
+        There are no options."""
         observations = self._episodes.reset(seed)
         self._over[:] = False
         return self._handed_out(observations), {}
 
     def step(self, actions: Any) -> Tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, Dict[str, Any]]:
-        """Velocities of all robots, a row each, within the action space or cut to it."""
+        """Takes velocities of all robots, a row each, clipped to the action space."""
         self._episodes.act(actions)
         np.copyto(self.arena.reset_mask, self._over)
         observations, rewards, terminations, truncations = self._episodes.step()
@@ -82,7 +82,7 @@ class VectorEnv(_Base):  # type: ignore[misc]
         return self._handed_out(observations), self._handed_out(rewards), terminations, truncations, {}
 
     def render(self) -> Optional[str]:
-        """The address of the page that shows the world, if `web` was given."""
+        """Address of the page, if `web` was given."""
         return self.arena.page
 
     def close(self, **_: Any) -> None:
