@@ -1,2 +1,2 @@
-"""Turns interfaces/*.toml and kinds/*.toml into code and pages: model.py and kinds.py load and check, emit_*.py write,
-__main__.py runs them."""
+"""Generates code and pages from interfaces/*.toml, kinds/*.toml and viewer/commands.toml: model.py, kinds.py and
+commands.py load and validate, emit_*.py write, __main__.py runs them."""

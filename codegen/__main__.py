@@ -1,5 +1,5 @@
-"""python3 -m codegen            writes everything that is generated from interfaces/, kinds/ and viewer/
-python3 -m codegen --check    changes nothing; fails if what is checked in is not what would be written
+"""python3 -m codegen            writes all files generated from interfaces/, kinds/ and viewer/
+python3 -m codegen --check    writes nothing; fails if a checked-in file is out of date
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from codegen.model import load
 ROOT = Path(__file__).resolve().parent.parent
 EMITTERS = [emit_cpp, emit_cpp_fields, emit_docs, emit_python]  # of interfaces/
 KIND_EMITTERS = [emit_kind_lists, emit_kinds_cpp, emit_kinds_docs, emit_stage_words, emit_tables, emit_views]
-# Folders that belong to the emitters alone: a file there that no emitter writes is left over.
+# Folders owned by the emitters: other files there are left over.
 OWNED = [emit_cpp.FOLDER, emit_docs.FOLDER, emit_python.FOLDER, emit_kinds_cpp.FOLDER, emit_kinds_docs.FOLDER,
          emit_kind_lists.BEHAVIOUR, emit_kind_lists.STAGE, emit_kind_lists.DRIVERS, emit_tables.FOLDER, emit_views.FOLDER, emit_views.WEB_FOLDER]
 

@@ -1,4 +1,4 @@
-"""What every definition is held to, whatever it defines; a `SchemaError` is what a person sees of a mistake."""
+"""Checks common to all definitions; a `SchemaError` is the message for the author."""
 
 from __future__ import annotations
 
@@ -6,11 +6,11 @@ import difflib
 
 
 class SchemaError(Exception):
-    """A definition that cannot be accepted: one line for a person."""
+    """An invalid definition: a one-line message."""
 
 
 def one_of(where: str, what: str, value, known) -> None:
-    """Refuses a word that is none of those known, with the nearest one."""
+    """Refuses an unknown word, with the nearest known one."""
     known = [str(k) for k in known]
     if value in known:
         return
@@ -27,7 +27,7 @@ def keys(where: str, row: dict, needed: set[str], optional: set[str]) -> None:
 
 
 def typed(where: str, row: dict, types: dict) -> None:
-    """Refuses values of another type than their key has; keys that `types` does not know are not looked at."""
+    """Refuses values of a wrong type; keys that are not in `types` are ignored."""
     names = {str: "a text", bool: "true or false", list: "a list", dict: "a table", int: "a whole number"}
     for key, value in row.items():
         wanted = types.get(key, object)

@@ -43,7 +43,7 @@ def constant_name(name: str) -> str:
 
 
 def cpp_type(f: Field, inside: str) -> str:
-    """The type of a member; `inside` is the interface whose namespace the code stands in."""
+    """The type of a member; `inside` is the interface of the enclosing namespace."""
     one = SCALAR_TYPES.get(f.type) or (f.type if f.owner in (COMMON, inside) else f"{f.owner}::{f.type}")
     if f.is_text:
         return "std::string"
@@ -100,7 +100,7 @@ def _subtypes(interface: Interface) -> list[str]:
 
 
 def ordered(interface: Interface) -> list[Struct]:
-    """Structs after those that they contain."""
+    """Structs in order of dependency."""
     out: list[Struct] = []
 
     def add(struct: Struct) -> None:

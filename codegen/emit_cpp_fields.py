@@ -1,4 +1,4 @@
-"""playhouse/wire/generated/fields.h: every struct field by field, so that the tests can fill any value at random."""
+"""playhouse/wire/generated/fields.h: every struct field by field, so that tests can fill any value at random."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from codegen.model import COMMON, Field, Interface, Message, Schema, Struct
 
 ABOUT = """#pragma once
 
-/// Every struct as a list of fields, and every message as a type. For tests: they fill values at random and check laws
-/// that hold for all messages. each_field(m, f) calls f.field(member), f.list(member, max) for counted and dynamic
+/// Every struct as a list of fields, and every message as a type. For tests that fill values at random and check
+/// properties of all messages. each_field(m, f) calls f.field(member), f.list(member, max) for counted and dynamic
 /// arrays, f.fixed_text(member, length) for text of fixed length. each_message(f) calls f.operator()<Payload>(name).
 """
 

@@ -1,4 +1,4 @@
-"""What engines and drivers know of every kind: its draw, and lists of what is written per kind elsewhere, so that a kind adds files and changes none: in the folders
+"""Lists of hand-written code per kind, and power consumption, for engines and drivers; so that a kind adds files and changes none. In the folders
 `generated` of playhouse/scene/, behaviour/, stage/ and drivers/."""
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ def emit(kinds: Kinds) -> dict[str, str]:
 
 def _bodies(kinds: Kinds) -> str:
     found = [k for k in kinds.simulated() if k.body and k.body.form]
-    lines = [BANNER.rstrip(), "#pragma once", "", "/// The bodies that kinds have of their own; playhouse/scene/body_NAME.cc makes each.", "",
+    lines = [BANNER.rstrip(), "#pragma once", "", "/// Bodies specific to kinds, each built by playhouse/scene/body_NAME.cc.", "",
              '#include "playhouse/scene/body.h"', "", "namespace playhouse::scene {", ""]
     lines += [f"void make_{k.name}_body(const geom::Size& size, ModelDesc& model);" for k in found]
     lines += ["", "/// Gives a model the body of its kind, which fills `size`.",
@@ -33,7 +33,7 @@ def _bodies(kinds: Kinds) -> str:
 
 def _acts(kinds: Kinds) -> str:
     found = [k for k in kinds.simulated() if k.acts]
-    lines = [BANNER.rstrip(), "#pragma once", "", "/// The act phase of each kind that acts; playhouse/behaviour/act_NAME.cc defines it.", "",
+    lines = [BANNER.rstrip(), "#pragma once", "", "/// Act phases of kinds, each defined in playhouse/behaviour/act_NAME.cc.", "",
              "#include <memory>", "", '#include "playhouse/behaviour/act_phase.h"', "", "namespace playhouse::behaviour {", ""]
     lines += [f"std::unique_ptr<ActPhase> make_{k.name}_act();" for k in found]
     lines += ["", "inline void add_acts(Acts& acts) {"]
@@ -43,7 +43,7 @@ def _acts(kinds: Kinds) -> str:
 
 def _draws(kinds: Kinds) -> str:
     lines = [BANNER.rstrip(), "#pragma once", "", '#include "playhouse/scene/scene_desc.h"', "", "namespace playhouse::behaviour {", "",
-             "/// What a model draws while it is subscribed, however it moves: what its kind does, else what its words say. [W]",
+             "/// Power consumption of a subscribed model, without motion: that of its kind, else of its words. [W]",
              "inline double draw_of(const scene::ModelDesc& model) {", "  switch (model.kind) {"]
     for kind in kinds.simulated():  # the switch has a default: other kinds have no draw of their own
         parts = [p for p in kinds.parts_of(kind) if p.watts is not None and kind.name != BASE]
@@ -57,11 +57,11 @@ def _draws(kinds: Kinds) -> str:
 
 def _senses(kinds: Kinds) -> str:
     found = [k for k in kinds.simulated() if k.measures]
-    lines = [BANNER.rstrip(), "#pragma once", "", "/// The sense phase of each kind that measures; playhouse/stage/sense_NAME.cc defines it.", "",
+    lines = [BANNER.rstrip(), "#pragma once", "", "/// Sense phases of kinds, each defined in playhouse/stage/sense_NAME.cc.", "",
              "#include <memory>", "", '#include "playhouse/stage/sense_phase.h"', "", "namespace playhouse::stage {", "",
-             "/// `workers` is how many threads may measure at once."]
+             "/// `workers` is the maximum number of concurrent threads."]
     lines += [f"std::unique_ptr<SensePhase> make_{k.name}_sense(unsigned workers);" for k in found]
-    lines += ["", "/// Who makes the phase of each kind; an engine that measures otherwise has makers of its own.", "struct SenseMakers {",
+    lines += ["", "/// Factories of the phase of each kind; an engine with other sensor models has its own.", "struct SenseMakers {",
               "  using Make = std::unique_ptr<SensePhase> (*)(unsigned workers);"]
     lines += [f"  Make {k.name} = make_{k.name}_sense;" for k in found]
     lines += ["};", "", "inline void add_senses(Senses& senses, unsigned workers, const SenseMakers& makers = {}) {"]
@@ -70,12 +70,12 @@ def _senses(kinds: Kinds) -> str:
 
 
 def _moves(kinds: Kinds) -> str:
-    """The first kind is asked for last: of it there are most."""
+    """The first kind, the most frequent one, is the default branch."""
     first, *others = [k for k in kinds.simulated() if k.moves]
     lines = [BANNER.rstrip(), "#pragma once", "",
-             "/// How each kind that moves by itself does so; playhouse/stage/move_NAME.h has its functions.", ""]
+             "/// Motion of each kind that moves by itself, by functions of playhouse/stage/move_NAME.h.", ""]
     lines += [f'#include "playhouse/stage/move_{name}.h"' for name in sorted(k.name for k in [first, *others])]
-    lines += ["", "namespace playhouse::stage {", "", "/// Calls visit(functions) with those of a kind that moves.",
+    lines += ["", "namespace playhouse::stage {", "", "/// Calls visit(functions) with the functions of a kind that moves.",
               "template <typename Visit>",
               f"decltype(auto) with_move({'' if others else '[[maybe_unused]] '}scene::ModelKind kind, const Visit& visit) {{"]
     lines += [f"  if (kind == scene::ModelKind::{enumerator(k.kind)}) return visit({enumerator(k.name)[1:]}Move{{}});" for k in others]
@@ -89,13 +89,13 @@ def _devices(kinds: Kinds) -> str:
             is_first = served.name not in {name for name, _, _ in found}
             found.append((served.name if is_first else f"{kind.name}_{served.name}", served.code, kind))
     lines = [BANNER.rstrip(), "#pragma once", "",
-             "/// The device of each interface that a simulated model can have; playhouse/drivers/simulated/NAME.cc defines it,",
-             "/// and those that further kinds have for an interface, NAME of a kind.", "",
+             "/// The device of each interface of simulated models, defined in playhouse/drivers/simulated/NAME.cc,",
+             "/// and devices specific to a kind, with NAME of the kind.", "",
              "#include <cstdint>", "#include <memory>", "#include <optional>", "", '#include "playhouse/drivers/simulated/simulated_device.h"', "",
              "namespace playhouse::drivers {", "", "/// `model` fits the interface (model_interfaces.h)."]
     lines += [f"std::unique_ptr<SimulatedDevice> make_{name}_device(Simulation& simulation, world::ModelRow model);" for name, _, _ in found]
     lines += ["", "struct DeviceMaker {", "  std::uint16_t interf;",
-              "  std::optional<scene::ModelKind> kind;  // of any, if there is none",
+              "  std::optional<scene::ModelKind> kind;  // any kind, if empty",
               "  std::unique_ptr<SimulatedDevice> (*make)(Simulation& simulation, world::ModelRow model);", "};",
               "inline constexpr DeviceMaker kDeviceMakers[] = {"]
     for name, code, kind in found:

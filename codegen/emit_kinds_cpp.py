@@ -1,8 +1,8 @@
-"""C++ for what world files can hold: playhouse/scene/generated/.
+"""C++ for the entities of world files: playhouse/scene/generated/.
 
-kind_forms.h has what a table of kinds tells of each, as enumerations; kind_descs.h has the descriptions, one struct per kind with members; read_kinds.h/.cc read them from properties, with
-their errors; write_kinds.h/.cc write them as files have them; kind_tables.cc has what playhouse/scene/kinds.h gives to
-everybody: types, words, interfaces.
+kind_forms.h has properties of kinds as enumerations; kind_descs.h has the descriptions, one struct per kind with members; read_kinds.h/.cc read them from properties and report
+errors; write_kinds.h/.cc write them in world-file syntax; kind_tables.cc has the data of playhouse/scene/kinds.h: types, words,
+interfaces.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ def emit(kinds: Kinds) -> dict[str, str]:
 
 
 def described(kinds: Kinds) -> list[Kind]:
-    """Those that have a description."""
+    """Kinds with a description."""
     return [k for k in kinds.all if k.members]
 
 
@@ -62,14 +62,14 @@ def _text(text: str) -> str:
 
 
 FORMS = [
-    ("EntityForm", "Where an entity stands.", ENTITIES),
-    ("Index", "How the indices of an interface count in the automatic map.", INDICES),
+    ("EntityForm", "Place of an entity in a file.", ENTITIES),
+    ("Index", "Numbering of the devices of an interface in the automatic map.", INDICES),
     ("Need", "What a model must have for an interface.", NEEDS),
 ]
 
 
 def _forms() -> str:
-    lines = [BANNER + "#pragma once", "", "/// What the table of kinds tells of each, under the names that kinds/*.toml has.", "",
+    lines = [BANNER + "#pragma once", "", "/// Properties of kinds, with the names of kinds/*.toml.", "",
              "#include <cstddef>", "#include <cstdint>", "#include <string_view>", "", "namespace playhouse::scene {"]
     for enum, doc, values in FORMS:
         lines += ["", f"/// {doc}", f"enum class {enum} : std::uint8_t {{"]
@@ -91,11 +91,11 @@ def _form(name: str) -> str:
 
 def _descs(kinds: Kinds) -> str:
     lines = [BANNER.rstrip(), "#pragma once", ""]
-    lines += _comment("What world files say of each kind, in SI units and radians; members begin as a file has them that says "
-                      "nothing. Frames: W world, P parent, M model, B its body, S sensor, O odometry.")
+    lines += _comment("Descriptions of each kind in world files, in SI units and radians; members have the default values "
+                      "of files. Frames: W world, P parent, M model, B its body, S sensor, O odometry.")
     lines += ["", "#include <cstdint>", "#include <optional>", "#include <string>", "#include <vector>", "",
               '#include "playhouse/geom/pose.h"', '#include "playhouse/scene/values.h"', "", "namespace playhouse::scene {", ""]
-    lines += _comment("The kinds of model that this build simulates; those of any other type are kPlain.")
+    lines += _comment("The simulated kinds of models; models of any other type are kPlain.")
     lines += ["enum class ModelKind : std::uint8_t {"]
     lines += [f"  {enumerator(k.kind)} = {k.number}," for k in kinds.simulated()]
     lines += ["};", ""]
@@ -104,7 +104,7 @@ def _descs(kinds: Kinds) -> str:
             for choice in [word, *word.choices]:
                 lines += _enum(choice)
         lines += _struct(kind)
-    lines += _comment("What models say beyond PlainDesc: what is not of a model's kind is empty.")
+    lines += _comment("Descriptions of models in addition to PlainDesc: only that of the model's kind is set.")
     lines += ["struct KindDescs {"]
     for kind in kinds.simulated():
         if kind.members and kind.name != BASE:
@@ -184,7 +184,7 @@ def _initial(word: Word) -> str:
 
 
 def _number(value: float, scale: str, unit: str) -> str:
-    """A number of a file in the unit of its member."""
+    """Converts a number of a file to the unit of its member."""
     if scale == "A" or unit == "deg":
         return f"geom::radians({value!r})" if value else "0"
     return f"{value / 1000!r}" if unit == "ms" else f"{value!r}"
@@ -206,13 +206,13 @@ def _readers_header(kinds: Kinds) -> str:
     lines += [f"{_signature(k)};" for k in described(kinds) if not _through_kind(k)]
     lines += ["", *_comment("Reads what models of a kind say beyond PlainDesc.")]
     lines += ["void read_kind(const Properties& properties, ModelKind kind, KindDescs& to);", "",
-              "/// False for a model without the description that its kind needs: no file makes one, code may.",
+              "/// False for a model without the description of its kind: impossible from files, possible from code.",
               "bool is_described(ModelKind kind, const KindDescs& by);", "", "}  // namespace playhouse::scene", ""]
     return "\n".join(lines)
 
 
 def _through_kind(kind: Kind) -> bool:
-    """Whether read_kind() is who reads it."""
+    """Whether read_kind() reads it."""
     return kind.entity == "model" and kind.name != BASE
 
 
@@ -268,7 +268,7 @@ def _read_each(kind: Kind, word: Word) -> list[str]:
 
 
 def _read(word: Word, key: str, to: str) -> list[str]:
-    """Reads what the file has behind `key` into `to`, which has what counts where there is none."""
+    """Reads the value of `key` into `to`, which holds the default."""
     if word.type == "number" and word.unit == "ms":
         return [f"{to} = read_milliseconds(properties, {key}, {to});"]
     if word.type in READERS and word.optional:
@@ -340,7 +340,7 @@ def _read_tuple(word: Word) -> list[str]:
 
 
 def _check(word: Word, key: str, to: str) -> list[str]:
-    """What read_count() and tuples have not checked yet."""
+    """Checks not made by read_count() and tuples."""
     if word.type in ("count", "tuple") or (word.min is None and word.above is None):
         return []
     if word.optional:
@@ -412,7 +412,7 @@ def _writer(kind: Kind) -> list[str]:
 
 
 def _write(word: Word) -> list[str]:
-    """Writes what `from` has, unless it is what counts where there is no word."""
+    """Writes the value of `from`, unless it is the default."""
     key, has = _text(word.name), f"from.{word.member}"
     if word.counted_by:
         numbered = f'{_text(word.name + "[")} + std::to_string(i) + "]"'

@@ -1,7 +1,7 @@
 """Writes clients/python/playhouse_client/generated/: one module per interface, standard library only.
 
-A module holds the interface's constants, one dataclass per struct, and one MessageType per message under the
-name Player's users know without its prefix (PLAYER_POSITION2D_CMD_VEL is position2d.CMD_VEL).
+A module has the interface's constants, one dataclass per struct, and one MessageType per message, with Player's
+name without the prefix (PLAYER_POSITION2D_CMD_VEL is position2d.CMD_VEL).
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ CODES = {
 
 
 def emit(schema: Schema) -> dict[str, str]:
-    """Path below the root -> text of every generated Python file."""
+    """Path from the root of the tree -> content."""
     files = {f"{FOLDER}/{i.name}.py": _module(schema, i) for i in schema.all()}
     files[f"{FOLDER}/__init__.py"] = _index(schema)
     return files
@@ -82,12 +82,12 @@ def _constants_text(interface: Interface, constants: Constants) -> str:
 
 
 def _constant_name(interface: Interface, name: str) -> str:
-    """8BIT of audio is AUDIO_8BIT: Python's names do not start with a digit."""
+    """8BIT of audio becomes AUDIO_8BIT: Python names do not start with a digit."""
     return f"{interface.name.upper()}_{name}" if name[0].isdigit() else name
 
 
 def _in_order(interface: Interface) -> list[Struct]:
-    """Structs after those they are made of."""
+    """Structs in order of dependency."""
     done: list[Struct] = []
 
     def add(struct: Struct) -> None:
@@ -131,7 +131,7 @@ def _field_comment(f: Field) -> list[str]:
 
 
 def _raw(f: Field) -> bool:
-    """Arrays that are bytes in Python."""
+    """Arrays represented as bytes in Python."""
     return f.is_array and f.type in OPAQUE
 
 
@@ -269,7 +269,7 @@ _CATALOGUE = _catalogue()
 
 
 def find_message(interface: int, kind: int, subtype: int) -> Optional[MessageType]:
-    """The row of a message, or None. Answers have the row of their request; shared ones fit every interface."""
+    """The row of a message, or None. Answers have the row of their request; shared messages apply to every interface."""
     if kind in (Kind.ACK, Kind.NACK):
         kind = Kind.REQ
     return _CATALOGUE.get((0, kind, subtype)) or _CATALOGUE.get((interface, kind, subtype))

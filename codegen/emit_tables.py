@@ -22,7 +22,7 @@ def emit(kinds: Kinds) -> dict[str, str]:
 
 
 def tabled(kinds: Kinds) -> list[Kind]:
-    """Kinds with a table of their own, after each the parts of it that have one, and traits behind them all."""
+    """Kinds with a table, each followed by its parts with one, then traits."""
     models = [k for k in kinds.simulated() if k.table and k.name != BASE]
     return [each for k in models for each in [k, *(p for p in kinds.parts_of(k) if p.table)]] + kinds.traits()
 
@@ -46,7 +46,7 @@ def _type(kinds: Kinds, column: Quantity) -> str:
 def _tables(kinds: Kinds) -> str:
     found = tabled(kinds)
     lines = [BANNER.rstrip(), "#pragma once", "",
-             "/// The tables of the world: what there is of each kind, in columns. Units, frames, roles and writers are in",
+             "/// The tables of the world: the state of each kind, in columns. Units, frames, roles and writers are in",
              "/// table_columns.h and on the pages of docs/kinds/.", "", "#include <cstdint>", "#include <string>", "#include <vector>", "",
              '#include "playhouse/world/models.h"', "", "namespace playhouse::world {", ""]
     lines += [f"using {_title(k.name)}Row = Row<struct {_title(k.name)}Table>;" for k in found] + [""]
@@ -97,7 +97,7 @@ def _struct(kinds: Kinds, kind: Kind) -> list[str]:
 
 def _columns(kinds: Kinds) -> str:
     found = tabled(kinds)
-    lines = [BANNER.rstrip(), "#pragma once", "", "/// The columns of the kinds' and traits' tables, and which of them has which table. For columns.h alone.", "",
+    lines = [BANNER.rstrip(), "#pragma once", "", "/// The columns of the tables of kinds and traits, and the table of each. For columns.h only.", "",
              "namespace playhouse::world {", ""]
     for kind in found:
         lines += ["template <>", f"inline constexpr auto kColumns<{_table(kind)}> = std::tuple{{"]
@@ -131,7 +131,7 @@ def _columns(kinds: Kinds) -> str:
 
 def _worded(kinds: Kinds) -> str:
     lines = [BANNER.rstrip(), "#pragma once", "",
-             "/// State that begins as a word of world files says, and that such a file says as it is now.", "",
+             "/// State initialised by a word of world files, and saved by it with its current value.", "",
              '#include "playhouse/world/generated/tables.h"', "", "namespace playhouse::world {", "",
              *_comment("Gives the last row of a table what the model's words say. Tables without such columns stay as they are."),
              "template <typename Table>", "void begin_as_said(Table&, const scene::ModelDesc&) {}"]
@@ -158,7 +158,7 @@ def _worded(kinds: Kinds) -> str:
 
 
 def _words(kind: Kind) -> list[tuple[Quantity, str]]:
-    """Columns that a word says, each with the member of the description."""
+    """Columns initialised by a word, each with the member of the description."""
     members = {w.name: w.member for w in kind.words}
     return [(c, members[c.word]) for c in kind.state.columns if c.word]
 

@@ -1,8 +1,8 @@
-"""What viewers get of each kind, at both ends of the wire: playhouse/replicate/generated/ and web/src/protocol/generated/.
+"""Fields of each kind for viewers, at both ends of the connection: playhouse/replicate/generated/ and web/src/protocol/generated/.
 
-A kind's `[[viewer]]` fields travel in three ways: as JSON with its prototype (`start`), as bits of the model's state
-(`bit`), and as one *view*, a list of whole numbers (of `changed` without bits, `selected` or `shown`), of which a kind has at
-most one.
+A kind's `[[viewer]]` fields are sent in three forms: as JSON with its prototype (`start`), as bits of the model's state
+(`bit`), and as one *view*, a list of integers (of `changed` without bits, `selected` or `shown`); a kind has at most one
+view.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ JSON = {"length": ("number({})", "number"), "angle": ("number({})", "number"), "
 
 @dataclass
 class View:
-    """What travels of a kind while somebody looks."""
+    """Fields of a kind that are sent during a run."""
 
     kind: Kind
     when: str
@@ -289,7 +289,7 @@ def _starts(kinds: Kinds) -> list[str]:
 
 
 def _unique(lines: list[str]) -> list[str]:
-    """Two kinds may have a field of the same name and type."""
+    """Kinds may share a field of the same name and type."""
     out: list[str] = []
     for line in lines:
         name = line.partition("?:")[0]

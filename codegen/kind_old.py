@@ -1,4 +1,4 @@
-"""Words and types of Stage 1 to 3, and what they mean now: what `[old]` and `[old_types]` of kinds/*.toml may say.
+"""Words and types of Stage 1 to 3 and their replacements: `[old]` and `[old_types]` of kinds/*.toml.
 
 An entry is a text, what to write instead, of what has no effect (or, of a type, is an error), or a table:
 
@@ -28,20 +28,20 @@ KEY_TYPES = {"instead": str, "part": str, "type": str, "to": list, "values": dic
 @dataclass
 class OldWord:
     name: str
-    instead: str                                          # what to write; "" where there is nothing to say
+    instead: str                                          # replacement for the author; "" without one
     how: str = "none"                                     # none, words, count, nested, by hand
-    part: str = ""                                        # whose words `to` are; "" of the entity itself
-    to: list[str] = field(default_factory=list)           # "" for a value that means nothing now
-    values: dict[str, str] = field(default_factory=dict)  # that are others now
-    part_words: dict[str, str] = field(default_factory=dict)  # that each part says besides, where the file does not
+    part: str = ""                                        # part with the words `to`; "" the entity itself
+    to: list[str] = field(default_factory=list)           # "" for a value without a replacement
+    values: dict[str, str] = field(default_factory=dict)  # replaced values
+    part_words: dict[str, str] = field(default_factory=dict)  # further words of each part, unless in the file
 
 
 @dataclass
 class OldType:
     name: str
     instead: str
-    type: str | None = None  # what it is now; "" it is left out; None an error
-    part: str = ""           # of which it has one at least
+    type: str | None = None  # replacement; "" ignored; None an error
+    part: str = ""           # a part of which it has at least one
     words: dict[str, str] = field(default_factory=dict)
     part_words: dict[str, str] = field(default_factory=dict)
 
@@ -71,7 +71,7 @@ def old_type(where: str, name: str, entry: Any) -> OldType:
 
 
 def check_old(kinds: Any, kind: Any) -> None:
-    """That what old words and types become is there."""
+    """Checks that replacements of old words and types exist."""
     for word in kind.old:
         where = f"{kind.source}: old {word.name}"
         owner = _owner(kinds, where, kind, word.part)

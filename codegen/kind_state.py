@@ -1,4 +1,4 @@
-"""What the world keeps of a kind and what a viewer gets of it: `[[record]]`, `[[column]]` and `[[viewer]]`."""
+"""State of a kind in the world, and its fields for viewers: `[[record]]`, `[[column]]` and `[[viewer]]`."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ MEASURED = {"float32", "float64", "size", "vector3", "pose", "twist", "tilt", "v
 
 # What a column is to a run (playhouse/world/columns.h).
 ROLES = ("population", "motion", "mark", "sensed", "use", "derived")
-UNCHANGED = {"population", "derived"}  # may be written with the population alone, and by nobody later
+UNCHANGED = {"population", "derived"}  # written only when the population changes
 # Phases of the tick, and the ways to change the world between ticks.
 WRITERS = ("decide", "act", "move", "sense", "energy", "commands", "devices", "place", "attach", "detach", "set_odometry",
            "set_fiducial_return", "set_color", "set_say", "add_flags", "subscribe", "unsubscribe", "subscribe_controller",
@@ -57,7 +57,7 @@ class Quantity:
     writer: str = ""
     per: str = ""       # "beam": a row of the column is a beam, not a row of the table
     list: bool = False  # a row holds any number of values
-    word: str = ""      # that says what it begins with, and by which a world file says what it is now
+    word: str = ""      # word for the initial value, also used to save the current one
 
 
 @dataclass
@@ -69,12 +69,12 @@ class Record:
 
 @dataclass
 class Shown:
-    """A field that a viewer gets."""
+    """A field for viewers."""
 
     field: str
     source: str     # a column or word, or a part of it: "X_PM.x"
     unit: str       # of numbers in JSON
-    quantum: str    # of whole numbers
+    quantum: str    # of integers
     code: str
     when: str
 
@@ -87,7 +87,7 @@ class State:
 
 
 def state(where: str, table: dict, words: list[Word]) -> State:
-    """`words` are those that a viewer may be told at the start."""
+    """`words` are those that may be sent to a viewer at the start."""
     out = State()
     for row in table.get("record", []):
         out.records.append(_record(f"{where}: record {row.get('name', '?')}", row))

@@ -1,4 +1,4 @@
-"""The words of an entity of world files: what a `[[word]]` of kinds/*.toml may say."""
+"""The words of an entity of world files: `[[word]]` of kinds/*.toml."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from codegen.checks import SchemaError, documented, keys, one_of, typed, unique
 
-STAGES = ("same", "better", "other", "none")  # what Stage 4 does with the word, as seen from here
+STAGES = ("same", "better", "other", "none")  # comparison with Stage 4
 USES = ("read", "later")  # words without an entry of their own are `silent` and `old`
 
 # What a value is made of: (the parts of its form, the scale of each). L and A are converted from the file's units of
@@ -21,7 +21,7 @@ SHAPES = {
 }
 NUMBERS = {"integer", "count", "number", "length", "angle"}
 PART_SCALES = {"number": "N", "length": "L", "angle": "A"}
-COUNTED = {"integer", "number", "length", "angle", "pose", "size", "point"}  # what a list of counted words may hold
+COUNTED = {"integer", "number", "length", "angle", "pose", "size", "point"}  # element types of counted words
 
 # Units of plain numbers in world files, and what the member behind the word is kept in.
 UNITS = {"1": "1", "m": "m", "s": "s", "ms": "s", "deg": "rad", "kg": "kg", "px": "px", "px/m": "px/m", "W": "W", "J": "J",
@@ -43,13 +43,13 @@ class Part:
 
     name: str
     scale: str      # L, A or N
-    unit: str       # as the file has it, by default
+    unit: str       # default unit in the file
     member: str     # of the description
 
 
 @dataclass
 class Value:
-    """A word that a choice may have."""
+    """A value of a choice."""
 
     word: str
     name: str       # of the enumerator, in lower case
@@ -63,27 +63,27 @@ class Word:
     doc: str
     use: str = "read"
     stage: str = "same"     # same as in Stage 4, better, other, or none: Stage has no such word
-    stage_why: str = ""     # what differs; "" where it is the same
-    unit: str = ""              # as the file has it, by default; one for each part, or one for all
-    default: object = None      # as the file has it; None: there is none, or default_text tells it
+    stage_why: str = ""     # difference; "" if it is the same
+    unit: str = ""              # default unit in the file; one per part, or one for all
+    default: object = None      # in the file; None: none, or in default_text
     default_text: str = ""
     min: float | None = None
     above: float | None = None
     max: float | None = None
     limit: str = ""             # the name of `max` in base/limits.h
-    clamp: str = ""             # what is meant by a value below `min`: a warning instead of an error
+    clamp: str = ""             # interpretation of a value below `min`: a warning instead of an error
     ascending_from: float | None = None
     by_hand: bool = False       # hand-written code reads it, and there is no member
     optional: bool = False      # the member is empty without the word
     indexed: bool = False       # word[0], word[1], ...
-    counted_by: str = ""        # the word that says how many there are; without an index it is meant for all others
+    counted_by: str = ""        # the word with the number of elements; without an index a value applies to all others
     member: str = ""
     frame: str = ""
     enum: str = ""
     with_word: str = ""         # read together with that word, into its member
     parts: list[Part] = field(default_factory=list)
     values: list[Value] = field(default_factory=list)
-    choices: list[Word] = field(default_factory=list)  # of several choices in brackets: each one, a word of its own
+    choices: list[Word] = field(default_factory=list)  # the choices in brackets, each a word
 
     @property
     def has_member(self) -> bool:
@@ -99,7 +99,7 @@ class Word:
 
     @property
     def form(self) -> str:
-        """What stands in the brackets of a tuple, "" for single values."""
+        """Content of the brackets of a tuple, "" for single values."""
         if self.type in ("tuple", "choices"):
             return " ".join(p.name for p in self.parts or self.choices)
         return SHAPES[self.type][0]
@@ -109,7 +109,7 @@ class Word:
         return [p.member for p in self.parts or self.choices] or [self.member]
 
     def units(self) -> list[str]:
-        """Of each number, as the file has it by default; empty without a quantity."""
+        """Default unit in the file of each number; empty without a quantity."""
         if self.type == "tuple":
             return [p.unit for p in self.parts]
         if self.type == "point":
@@ -131,7 +131,7 @@ KEY_TYPES |= {"min": (int, float), "above": (int, float), "max": (int, float), "
 
 
 def word(where: str, row: dict, simulated: bool) -> Word:
-    """One `[[word]]`. Of an entity that is not simulated nothing reads it, so a default may be unknown."""
+    """One `[[word]]`. For an entity that is not simulated it is not read, so its default may be unknown."""
     keys(where, row, {"name", "type", "doc"}, OPTIONAL)
     typed(where, row, KEY_TYPES)
     if not WORD.match(row["name"]):
@@ -298,7 +298,7 @@ def _limits(where: str, out: Word) -> None:
 
 
 def check_together(where, words: list[Word]) -> None:
-    """What one word says of another; `where(word)` is its place."""
+    """Checks references between words; `where(word)` is the place of a word."""
     by_name = {w.name: w for w in words}
     for w in words:
         if w.with_word:

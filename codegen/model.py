@@ -1,4 +1,4 @@
-"""Loads interfaces/*.toml into plain values and refuses what the wire cannot mean.
+"""Loads and validates interfaces/*.toml.
 
 Emitters read the values below and nothing else; every name they need is derived here, once, so that two languages
 never disagree. A `SchemaError` names the file, the entry and what is wrong.
@@ -28,7 +28,7 @@ OPAQUE = {"char", "int8", "uint8"}
 # Kind of message -> its number in the header.
 KINDS = {"DATA": 1, "CMD": 2, "REQ": 3, "SYNCH": 5}
 POLICIES = {"latest", "queue"}
-UNIVERSAL = range(247, 256)  # request subtypes that mean the same for every interface
+UNIVERSAL = range(247, 256)  # request subtypes shared by all interfaces
 
 # Largest body, and so the bound of an array whose `max` is "message".
 BODY_BYTES = 33554392
@@ -79,7 +79,7 @@ class Field:
     length: int | None = None
     max: int | None = None
     dynamic: bool = False
-    count_before: str = ""      # field before which the count word travels; "" means directly before the array
+    count_before: str = ""      # field before which the count word is encoded; "": directly before the array
     line: int = 0               # of the definition's file; 0 if unknown
 
     @property
@@ -151,7 +151,7 @@ class Message:
 
 @dataclass
 class Constants:
-    """Named numbers that belong together, e.g. the values of one field."""
+    """A group of named numbers, e.g. the values of one field."""
 
     doc: str
     c_prefix: str
@@ -161,7 +161,7 @@ class Constants:
 @dataclass
 class Interface:
     name: str
-    code: int | None            # None for what all interfaces share
+    code: int | None            # None for the shared definitions
     doc: str
     source: str                 # "interfaces/004_position2d.toml"
     messages: list[Message] = field(default_factory=list)
@@ -196,7 +196,7 @@ class Schema:
 
 
 class Row(dict):
-    """A table of a file, with the line it stands on."""
+    """A table of a file, with its line."""
 
     line = 0
 
@@ -214,7 +214,7 @@ def load(folder: Path) -> Schema:
 
 
 def _with_lines(table: dict, text: str) -> dict:
-    """The fields of all structs as rows that know their lines; the parser does not tell them."""
+    """The fields of all structs as rows with their lines, which the parser does not provide."""
     lines, inside = [], False
     for number, line in enumerate(text.splitlines(), 1):
         bare = re.sub(r'"(\\.|[^"\\])*"', "", line).partition("#")[0]
@@ -223,7 +223,7 @@ def _with_lines(table: dict, text: str) -> dict:
         lines += [number] * (bare.count("{") if inside else 0)
     structs = table.get("struct", [])
     if len(lines) != sum(len(struct.get("fields", [])) for struct in structs):
-        return table  # written in some way of its own: faults are told without a line
+        return table  # other layout: errors are reported without a line
     for struct in structs:
         struct["fields"] = [Row(entry) for entry in struct.get("fields", [])]
         for row in struct["fields"]:
@@ -351,7 +351,7 @@ def _known_units(where: str, unit: str) -> None:
 
 
 def _nearest_unit(text: str) -> str:
-    """The likeliest of the units; most of them are short for a word that begins like them."""
+    """The most likely unit; most units abbreviate a word with the same beginning."""
     text = text.lower()
 
     def likeness(unit: str) -> float:
@@ -390,7 +390,7 @@ def _constants(source: str, name: str, row: dict) -> Constants:
 
 
 def _resolve(schema: Schema, interface: Interface) -> None:
-    """Fills in which interface owns each struct that is named."""
+    """Sets the owning interface of each referenced struct."""
     for struct in interface.structs:
         for f in struct.fields:
             if f.is_scalar:
@@ -423,7 +423,7 @@ def _min_bytes(schema: Schema, struct: Struct, above: tuple[str, ...]) -> int:
 def _field_bytes(schema: Schema, f: Field, above: tuple[str, ...]) -> int:
     if f.has_count:
         if not f.is_scalar:
-            _min_bytes(schema, schema.struct_of(f), above)  # finds structs that contain themselves
+            _min_bytes(schema, schema.struct_of(f), above)  # detects recursive structs
         return 8
     one = SCALARS[f.type] if f.is_scalar else _min_bytes(schema, schema.struct_of(f), above)
     if f.length is None:

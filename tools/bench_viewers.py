@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""What viewers of the arena cost: bytes a second of one who watches 200 robots that drive, processor time of 50 of them, the same of observers
-by UDP, and the time from a command of a Player client to the first picture that shows it. On loopback, in real time; prints a line of JSON each.
+"""Measures the cost of viewers of the arena: bytes per second of one viewer of 200 driving robots, processor time of 50 viewers, the same for UDP
+observers, and the latency from a command of a Player client to the first frame that shows it. On loopback, in real time; prints one JSON line each.
 
     tools/bench_viewers.py [--program build/playhouse] [--seconds 10]
 """
@@ -44,7 +44,7 @@ def cpu_seconds(process: int) -> float:
 
 
 class Watching:
-    """Viewers on a thread each, which count what they get."""
+    """Viewers, each on its own thread, that count received bytes and packets."""
 
     def __init__(self, port: int, count: int) -> None:
         self.bytes = self.packets = 0
@@ -79,7 +79,7 @@ def run(program: str, world: pathlib.Path) -> House:
 
 
 def observe(house: House, program: str, count: int, seconds: float) -> dict:
-    """Observers by UDP, as they count themselves, from when the world has come."""
+    """UDP observers, by their own statistics from the reception of the world on."""
     server = house.wait_for_line(r"^observers: (\S+)").group(1)
     cpu_then, then = cpu_seconds(house.process.pid), time.monotonic()
     observers = [House("observe", server, "--name", "-", "--seconds", seconds, "--stats", program=program) for _ in range(count)]

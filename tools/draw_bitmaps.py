@@ -4,7 +4,7 @@
 usage: tools/draw_bitmaps.py [FOLDER]      (default: worlds/bitmaps)
 
 The cave is a union of chambers and corridors, given below in metres, as one signed distance field whose
-surface is roughened by smooth noise. Every number is fixed, so the same pixels come out every time.
+surface is roughened by smooth noise. All numbers are fixed, so the output is reproducible.
 Standard library only; half a minute.
 """
 
@@ -89,13 +89,13 @@ def capsule(x, y, radius, p, q):
 
 
 def blend(a, b, width):
-    """Minimum of two distances with the crease rounded over `width` metres."""
+    """Smooth minimum of two distances, rounded over `width` metres."""
     h = max(width - abs(a - b), 0.0) / width
     return min(a, b) - h * h * width * 0.25
 
 
 def curve(points):
-    """A corridor's middle, bent smoothly through its points (Catmull-Rom, six steps a span)."""
+    """A corridor's centre line: a Catmull-Rom spline through its points, six steps per span."""
     bent = []
     padded = [points[0], *points, points[-1]]
     for p0, p1, p2, p3 in zip(padded, padded[1:], padded[2:], padded[3:]):
@@ -158,7 +158,7 @@ def regions(rows, solid):
 
 
 def keep_largest(rows):
-    """One connected floor, and no crumbs of rock smaller than a robot can see."""
+    """Keeps one connected floor and removes pieces of rock too small to be detected by a robot."""
     for region in regions(rows, False)[1:]:
         for r, c in region:
             rows[r][c] = True

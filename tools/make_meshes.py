@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes the COLLADA files and the texture of worlds/mesh.world: a table of planks, a barrel, a ramp. Metres, z up."""
+"""Generates the COLLADA files and the texture of worlds/mesh.world: a table of planks, a barrel, a ramp. Metres, z up."""
 
 import math
 import pathlib
@@ -16,7 +16,7 @@ HEAD = """<?xml version="1.0" encoding="utf-8"?>
 
 
 class Solid:
-    """Corners with normals and places on the texture, and triangles."""
+    """Vertices with normals and texture coordinates, and triangles."""
 
     def __init__(self):
         self.corners, self.triangles = [], []
@@ -43,7 +43,7 @@ class Solid:
             self.add([at(*corner) for corner in face], whole)
 
     def add_ring(self, low, high, count):
-        """The side between two circles (radius, z) about z."""
+        """The lateral surface between two circles (radius, z) about z."""
         for k in range(count):
             a, b = (2 * math.pi * i / count for i in (k, k + 1))
             on = lambda turn, ring: (ring[0] * math.cos(turn), ring[0] * math.sin(turn), ring[1])

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Draws what a robot costs against how many there are, from the JSON lines of `playhouse bench`, as an SVG, and
-prints the table of docs/benchmarks.md. Of several lines of one scenario and number of robots the cheapest counts.
+"""Plots the cost per robot against the number of robots as an SVG, from the JSON lines of `playhouse bench`, and
+prints the table of docs/benchmarks.md. Of several lines of one scenario and number of robots the lowest cost is used.
 
     for k in 1 2; do build/playhouse bench vaughan2008 --duration 10; build/playhouse bench diffusion --duration 10; done > lines.jsonl
     tools/plot_bench.py lines.jsonl docs/images/cost-of-a-robot.svg"""

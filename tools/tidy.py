@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Checks the rules of the tree that a compiler does not: which module may include which, headers that compile alone,
-names that say nothing, calls that would make a run depend on more than its seed, test scripts that do not run all of their tests. Prints file:line: what; exit 1.
-Without arguments only files that differ from main are checked; of all files those headers are not compiled that their own
-source file includes first, as the release's build, which precompiles nothing, has compiled them alone."""
+"""Checks rules that a compiler does not: module dependencies, self-contained headers, meaningless names, calls that break
+reproducibility, test scripts that do not run all of their tests. Prints file:line: what; exit 1.
+Without arguments only files that differ from main are checked; with all files, headers that their own source file includes
+first are not compiled: the release build, which has no precompiled headers, has compiled them alone."""
 
 import argparse
 import pathlib
@@ -95,7 +95,7 @@ def check_test_script(path):
 
 
 def changed():
-    """What differs from main: committed on a branch, or not committed yet."""
+    """Files that differ from main, committed on a branch or not committed yet."""
     lists = [["git", "diff", "--name-only", "main..."], ["git", "diff", "--name-only", "HEAD"],
              ["git", "ls-files", "--others", "--exclude-standard"]]
     names = {name for command in lists

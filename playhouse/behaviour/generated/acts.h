@@ -1,7 +1,7 @@
 // Generated from kinds/ by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
-/// The act phase of each kind that acts; playhouse/behaviour/act_NAME.cc defines it.
+/// Act phases of kinds, each defined in playhouse/behaviour/act_NAME.cc.
 
 #include <memory>
 

@@ -5,7 +5,7 @@
 
 namespace playhouse::behaviour {
 
-/// What a model draws while it is subscribed, however it moves: what its kind does, else what its words say. [W]
+/// Power consumption of a subscribed model, without motion: that of its kind, else of its words. [W]
 inline double draw_of(const scene::ModelDesc& model) {
   switch (model.kind) {
     case scene::ModelKind::kPosition:

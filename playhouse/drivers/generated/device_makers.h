@@ -1,8 +1,8 @@
 // Generated from kinds/ by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
-/// The device of each interface that a simulated model can have; playhouse/drivers/simulated/NAME.cc defines it,
-/// and those that further kinds have for an interface, NAME of a kind.
+/// The device of each interface of simulated models, defined in playhouse/drivers/simulated/NAME.cc,
+/// and devices specific to a kind, with NAME of the kind.
 
 #include <cstdint>
 #include <memory>
@@ -41,7 +41,7 @@ std::unique_ptr<SimulatedDevice> make_power_device(Simulation& simulation, world
 
 struct DeviceMaker {
   std::uint16_t interf;
-  std::optional<scene::ModelKind> kind;  // of any, if there is none
+  std::optional<scene::ModelKind> kind;  // any kind, if empty
   std::unique_ptr<SimulatedDevice> (*make)(Simulation& simulation, world::ModelRow model);
 };
 inline constexpr DeviceMaker kDeviceMakers[] = {

@@ -1,7 +1,7 @@
 // Generated from kinds/ by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
-/// The bodies that kinds have of their own; playhouse/scene/body_NAME.cc makes each.
+/// Bodies specific to kinds, each built by playhouse/scene/body_NAME.cc.
 
 #include "playhouse/scene/body.h"
 

@@ -1,8 +1,8 @@
 // Generated from kinds/ by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
-/// What world files say of each kind, in SI units and radians; members begin as a file has them that says
-/// nothing. Frames: W world, P parent, M model, B its body, S sensor, O odometry.
+/// Descriptions of each kind in world files, in SI units and radians; members have the default values of
+/// files. Frames: W world, P parent, M model, B its body, S sensor, O odometry.
 
 #include <cstdint>
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace playhouse::scene {
 
-/// The kinds of model that this build simulates; those of any other type are kPlain.
+/// The simulated kinds of models; models of any other type are kPlain.
 enum class ModelKind : std::uint8_t {
   kPlain = 0,
   kPosition = 1,
@@ -538,7 +538,7 @@ struct WorldDesc {
   friend bool operator==(const WorldDesc&, const WorldDesc&) = default;
 };
 
-/// What models say beyond PlainDesc: what is not of a model's kind is empty.
+/// Descriptions of models in addition to PlainDesc: only that of the model's kind is set.
 struct KindDescs {
   std::optional<PositionDesc> position;  // kPosition
   std::vector<RangerSensorDesc> sensors;  // kRanger

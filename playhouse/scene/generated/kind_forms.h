@@ -1,7 +1,7 @@
 // Generated from kinds/ by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
-/// What the table of kinds tells of each, under the names that kinds/*.toml has.
+/// Properties of kinds, with the names of kinds/*.toml.
 
 #include <cstddef>
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace playhouse::scene {
 
-/// Where an entity stands.
+/// Place of an entity in a file.
 enum class EntityForm : std::uint8_t {
   /// at the top level, or inside another model
   kModel,
@@ -27,7 +27,7 @@ constexpr std::string_view name_of(EntityForm value) {
   return kNames[static_cast<std::size_t>(value)];
 }
 
-/// How the indices of an interface count in the automatic map.
+/// Numbering of the devices of an interface in the automatic map.
 enum class Index : std::uint8_t {
   /// 0, the only one
   kOne,

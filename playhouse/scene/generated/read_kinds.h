@@ -19,7 +19,7 @@ void read(const Properties& properties, WorldDesc& to);
 /// Reads what models of a kind say beyond PlainDesc.
 void read_kind(const Properties& properties, ModelKind kind, KindDescs& to);
 
-/// False for a model without the description that its kind needs: no file makes one, code may.
+/// False for a model without the description of its kind: impossible from files, possible from code.
 bool is_described(ModelKind kind, const KindDescs& by);
 
 }  // namespace playhouse::scene

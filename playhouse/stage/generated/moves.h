@@ -1,7 +1,7 @@
 // Generated from kinds/ by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
-/// How each kind that moves by itself does so; playhouse/stage/move_NAME.h has its functions.
+/// Motion of each kind that moves by itself, by functions of playhouse/stage/move_NAME.h.
 
 #include "playhouse/stage/move_actuator.h"
 #include "playhouse/stage/move_custom.h"
@@ -9,7 +9,7 @@
 
 namespace playhouse::stage {
 
-/// Calls visit(functions) with those of a kind that moves.
+/// Calls visit(functions) with the functions of a kind that moves.
 template <typename Visit>
 decltype(auto) with_move(scene::ModelKind kind, const Visit& visit) {
   if (kind == scene::ModelKind::kActuator) return visit(ActuatorMove{});

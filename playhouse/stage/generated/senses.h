@@ -1,7 +1,7 @@
 // Generated from kinds/ by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
-/// The sense phase of each kind that measures; playhouse/stage/sense_NAME.cc defines it.
+/// Sense phases of kinds, each defined in playhouse/stage/sense_NAME.cc.
 
 #include <memory>
 
@@ -9,7 +9,7 @@
 
 namespace playhouse::stage {
 
-/// `workers` is how many threads may measure at once.
+/// `workers` is the maximum number of concurrent threads.
 std::unique_ptr<SensePhase> make_ranger_sense(unsigned workers);
 std::unique_ptr<SensePhase> make_fiducial_sense(unsigned workers);
 std::unique_ptr<SensePhase> make_blobfinder_sense(unsigned workers);
@@ -22,7 +22,7 @@ std::unique_ptr<SensePhase> make_custom_sense(unsigned workers);
 std::unique_ptr<SensePhase> make_imu_sense(unsigned workers);
 std::unique_ptr<SensePhase> make_gps_sense(unsigned workers);
 
-/// Who makes the phase of each kind; an engine that measures otherwise has makers of its own.
+/// Factories of the phase of each kind; an engine with other sensor models has its own.
 struct SenseMakers {
   using Make = std::unique_ptr<SensePhase> (*)(unsigned workers);
   Make ranger = make_ranger_sense;

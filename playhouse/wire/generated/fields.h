@@ -1,8 +1,8 @@
 // Generated from interfaces/ by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
-/// Every struct as a list of fields, and every message as a type. For tests: they fill values at random and check laws
-/// that hold for all messages. each_field(m, f) calls f.field(member), f.list(member, max) for counted and dynamic
+/// Every struct as a list of fields, and every message as a type. For tests that fill values at random and check
+/// properties of all messages. each_field(m, f) calls f.field(member), f.list(member, max) for counted and dynamic
 /// arrays, f.fixed_text(member, length) for text of fixed length. each_message(f) calls f.operator()<Payload>(name).
 
 #include "playhouse/wire/generated/common.h"

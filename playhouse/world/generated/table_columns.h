@@ -1,7 +1,7 @@
 // Generated from kinds/ by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
-/// The columns of the kinds' and traits' tables, and which of them has which table. For columns.h alone.
+/// The columns of the tables of kinds and traits, and the table of each. For columns.h only.
 
 namespace playhouse::world {
 

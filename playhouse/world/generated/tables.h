@@ -1,7 +1,7 @@
 // Generated from kinds/ by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
-/// The tables of the world: what there is of each kind, in columns. Units, frames, roles and writers are in
+/// The tables of the world: the state of each kind, in columns. Units, frames, roles and writers are in
 /// table_columns.h and on the pages of docs/kinds/.
 
 #include <cstdint>

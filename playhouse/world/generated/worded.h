@@ -1,7 +1,7 @@
 // Generated from kinds/ by codegen (python3 -m codegen). Do not edit.
 #pragma once
 
-/// State that begins as a word of world files says, and that such a file says as it is now.
+/// State initialised by a word of world files, and saved by it with its current value.
 
 #include "playhouse/world/generated/tables.h"
 

@@ -160,7 +160,7 @@ _CATALOGUE = _catalogue()
 
 
 def find_message(interface: int, kind: int, subtype: int) -> Optional[MessageType]:
-    """The row of a message, or None. Answers have the row of their request; shared ones fit every interface."""
+    """The row of a message, or None. Answers have the row of their request; shared messages apply to every interface."""
     if kind in (Kind.ACK, Kind.NACK):
         kind = Kind.REQ
     return _CATALOGUE.get((0, kind, subtype)) or _CATALOGUE.get((interface, kind, subtype))
