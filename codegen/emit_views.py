@@ -229,10 +229,10 @@ def _traits(kinds: Kinds) -> list[str]:
 
 def _typescript(kinds: Kinds) -> str:
     shown = views(kinds)
-    lines = [BANNER.rstrip(), "import type { Pose, Rgba } from '../scene';", "", "/** What a model is. */",
+    lines = [BANNER.rstrip(), "import type { Pose, Rgba } from '../scene';", "", "/** The kind of a model. */",
              "export type Kind = " + " | ".join(f"'{k.kind}'" for k in kinds.simulated()) + ";", "",
-             "/** What models of any kind may have. */", "export type Trait = " + " | ".join(f"'{k.name}'" for k in kinds.traits()) + ";", "",
-             "/** Bits of a model's state; those of a kind count for models of that kind. */",
+             "/** Optional traits of models of any kind. */", "export type Trait = " + " | ".join(f"'{k.name}'" for k in kinds.traits()) + ";", "",
+             "/** Bits of a model's state; bits of a kind apply to models of that kind only. */",
              "export const kBits = {", f"  subscribed: {SUBSCRIBED},"]
     for kind in kinds.simulated():
         if _bits(kind):
@@ -241,10 +241,10 @@ def _typescript(kinds: Kinds) -> str:
     for view in shown:
         lines += [f"/** {view.kind.doc} SI units and radians. */", f"export interface {_pascal(view.kind)}View {{"]
         lines += [f"  {s.field}: number;{_unit(s)}" for s in view.fields] + ["}", ""]
-    lines += ["/** Per kind, what comes of a model while somebody looks. */", "export interface Views {"]
+    lines += ["/** Per kind, the fields sent during a run. */", "export interface Views {"]
     lines += [f"  {v.kind.name}: {_pascal(v.kind)}View{'[]' if v.column else ''};" for v in shown] + ["}", ""]
     lines += ["export type Code = " + " | ".join(f"'{c}'" for c in CODES) + ";", "",
-              "/** How a view travels: the code of each number, and what one of its units is worth. */",
+              "/** Encoding of a view: the code of each number, and its quantum. */",
               "export interface ViewFormat {", "  kind: keyof Views;", "  list: boolean;",
               "  fields: readonly (readonly [name: string, code: Code, worth: number])[];", "}", "",
               "export const kViews: readonly ViewFormat[] = ["]
@@ -278,7 +278,7 @@ def _starts(kinds: Kinds) -> list[str]:
             continue
         for part in (p for p in kinds.parts_of(kind) if _start(p)):
             lines += [f"/** {part.doc} */", f"export interface {_pascal(part)} {{", *_fields(part, base), "}", ""]
-    lines += ["/** What the prototype of a model of its kind says: the fields of other kinds are not there. */",
+    lines += ["/** Fields of the prototype of a model; only those of its kind are present. */",
               "export interface KindStart {"]
     for kind in kinds.simulated():
         if kind.name == BASE:

@@ -37,7 +37,7 @@ constexpr const char* kExamples = R"(Examples:
   playhouse drive 127.0.0.1 guest                    drive a robot by the keyboard
   playhouse check my.world                           report errors in a file
   playhouse convert old.world -o new.world           convert a world of an older version of Stage
-  playhouse convert plan.png --scale 0.05 -o w.world convert a floor plan to a world; also a ROS map.yaml, and back
+  playhouse convert plan.png --scale 0.05 -o w.world convert a floor plan or a ROS map.yaml to a world
   playhouse picture my.world --at 10 -o a.png        render it from above after ten seconds
   playhouse kinds ranger                             list the words of a ranger
   playhouse bench laser --robots 1000                print one line of figures

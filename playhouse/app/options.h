@@ -1,6 +1,6 @@
 #pragma once
 
-/// What each command of the program was asked to do: plain values, filled by command_line.cc. Where code
+/// Options of each command of the program: plain values, filled by command_line.cc. Where code
 /// lists some members of a struct by name, the others have an initializer here: g++ warns of those without.
 
 #include <cstdint>
@@ -21,48 +21,48 @@ inline constexpr std::uint16_t kPlayerPort = 6665;
 inline constexpr std::uint16_t kWebPort = 8080;
 inline constexpr std::uint16_t kObserverPort = 6670;  // UDP
 
-/// Where and how a world is offered to others.
+/// Ports and access of a served world.
 struct Serving {
   std::uint16_t port = kPlayerPort;             // 0: any free one
   std::optional<std::uint16_t> web = kWebPort;  // none: no page; 0: any free port
   std::string bind = "127.0.0.1";
-  std::string port_option = "--port";       // that sets `port`, for errors
-  std::vector<std::string> web_hosts = {};  // names of the page besides the machine's
-  std::string guests = {};                  // the file that says who may open the page; empty: everybody may
-  std::size_t viewers = limits::kViewers;   // pages at once, and observers
-  std::optional<std::uint16_t> observers = {};  // the UDP port for them; none: none; 0: any free one
-  std::uint32_t observer_bytes = limits::kObserverBytesPerSecond;  // a second, to each at most
+  std::string port_option = "--port";           // name of the option of `port`, for errors
+  std::vector<std::string> web_hosts = {};      // host names of the page besides the machine's
+  std::string guests = {};                      // access control file of the page; empty: full access
+  std::size_t viewers = limits::kViewers;       // limit on simultaneous pages, and on observers
+  std::optional<std::uint16_t> observers = {};  // UDP port for observers; none: no observers; 0: any free one
+  std::uint32_t observer_bytes = limits::kObserverBytesPerSecond;  // limit per second for each observer
 };
 
-/// The engines: the one of robots in the plane, and the one of bodies with mass.
+/// The engines: 2D, and 3D with rigid bodies.
 inline constexpr const char *kStage = "stage", *kArena = "arena";
 inline constexpr std::string_view kEngines[] = {kStage, kArena};
 
-/// Whom the world waits for in every tick.
+/// The members of lock-step.
 struct LockStepping {
   std::size_t clients = 1;
-  std::set<std::string> names;  // of them; empty: any clients
+  std::set<std::string> names;  // names of the members; empty: any clients
 };
 
-/// How a world runs. What is not given comes from the world file.
+/// Options of a run. Defaults come from the world file.
 struct Running {
   std::string engine = kStage;          // a name of kEngines
   std::optional<double> speed = {};     // times real time; 0: as fast as possible
   std::optional<double> duration = {};  // simulated seconds
   std::uint64_t seed = 1;
   unsigned workers = 1;
-  /// Of controllers and custom models, outside the folders where they are looked for.
+  /// Libraries of controllers and custom models outside the library folders.
   std::vector<std::string> allowed_libraries = {};
-  std::string save_world = {};                 // the file into which clients may save the world; empty: none
-  std::optional<LockStepping> lock_step = {};  // none: for nobody
-  double lock_step_timeout = 0;                // s of silence after which the others go on; 0: never
-  std::string record = {};                     // the file that the run is recorded into; empty: none
-  std::string record_only = {};                // what of it, record::Selection; empty: everything
+  std::string save_world = {};                 // file for SAVE of clients; empty: none
+  std::optional<LockStepping> lock_step = {};  // none: no lock-step
+  double lock_step_timeout = 0;                // s of silence after which a member is dropped; 0: never
+  std::string record = {};                     // recording file; empty: none
+  std::string record_only = {};                // recorded part, record::Selection; empty: everything
   bool paused = false;
   bool json = false;  // the result as the last line of standard output
 };
 
-/// A state to be saved while a run goes on, or a world file of how the world stands.
+/// A state, or the current world as a world file, to be saved during a run.
 struct SaveAt {
   double seconds = 0;  // simulated; at the first tick at or after it
   std::string file;    // .world: a world file
@@ -85,7 +85,7 @@ struct ReplayOptions {
 
 struct ExportOptions {
   std::string file;    // a recording
-  std::string folder;  // of the tables; empty: the file's name without its ending
+  std::string folder;  // of the tables; empty: the file's name without its extension
   bool csv = false;
 };
 
@@ -104,7 +104,7 @@ struct RobotOptions {
 
 struct GymOptions {
   std::string world;
-  int socket = -1;  // that the learning program has the other end of
+  int socket = -1;  // connected to the learning program
   Serving serving;
   Running running;
 };
@@ -112,7 +112,7 @@ struct GymOptions {
 struct VerifyOptions {
   std::string world;
   std::uint64_t ticks = 0;
-  std::vector<unsigned> workers;  // of the runs side by side
+  std::vector<unsigned> workers;  // of the parallel runs
   Running running;
 };
 
@@ -135,11 +135,11 @@ struct ViewSquare {
 struct ObserveOptions {
   std::string server;
   std::string token;                   // of a guest; empty: none
-  std::vector<std::string> names;      // of models; none: all that stand for themselves
-  std::optional<ViewSquare> view;      // what is in it comes first
-  double rate = 0;                     // of each model's lines, a second; 0: when it changes
-  double seconds = 0;                  // until the end, once the world is there; 0: for ever
-  std::uint32_t bytes_per_second = 0;  // to ask for; 0: as many as the program gives
+  std::vector<std::string> names;      // of models; empty: all top-level models
+  std::optional<ViewSquare> view;      // region with priority
+  double rate = 0;                     // lines per second for each model; 0: on change
+  double seconds = 0;                  // after reception of the world; 0: for ever
+  std::uint32_t bytes_per_second = 0;  // requested; 0: the limit of the run
   bool stats = false;
 };
 
@@ -153,26 +153,26 @@ struct CheckOptions {
 };
 
 struct ConvertOptions {
-  std::string input;             // a world, an image or a map of ROS
+  std::string input;             // a world, an image or a ROS map
   std::string output;            // "": standard output
   std::optional<double> scale;   // of an image or map [m per pixel]
-  std::optional<double> height;  // of walls that are made, or at which they are looked for [m]
+  std::optional<double> height;  // of generated walls, or of the section through the world [m]
 };
 
-/// Who draws pictures.
+/// Renderers of pictures.
 inline constexpr const char *kChromium = "chromium", *kPlayhouse = "playhouse";
 
 struct PictureOptions {
   std::string world, output;  // .world, .png
   double at = 0;              // simulated seconds
   int width = 1280;           // pixels
-  std::string show;           // of what sensors see, SensorShapes; empty: nothing
-  std::string renderer;       // kChromium or kPlayhouse; empty: Chromium, where there is one that draws
+  std::string show;           // drawn sensor data, SensorShapes; empty: none
+  std::string renderer;       // kChromium or kPlayhouse; empty: Chromium, if one that renders is installed
   Running running;
 };
 
 struct FilmOptions {
-  std::string world, output;  // .world; .png, or what ffmpeg makes
+  std::string world, output;  // .world; .png, or a format of ffmpeg
   double duration = 10;       // simulated seconds
   double rate = 10;           // pictures per simulated second, at most one a tick
   int width = 640;            // pixels

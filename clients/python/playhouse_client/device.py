@@ -1,4 +1,4 @@
-"""An open device of any interface. The proxies add to it what their interface is about."""
+"""An open device of any interface, base of the proxies for specific interfaces."""
 
 import difflib
 import enum

@@ -64,7 +64,8 @@ struct PlainDesc {
   /// sledge.
   double friction_x = 1;
   double friction_y = 1;
-  /// Name of its material, as "glass"; detectors can match it in sees and through.
+  /// Name of its material, as "glass": a property for detectors (sees, through), and its surface in the arena
+  /// (docs/arena.md).
   std::string material;
   /// Luminous intensity of an omnidirectional light in its color; a bulb of 60 W has 65. A lamp that can be
   /// switched off shines while it is lit. Rendered by cameras of the arena engine; a light for detectors.

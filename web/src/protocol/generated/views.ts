@@ -1,13 +1,13 @@
 // Generated from kinds/ by codegen (python3 -m codegen). Do not edit.
 import type { Pose, Rgba } from '../scene';
 
-/** What a model is. */
+/** The kind of a model. */
 export type Kind = 'plain' | 'position' | 'ranger' | 'fiducial' | 'blobfinder' | 'bumper' | 'blinkenlight' | 'lightindicator' | 'gripper' | 'actuator' | 'wifi' | 'camera' | 'detector' | 'custom' | 'imu' | 'gps';
 
-/** What models of any kind may have. */
+/** Optional traits of models of any kind. */
 export type Trait = 'pack';
 
-/** Bits of a model's state; those of a kind count for models of that kind. */
+/** Bits of a model's state; bits of a kind apply to models of that kind only. */
 export const kBits = {
   subscribed: 1,
   position: { stalled: 2, motor_on: 4 },
@@ -123,7 +123,7 @@ export interface PackView {
   charging: number;
 }
 
-/** Per kind, what comes of a model while somebody looks. */
+/** Per kind, the fields sent during a run. */
 export interface Views {
   position: PositionView;
   fiducial: FiducialView[];
@@ -143,7 +143,7 @@ export interface Views {
 
 export type Code = 'varint' | 'zigzag' | 'turn' | 'rgba';
 
-/** How a view travels: the code of each number, and what one of its units is worth. */
+/** Encoding of a view: the code of each number, and its quantum. */
 export interface ViewFormat {
   kind: keyof Views;
   list: boolean;
@@ -177,7 +177,7 @@ export interface Sensor {
   color: Rgba;
 }
 
-/** What the prototype of a model of its kind says: the fields of other kinds are not there. */
+/** Fields of the prototype of a model; only those of its kind are present. */
 export interface KindStart {
   drive?: 'diff' | 'omni' | 'walk' | 'car';
   trail?: number;
